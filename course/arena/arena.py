@@ -1,0 +1,162 @@
+"""The arena as a scenario sees it: start programs, listen, act, wait.
+
+One arena serves one scenario. Everything that happens in it goes to its time line; when it
+is closed, every process that was started in it, or by one of them, has ended.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from course.arena.executables import command_for
+from course.arena.leftovers import end_descendants
+from course.arena.process import Process
+from course.errors import OurFault
+from course.evidence.events import ExecutableMissing, Marked
+from course.evidence.graph import Graph
+from course.evidence.packages import BuiltPackages
+from course.evidence.recorder import Listener, Recorder, Stimulus
+from course.evidence.timeline import Timeline
+
+INTERRUPT_GRACE = 3.0
+
+
+class Arena:
+    """Where the learner's nodes run while they are watched.
+
+    packages: what was built. environment: for the learner's programs. python: the
+    interpreter that runs Python nodes. folder: a scratch folder, their HOME.
+    """
+
+    def __init__(
+        self,
+        recorder: Recorder,
+        packages: BuiltPackages,
+        environment: Mapping[str, str],
+        python: str,
+        folder: Path,
+    ) -> None:
+        self.timeline: Timeline = recorder.timeline
+        self._recorder = recorder
+        self._packages = packages
+        self._environment = environment
+        self._python = python
+        self._folder = folder
+        self._processes: list[Process] = []
+
+    @property
+    def graph(self) -> Graph:
+        """The ROS graph now, without the arena's own nodes."""
+        return self._recorder.graph
+
+    @property
+    def definitions(self) -> dict[str, str]:
+        """Text definitions of all message types in the recording."""
+        return self._recorder.definitions
+
+    def subscribe(self, topic: str, type_name: str, **qos: str) -> Listener:
+        """Record every message on `topic` (full name) of type `pkg/msg/Type` from now on.
+
+        qos: `reliability` and `durability`; by default what suits any publisher.
+        """
+        return self._recorder.subscribe(topic, type_name, **qos)
+
+    def publisher(self, topic: str, type_name: str, **qos: str) -> Stimulus:
+        """A publisher of the arena's own, reliable and volatile unless said otherwise."""
+        return self._recorder.publisher(topic, type_name, **qos)
+
+    def run(
+        self, package: str, executable: str, *args: str, name: str | None = None, env: Mapping[str, str] | None = None
+    ) -> Process | None:
+        """Start what `ros2 run package executable args...` would start.
+
+        Returns None, and records what there is instead, when no such executable is installed.
+        name: what the recording calls it; the executable's name by default.
+        """
+        name = name or executable
+        built = self._packages.get(package)
+        if built is None or executable not in built.executables:
+            available = built.executables if built else ()
+            self.timeline.add(ExecutableMissing(self.timeline.now(), name, package, executable, available))
+            return None
+        command = command_for(Path(built.prefix), package, executable, self._python)
+        return self.start(*command, *args, name=name, env=env)
+
+    def start(self, *command: str, name: str, env: Mapping[str, str] | None = None) -> Process:
+        """Start any command on a terminal of its own, with the learner's packages on top of ROS."""
+        if any(process.name == name for process in self._processes):
+            raise OurFault(f"the scenario starts two programs under the name {name}")
+        environment = {**self._environment, **self._own_environment(), **(env or {})}
+        process = Process(name, command, env=environment, cwd=self._folder, timeline=self.timeline)
+        self._processes.append(process)
+        return process
+
+    def until(
+        self, condition: Callable[[], Any], *, timeout: float, while_running: Process | None = None, name: str = ""
+    ) -> bool:
+        """Wait until `condition()` holds: True; False after `timeout` s or when the program ended.
+
+        condition: quick, and true or false by what the arena has seen up to now.
+        name: marks the giving up in the recording, for checks to know.
+        """
+
+        def settled() -> bool:
+            return bool(condition()) or bool(while_running and not while_running.running)
+
+        self.timeline.wait_until(settled, timeout)
+        if condition():
+            return True
+        if name:
+            self.timeline.add(Marked(self.timeline.now(), f"gave up: {name}"))
+        return False
+
+    def interrupt(self, process: Process | None, grace: float = INTERRUPT_GRACE) -> None:
+        """Press Ctrl+C at this program and give it `grace` seconds to end; then it is killed.
+
+        A program that has no handler yet has not been asked: wait for its node first.
+        """
+        if process is None:
+            return
+        process.interrupt()
+        if not process.wait(grace):
+            self.timeline.add(Marked(self.timeline.now(), f"ignored Ctrl+C: {process.name}"))
+            process.close()
+
+    def mark(self, name: str, detail: str = "") -> None:
+        """Name this moment in the recording."""
+        self.timeline.add(Marked(self.timeline.now(), name, detail))
+
+    def close(self) -> None:
+        """End everything that was started here."""
+        for process in self._processes:
+            process.close()
+        end_descendants()
+
+    def _own_environment(self) -> dict[str, str]:
+        return {
+            "HOME": str(self._folder),
+            "TMPDIR": str(self._folder),
+            "ROS_LOG_DIR": str(self._folder / "log"),
+            "TERM": "xterm",
+            "RCUTILS_COLORIZED_OUTPUT": "0",
+            # Bytecode would be written into the build cache.
+            "PYTHONDONTWRITEBYTECODE": "1",
+        }
+
+
+@contextlib.contextmanager
+def open_arena(
+    timeline: Timeline, packages: BuiltPackages, environment: Mapping[str, str], python: str, folder: Path
+) -> Iterator[Arena]:
+    """An arena whose recorder listens before anything is started in it."""
+    os.makedirs(folder, exist_ok=True)
+    with Recorder(timeline) as recorder:
+        arena = Arena(recorder, packages, environment, python, folder)
+        try:
+            yield arena
+        finally:
+            arena.close()

@@ -1,0 +1,151 @@
+"""A program on a pseudo-terminal: started, listened to, signalled, ended.
+
+The program gets a terminal of its own as its controlling one, so it behaves as it does in
+front of the learner: output comes line by line, Ctrl+C reaches its whole process group.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import signal
+import subprocess
+import termios
+import threading
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from course.arena.output import LineSplitter
+from course.evidence.events import OutputCut, OutputLine, ProcessExited, ProcessStarted, SignalSent
+from course.evidence.timeline import Timeline
+
+_CHUNK = 65536
+_MAX_REST = 64
+
+
+class Process:
+    """One program of the learner's, recorded on `timeline` under `name`.
+
+    Raises OSError when it cannot be started at all.
+    """
+
+    def __init__(
+        self, name: str, command: Sequence[str], *, env: Mapping[str, str], cwd: Path, timeline: Timeline
+    ) -> None:
+        self.name = name
+        self._timeline = timeline
+        self._splitter = LineSplitter()
+        self._terminal, program_side = _open_terminal()
+        timeline.add(ProcessStarted(timeline.now(), name, tuple(command)))
+        try:
+            # setsid runs in the child itself: no Python between fork and exec, although
+            # this process has threads.
+            self._child = subprocess.Popen(
+                ["setsid", "--ctty", *command],
+                stdin=program_side,
+                stdout=program_side,
+                stderr=program_side,
+                env=dict(env),
+                cwd=cwd,
+            )
+        finally:
+            os.close(program_side)
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._follow, name=f"process {name}", daemon=True)
+        self._thread.start()
+
+    @property
+    def pid(self) -> int:
+        return self._child.pid
+
+    @property
+    def running(self) -> bool:
+        return not self._ended.is_set()
+
+    def interrupt(self) -> None:
+        """What Ctrl+C does: SIGINT to the program and its children on this terminal."""
+        self.send(signal.SIGINT)
+
+    def send(self, number: signal.Signals) -> None:
+        """Send a signal to the program's process group; recorded. Nothing if it has ended."""
+        if not self.running:
+            return
+        self._timeline.add(SignalSent(self._timeline.now(), self.name, int(number)))
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self._child.pid, number)
+
+    def type(self, text: str) -> None:
+        """Type on its terminal."""
+        os.write(self._terminal, text.encode())
+
+    def wait(self, timeout: float) -> bool:
+        """Wait for its end; False when it still runs after `timeout` seconds."""
+        return self._ended.wait(timeout)
+
+    def close(self) -> None:
+        """End what is left of it, unrecorded, and stop listening."""
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(self._child.pid, signal.SIGKILL)
+        self._ended.wait(2.0)
+
+    def _follow(self) -> None:
+        watch = os.pidfd_open(self._child.pid)
+        try:
+            while not self._read_until_exit(watch):
+                pass
+            self._read_rest()
+        finally:
+            os.close(watch)
+            self._record_end()
+            os.close(self._terminal)
+
+    def _read_until_exit(self, watch: int) -> bool:
+        """Read once; True as soon as the program has ended or its terminal is closed."""
+        ready, _, _ = select.select([self._terminal, watch], [], [])
+        if self._terminal in ready and not self._read_once():
+            self._child.wait()  # nobody holds the terminal any more; the end is near
+            return True
+        return watch in ready
+
+    def _read_rest(self) -> None:
+        """What the program wrote last is still in the terminal's buffer.
+
+        Bounded: a child that it left behind may go on writing for ever.
+        """
+        for _ in range(_MAX_REST):
+            if not select.select([self._terminal], [], [], 0)[0] or not self._read_once():
+                return
+
+    def _read_once(self) -> bool:
+        try:
+            data = os.read(self._terminal, _CHUNK)
+        except OSError:  # EIO: the last holder of the terminal closed it
+            return False
+        moment = self._timeline.now()
+        for text in self._splitter.feed(data):
+            self._timeline.add(OutputLine(moment, self.name, text))
+        return bool(data)
+
+    def _record_end(self) -> None:
+        moment = self._timeline.now()
+        for text in self._splitter.rest():
+            self._timeline.add(OutputLine(moment, self.name, text))
+        if self._splitter.dropped:
+            self._timeline.add(OutputCut(moment, self.name, self._splitter.dropped))
+        status = self._child.wait()
+        code, number = (status, None) if status >= 0 else (None, -status)
+        self._ended.set()
+        self._timeline.add(ProcessExited(moment, self.name, code, number))
+
+
+def _open_terminal() -> tuple[int, int]:
+    """A pseudo-terminal: our side, the program's side. It does not echo what is typed."""
+    ours, theirs = os.openpty()
+    os.set_inheritable(ours, False)
+    settings = termios.tcgetattr(theirs)
+    settings[1] &= ~termios.ONLCR  # no carriage return before each line feed
+    settings[3] &= ~termios.ECHO
+    termios.tcsetattr(theirs, termios.TCSANOW, settings)
+    termios.tcsetwinsize(theirs, (24, 200)) if hasattr(termios, "tcsetwinsize") else None
+    return ours, theirs

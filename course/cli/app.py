@@ -1,0 +1,82 @@
+"""The command line as a whole: options for every command, and the list of commands."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from course import __version__
+from course.cli import check, doctor, hint, init, listing, next_, reset, shell, show, solution
+from course.cli.options import Options
+from course.cli.words import PROGRAM, examples
+
+EPILOG = (
+    examples(
+        ("next", "begin, or go on where you left off"),
+        ("check", "check the exercise you are at"),
+        ("hint", "a hint for it"),
+        ("shell", "a shell in which ROS 2 and your course home are ready"),
+        ("doctor", "what is here, and what is missing"),
+        ("COMMAND --help", "more about a command, with examples"),
+    )
+    + "\n\n\b\nExit codes: 0 passed or done, 1 not passed, 2 wrong usage, 3 a fault of the course,"
+    + "\n4 something is missing on this machine, 130 stopped with Ctrl+C."
+)
+
+app = typer.Typer(
+    name=PROGRAM,
+    # Plain help: quick to show, and the same with and without colour.
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"{PROGRAM} {__version__}")
+        raise typer.Exit()
+
+
+@app.callback(invoke_without_command=True, epilog=EPILOG)
+def program(
+    ctx: typer.Context,
+    home: Annotated[
+        Path | None,
+        typer.Option("--home", metavar="DIR", help="The course home to work in.", show_default=False),
+    ] = None,
+    course: Annotated[
+        Path | None,
+        typer.Option("--course", metavar="DIR", help="Another course than the one that comes along."),
+    ] = None,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version.")
+    ] = False,
+) -> None:
+    """An interactive ROS 2 course: read, write a node, have it checked.
+
+    Your work lies in a course home: the folder given with --home, else in the
+    environment variable ROS2COURSE_HOME, else the one you are in, else
+    ~/ros2course. `next` makes it when there is none.
+    """
+    ctx.obj = Options(home=home, course=course)
+    if ctx.invoked_subcommand is None:
+        typer.echo(ctx.get_help())
+
+
+for command, name, epilog in (
+    (next_.next_, "next", next_.EXAMPLES),
+    (check.check, "check", check.EXAMPLES),
+    (hint.hint, "hint", hint.EXAMPLES),
+    (listing.list_, "list", listing.EXAMPLES),
+    (show.show, "show", show.EXAMPLES),
+    (reset.reset, "reset", reset.EXAMPLES),
+    (solution.solution, "solution", solution.EXAMPLES),
+    (init.init, "init", init.EXAMPLES),
+    (shell.shell, "shell", shell.EXAMPLES),
+    (shell.env, "env", shell.ENV_EXAMPLES),
+    (doctor.doctor, "doctor", doctor.EXAMPLES),
+):
+    app.command(name, epilog=epilog)(command)

@@ -1,0 +1,148 @@
+"""`check`: run what the learner wrote, and say what is right and what is not."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated, NoReturn
+
+import typer
+
+from course.cli.arguments import CurrentExercise
+from course.cli.words import examples, typed
+from course.errors import ExitCode
+
+if TYPE_CHECKING:
+    from course.cli.desk import Desk
+    from course.content import Exercise
+    from course.grading.result import Result
+
+EXAMPLES = examples(
+    ("check", "check the exercise you are at"),
+    ("check 18-publisher", "check another one"),
+    ("check --json", "the result for a program to read"),
+)
+
+
+def check(
+    ctx: typer.Context,
+    exercise: CurrentExercise = None,
+    json: Annotated[bool, typer.Option("--json", help="Print the result as JSON, and nothing else.")] = False,
+) -> None:
+    """Build and run what you wrote, and say what is right and what is not.
+
+    Your files are only read. Ends with 0 when the exercise is passed, 1 when it
+    is not, 3 when the course itself has a fault, 4 when this machine lacks
+    something.
+    """
+    from course.cli.desk import open_desk
+
+    with open_desk(ctx) as desk:
+        chosen = desk.exercise(exercise)
+        result = _judged(desk, chosen, quiet=json)
+        previous = desk.progress.last_result(chosen.id)
+        if json:
+            _print_json(result)
+        else:
+            _render(result, chosen, previous)
+        _remember(desk, chosen, result)
+        if not json:
+            _next_steps(desk, chosen, result)
+    raise typer.Exit(exit_code(result))
+
+
+def exit_code(result: Result) -> ExitCode:
+    """What `check` ends with, as scripts rely on it."""
+    from course.grading.result import Verdict
+
+    return {
+        Verdict.PASSED: ExitCode.PASSED,
+        Verdict.NOT_PASSED: ExitCode.NOT_PASSED,
+        Verdict.NOT_AVAILABLE: ExitCode.MISSING_HERE,
+        Verdict.OUR_ERROR: ExitCode.OUR_FAULT,
+    }[result.verdict]
+
+
+def _judged(desk: Desk, exercise: Exercise, *, quiet: bool) -> Result:
+    from course.grading.check import check_exercise
+    from course.report.activity import activity
+    from course.report.console import error_console, put
+    from course.rosenv import find_ros
+
+    console = error_console()
+    try:
+        with _ended_cleanly(), activity(console, f"checking {exercise.id}", quiet=quiet) as say:
+            return check_exercise(exercise, desk.home.path, ros=find_ros(), on_progress=say)
+    except KeyboardInterrupt:
+        put(console, "Stopped. This attempt does not count.")
+        raise
+
+
+@contextmanager
+def _ended_cleanly() -> Iterator[None]:
+    """A closed terminal or a `kill` ends a check like Ctrl+C does, with everything it started."""
+    signals = (signal.SIGTERM, signal.SIGHUP)
+    before = {number: signal.signal(number, _leave) for number in signals}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _leave(number: int, _frame: object) -> NoReturn:
+    sys.exit(128 + number)
+
+
+def _print_json(result: Result) -> None:
+    from course.grading.result import to_json
+
+    print(to_json(result, indent=2))
+
+
+def _render(result: Result, exercise: Exercise, previous: Result | None) -> None:
+    from course.grading.result import Verdict, to_json
+    from course.report.console import open_console
+    from course.report.lesson import render_after
+    from course.report.problem import render_our_fault
+    from course.report.terminal import render_result
+
+    console = open_console()
+    render_result(console, result, exercise, previous)
+    if result.verdict is Verdict.OUR_ERROR:
+        from course.cli.log import save_log
+
+        render_our_fault(console, save_log(f"check-{exercise.id}", to_json(result, indent=2)))
+    if result.verdict is Verdict.PASSED and exercise.after:
+        render_after(console, exercise.after)
+
+
+def _remember(desk: Desk, exercise: Exercise, result: Result) -> None:
+    desk.progress.record(result)
+    if desk.progress.current() is None or not desk.is_passed(exercise.id):
+        desk.progress.set_current(exercise.id)
+
+
+def _next_steps(desk: Desk, exercise: Exercise, result: Result) -> None:
+    from course.report.console import open_console, put, put_steps
+
+    console = open_console()
+    put(console)
+    put_steps(console, _steps(desk, exercise, result))
+
+
+def _steps(desk: Desk, exercise: Exercise, result: Result) -> list[tuple[str, str]]:
+    from course.grading.result import Verdict
+
+    name = "" if desk.progress.current() == exercise.id else f" {exercise.id}"
+    if result.verdict is Verdict.PASSED:
+        compare = (typed(f"solution{name}"), "to compare yours with ours")
+        return [(typed("next"), "for the next exercise"), compare]
+    again = (typed(f"check{name}"), "to check again")
+    if result.verdict is not Verdict.NOT_PASSED:
+        return [(typed("doctor"), "to see what this machine has"), again]
+    if desk.progress.hints_shown(exercise.id) < len(exercise.hints):
+        return [(typed(f"hint{name}"), "for a hint"), again]
+    return [(typed(f"hint{name} --all"), "to read the hints again"), again]

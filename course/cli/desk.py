@@ -1,0 +1,60 @@
+"""What nearly every command needs: the course, the learner's course home and the progress in it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import typer
+
+from course.cli.options import Options, options_of
+from course.cli.words import typed
+from course.content import Course, Exercise, open_course
+from course.errors import UsageError
+from course.home import CourseHome, find_home
+from course.progress import Progress
+from course.report.console import error_console
+from course.report.lesson import put_notice
+from course.rosenv.paths import cache_dir
+
+
+@dataclass(frozen=True)
+class Desk:
+    """An opened course, the course home it is worked on in, and what has been reached."""
+
+    course: Course
+    home: CourseHome
+    progress: Progress
+
+    def exercise(self, name: str | None) -> Exercise:
+        """The exercise named, else the one that the learner is at."""
+        wanted = name or self.progress.current()
+        if wanted is None:
+            raise UsageError("No exercise has been begun yet.", f"`{typed('next')}` begins the first one.")
+        return self.course.exercise(wanted)
+
+    def is_passed(self, exercise: str) -> bool:
+        return self.progress.state(exercise) == "passed"
+
+
+def course_of(options: Options) -> Course:
+    return open_course(options.course, cache=cache_dir(os.environ) / "lessons")
+
+
+def home_of(options: Options) -> CourseHome:
+    return find_home(options.home, os.environ, Path.cwd())
+
+
+@contextmanager
+def open_desk(ctx: typer.Context, home: CourseHome | None = None) -> Iterator[Desk]:
+    """Open everything for one command, and pass on what the progress file has to say."""
+    options = options_of(ctx)
+    course = course_of(options)
+    home = home or home_of(options)
+    with Progress.open(home.state) as progress:
+        for notice in progress.notices:
+            put_notice(error_console(), notice)
+        yield Desk(course, home, progress)

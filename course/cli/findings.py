@@ -1,0 +1,180 @@
+"""What `doctor` looks at. Each function looks at one thing and never raises for what it finds."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from importlib import metadata, util
+from pathlib import Path
+
+from course.cli.desk import home_of
+from course.cli.options import Options
+from course.cli.words import spoken, typed
+from course.errors import CourseError
+from course.report.machine import Finding, State
+from course.rosenv.paths import cache_dir
+
+OLDEST_PYTHON = (3, 10)
+GIBIBYTE = 2**30
+ENOUGH_SPACE = 2 * GIBIBYTE
+LEAST_SPACE = GIBIBYTE // 4
+CLOCK_TOLERANCE = 2.0  # seconds between this machine's clock and its file system's
+NOT_BEFORE = 2026
+
+
+def find_all(options: Options) -> list[Finding]:
+    """Everything `doctor` shows, in its order."""
+    home = _home(options)
+    folders = [cache_dir(os.environ)]
+    if home.state is State.OK:
+        folders.append(Path(home.found))
+    return [
+        ros(),
+        python(),
+        colcon(),
+        tool("g++", "g++", "--version"),
+        tool("cmake", "cmake", "--version"),
+        make(),
+        namespaces(),
+        home,
+        *(finding for folder in folders for finding in (writable(folder), space(folder))),
+        clock(folders[0]),
+    ]
+
+
+def ros() -> Finding:
+    """Which ROS 2 nodes are built for and run with."""
+    from course.rosenv import find_ros, prepare
+
+    try:
+        found = find_ros()
+        prepare(found)
+    except CourseError as error:
+        return Finding("ROS 2", State.MISSING, error.what, spoken(error.next_step or ""))
+    origin = {"sourced": "sourced in this shell", "installed": "installed", "pip": "from pip"}[found.origin]
+    notes = " ".join(found.notes)
+    return Finding("ROS 2", State.OK, f"{found.distro}, {origin}, in {found.prefix}. {notes}".strip(" "))
+
+
+def python() -> Finding:
+    """The Python that runs the course."""
+    found = f"{platform.python_version()}, {sys.executable}"
+    if sys.version_info[:2] < OLDEST_PYTHON:
+        return Finding("Python", State.MISSING, found, "Python 3.10 or newer is needed.")
+    return Finding("Python", State.OK, found)
+
+
+def colcon() -> Finding:
+    """colcon builds the learner's packages: a module of this Python, or a command."""
+    if util.find_spec("colcon_core"):
+        return Finding("colcon", State.OK, f"colcon-core {metadata.version('colcon-core')}")
+    if command := shutil.which("colcon"):
+        return Finding("colcon", State.OK, command)
+    step = f"`{shlex_python()} -m pip install colcon-common-extensions`"
+    return Finding("colcon", State.MISSING, "not found", step)
+
+
+def tool(name: str, package: str, *question: str) -> Finding:
+    """A program that building interface packages needs."""
+    command = shutil.which(name)
+    if command is None:
+        return Finding(name, State.MISSING, "not found", f"Install it: {install(package)}")
+    return Finding(name, State.OK, f"{_first_line(command, *question)}, {command}")
+
+
+def make() -> Finding:
+    """What CMake builds with."""
+    command = shutil.which("make") or shutil.which("ninja")
+    if command is None:
+        return Finding("make", State.MISSING, "not found", f"Install it: {install('make')}")
+    return Finding("make", State.OK, command)
+
+
+def namespaces() -> Finding:
+    """Whether a check can be kept apart from all else on this machine."""
+    from course.arena.enclosure import namespace_obstacle
+
+    obstacle = namespace_obstacle()
+    if obstacle is None:
+        return Finding("bubblewrap", State.OK, "works: each check has a network of its own")
+    step = "Checks work without it, in a free ROS domain, apart from other ROS programs only by its number."
+    return Finding("bubblewrap", State.LESS, obstacle, step)
+
+
+def writable(folder: Path) -> Finding:
+    """Whether files can be made where the course keeps them."""
+    name = f"write {_short(folder)}"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return Finding(name, State.OK, "can be written")
+    except OSError as error:
+        step = f"See to the owner and the rights of {folder}: `ls -ld {folder}`."
+        return Finding(name, State.MISSING, f"{error.strerror}", step)
+
+
+def space(folder: Path) -> Finding:
+    """Room for builds."""
+    name = f"space {_short(folder)}"
+    there = next(place for place in (folder, *folder.parents) if place.exists())
+    free = shutil.disk_usage(there).free
+    found = f"{free / GIBIBYTE:.1f} GiB free"
+    if free >= ENOUGH_SPACE:
+        return Finding(name, State.OK, found)
+    state = State.LESS if free >= LEAST_SPACE else State.MISSING
+    return Finding(name, state, found, f"Make room on the disk of {there}.")
+
+
+def clock(folder: Path) -> Finding:
+    """A wrong clock, or a file system with another one, makes builds miss changes."""
+    now = time.time()
+    today = time.strftime("%Y-%m-%d %H:%M:%S")
+    if time.gmtime(now).tm_year < NOT_BEFORE:
+        return Finding("clock", State.MISSING, today, "Set the clock: `sudo date -s 'YYYY-MM-DD hh:mm'`.")
+    try:
+        with tempfile.NamedTemporaryFile(dir=folder) as file:
+            apart = abs(Path(file.name).stat().st_mtime - now)
+    except OSError:
+        return Finding("clock", State.OK, today)
+    if apart > CLOCK_TOLERANCE:
+        step = f"Use a course home and a cache on a local disk, or set the clock of the server of {folder}."
+        return Finding("clock", State.LESS, f"files are stamped {apart:.0f} s off", step)
+    return Finding("clock", State.OK, today)
+
+
+def install(package: str) -> str:
+    """How to install a Debian package here, or what to look for elsewhere."""
+    if shutil.which("apt-get"):
+        return f"`sudo apt install {package}`"
+    return f"the package `{package}`, with this system's package manager"
+
+
+def shlex_python() -> str:
+    import shlex
+
+    return shlex.quote(sys.executable)
+
+
+def _home(options: Options) -> Finding:
+    try:
+        return Finding("course home", State.OK, str(home_of(options).path))
+    except CourseError as error:
+        return Finding("course home", State.LESS, error.what, f"`{typed('next')}` makes one.")
+
+
+def _first_line(*command: str) -> str:
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=10, check=False)
+    except (OSError, subprocess.SubprocessError):
+        return "does not start"
+    return (done.stdout.splitlines() or ["says nothing"])[0]
+
+
+def _short(folder: Path) -> str:
+    home = Path.home()
+    return f"~/{folder.relative_to(home)}" if folder.is_relative_to(home) else str(folder)

@@ -1,0 +1,42 @@
+"""`list`: chapters and exercises, and what was reached in each."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import typer
+
+from course.cli.words import examples
+
+if TYPE_CHECKING:
+    from course.content import Exercise
+    from course.progress import Progress
+    from course.report.overview import Row
+
+EXAMPLES = examples(("list", "all exercises, with what you have reached"))
+
+
+def list_(ctx: typer.Context) -> None:
+    """List the exercises with what you have reached in each."""
+    from course.cli.desk import open_desk
+    from course.report.console import open_console
+    from course.report.overview import render_list
+
+    with open_desk(ctx) as desk:
+        rows = [_row(exercise, desk.progress) for exercise in desk.course.exercises()]
+        render_list(open_console(), rows)
+
+
+def _row(exercise: Exercise, progress: Progress) -> Row:
+    from course.report.overview import Row
+
+    last = progress.last_result(exercise.id)
+    return Row(
+        chapter=f"{exercise.chapter.number} {exercise.chapter.title}",
+        exercise=exercise.id,
+        title=exercise.title,
+        state=progress.state(exercise.id),
+        current=progress.current() == exercise.id,
+        best=progress.best(exercise.id),
+        most=last.max_points if last else None,
+    )

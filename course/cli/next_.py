@@ -1,0 +1,96 @@
+"""`next`: the next exercise, ready to be worked on."""
+
+from __future__ import annotations
+
+from contextlib import nullcontext
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from course.cli.arguments import Pager, complete_exercise
+from course.cli.words import examples, typed
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from course.cli.desk import Desk
+    from course.content import Exercise
+
+EXAMPLES = examples(
+    ("next", "begin, or go on where you left off"),
+    ("next --lesson", "with the chapter's lesson once more"),
+    ("next 18-publisher", "go to this exercise"),
+    ("--home ~/ros2 next", "in another course home"),
+)
+
+
+def next_(
+    ctx: typer.Context,
+    exercise: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="ID",
+            help="Go to this exercise; without it, the first one not passed.",
+            autocompletion=complete_exercise,
+            show_default=False,
+        ),
+    ] = None,
+    lesson: Annotated[bool, typer.Option("--lesson", help="Show the chapter's lesson again.")] = False,
+    pager: Pager = False,
+) -> None:
+    """Show the next exercise and lay its first files.
+
+    Makes a course home when there is none. A chapter's lesson is shown the
+    first time. A file that is there already is never changed.
+    """
+    from course.cli.desk import open_desk
+    from course.cli.homes import home_or_new
+    from course.cli.options import options_of
+    from course.cli.reading import next_exercise
+    from course.report.console import open_console, paged
+
+    console = open_console()
+    with open_desk(ctx, home_or_new(console, options_of(ctx))) as desk:
+        chosen = desk.course.exercise(exercise) if exercise else next_exercise(desk)
+        if chosen is None:
+            _congratulate(console)
+        else:
+            with paged(console) if pager else nullcontext():
+                _begin(console, desk, chosen, lesson=lesson)
+
+
+def _begin(console: Console, desk: Desk, exercise: Exercise, *, lesson: bool) -> None:
+    from course.cli.reading import chapter_text, not_passed_yet
+    from course.home import begin
+    from course.report.lesson import put_requires, render_exercise, render_lesson, render_new_files
+
+    new = begin(desk.home, exercise)
+    desk.progress.set_current(exercise.id)
+    if lesson or not desk.progress.chapter_shown(exercise.chapter.slug):
+        render_lesson(console, exercise.chapter, chapter_text(desk.course, exercise))
+        desk.progress.mark_chapter_shown(exercise.chapter.slug)
+    render_exercise(console, exercise, desk.progress.state(exercise.id))
+    put_requires(console, not_passed_yet(desk, exercise))
+    render_new_files(console, desk.home.path, new)
+    _steps(console)
+
+
+def _steps(console: Console) -> None:
+    from course.report.console import put_steps
+
+    put_steps(
+        console,
+        [
+            (typed("shell"), "for a shell in your course home, with ROS 2 ready"),
+            (typed("check"), "when you have written it"),
+            (typed("hint"), "when you are stuck"),
+        ],
+    )
+
+
+def _congratulate(console: Console) -> None:
+    from course.report.console import put, put_steps
+
+    put(console, "You have passed every exercise of this course. Well done!", "bold green")
+    put(console)
+    put_steps(console, [(typed("list"), "to look back"), (typed("next ID"), "to do one of them again")])

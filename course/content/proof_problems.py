@@ -1,0 +1,81 @@
+"""Whether mistakes and alternatives fit the exercises and the reference solution they change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from course.content import layout
+from course.content.document import Document, Place
+from course.content.model import Edit, Mistake
+from course.content.names import did_you_mean
+from course.content.proofs import read_alternatives, read_mistakes
+from course.errors import ContentError
+
+Ids = tuple[str, ...]
+
+
+def proof_problems(chapter: Path, ids: Ids) -> Iterator[ContentError]:
+    solution = layout.solution_folder(chapter)
+    yield from _mistakes_problems(chapter, ids, solution)
+    for reading in read_alternatives(solution):
+        yield from reading.problems
+        if reading.alternative and reading.document:
+            yield from _unknown_exercises(reading.document, reading.alternative.exercises, ids)
+            yield from _missing_deletes(reading.document, reading.alternative.deletes, solution)
+
+
+def _mistakes_problems(chapter: Path, ids: Ids, solution: Path) -> Iterator[ContentError]:
+    reading = read_mistakes(chapter)
+    yield from reading.problems
+    for index, mistake in enumerate(reading.mistakes):
+        assert reading.document is not None
+        if mistake.exercise not in ids:
+            yield _no_exercise(reading.document, mistake.exercise, ids, ("mistakes", index, "exercise"))
+        yield from _edit_problems(reading.document, mistake, ("mistakes", index, "edits"), solution)
+
+
+def _unknown_exercises(document: Document, wanted: Ids, ids: Ids) -> Iterator[ContentError]:
+    for index, name in enumerate(wanted):
+        if name not in ids:
+            yield _no_exercise(document, name, ids, ("exercises", index))
+
+
+def _missing_deletes(document: Document, files: tuple[str, ...], solution: Path) -> Iterator[ContentError]:
+    for index, file in enumerate(files):
+        if not (solution / file).is_file():
+            yield _no_file(document, file, solution, ("deletes", index))
+
+
+def _edit_problems(
+    document: Document, mistake: Mistake, place: Place, solution: Path
+) -> Iterator[ContentError]:
+    """Only the first edit of a file can be judged by the solution as it is; later ones build on it."""
+    touched: set[str] = set()
+    for index, edit in enumerate(mistake.edits):
+        if edit.file not in touched:
+            yield from _edit_problem(document, edit, (*place, index), solution)
+        touched |= {edit.file, edit.rename or edit.file}
+
+
+def _edit_problem(document: Document, edit: Edit, place: Place, solution: Path) -> Iterator[ContentError]:
+    file = solution / edit.file
+    if edit.content is not None:
+        return
+    if not file.is_file():
+        yield _no_file(document, edit.file, solution, (*place, "file"))
+    elif edit.replace is not None and edit.replace not in file.read_text(encoding="utf-8", errors="replace"):
+        what = f"this text does not occur in {edit.file}"
+        advice = "copy the text from the reference solution, with its spaces and line ends"
+        yield document.error(what, advice, place=(*place, "replace"))
+
+
+def _no_exercise(document: Document, name: str, ids: Ids, place: Place) -> ContentError:
+    what = f"no exercise of this chapter is called `{name}`{did_you_mean(name, ids)}"
+    return document.error(what, f"allowed: {', '.join(ids)}", place=place)
+
+
+def _no_file(document: Document, file: str, solution: Path, place: Place) -> ContentError:
+    known = [path.relative_to(solution).as_posix() for path in solution.rglob("*") if path.is_file()]
+    what = f"`{file}` is not in the reference solution{did_you_mean(file, known)}"
+    return document.error(what, "allowed: a file of the reference solution", place=place)

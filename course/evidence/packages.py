@@ -1,0 +1,32 @@
+"""What was built for a recording, as plain data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from course.feedback import Feedback
+
+
+@dataclass(frozen=True)
+class BuiltPackage:
+    """A package that was built.
+
+    source: its folder, relative to the course home. prefix: where it is installed.
+    executables: names that `ros2 run` finds in it.
+    """
+
+    name: str
+    source: str
+    prefix: str
+    executables: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class BuiltPackages:
+    """All packages built for an exercise; `failure` says why the build failed, if it did."""
+
+    built: tuple[BuiltPackage, ...] = ()
+    failure: Feedback | None = None
+
+    def get(self, name: str) -> BuiltPackage | None:
+        return next((package for package in self.built if package.name == name), None)

@@ -1,0 +1,224 @@
+"""The recorder: listens on real ROS 2 and puts what it hears on the time line.
+
+The only module of the engine that imports rclpy. It runs one node of its own, with a hidden,
+random name, in a thread of its own; messages are taken as bytes and stamped with the time at
+which the middleware received them here.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import secrets
+import threading
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import rclpy
+from rclpy.context import Context
+from rclpy.event_handler import SubscriptionEventCallbacks
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.serialization import serialize_message
+from rclpy.signals import SignalHandlerOptions
+
+from course.errors import OurFault
+from course.evidence.events import GraphSeen, MessageSeen, MessageSent, MessagesLost
+from course.evidence.graph import Graph
+from course.evidence.graph_reader import GraphReader
+from course.evidence.messages import UnknownType, full_definition
+from course.evidence.recording import ROSOUT, ROSOUT_TYPE
+from course.evidence.timeline import Timeline
+
+DEPTH = 1000
+GRAPH_PERIOD = 0.02
+
+
+class Recorder:
+    """Records ROS into `timeline` between entering and leaving its context."""
+
+    def __init__(self, timeline: Timeline) -> None:
+        self.timeline = timeline
+        self.definitions: dict[str, str] = {}
+        self.graph = Graph()
+        self._context = Context()
+        self._listeners: dict[str, Listener] = {}
+        self._node: Node
+        self._executor: SingleThreadedExecutor
+        self._thread: threading.Thread
+        self._reader: GraphReader
+
+    def __enter__(self) -> Recorder:
+        rclpy.init(context=self._context, signal_handler_options=SignalHandlerOptions.NO)
+        self._node = Node(
+            f"_ros2course_{secrets.token_hex(8)}",
+            context=self._context,
+            enable_rosout=False,
+            start_parameter_services=False,
+        )
+        self._reader = GraphReader(self._node)
+        self._executor = SingleThreadedExecutor(context=self._context)
+        self._executor.add_node(self._node)
+        self.subscribe(ROSOUT, ROSOUT_TYPE, durability="transient_local")
+        self._node.create_timer(GRAPH_PERIOD, self.look_at_graph)
+        self._thread = threading.Thread(target=self._spin, name="recorder", daemon=True)
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._executor.shutdown(timeout_sec=1.0)
+        self._context.try_shutdown()
+        self._thread.join(timeout=2.0)
+        self._node.destroy_node()
+
+    def _spin(self) -> None:
+        try:
+            self._executor.spin()
+        except ExternalShutdownException:
+            pass  # how rclpy says that our own __exit__ ended it
+
+    def subscribe(
+        self, topic: str, type_name: str, *, reliability: str = "reliable", durability: str = "volatile"
+    ) -> Listener:
+        """Record every message on `topic` from now on. One listener serves each topic.
+
+        Asks for the given QoS first; when a publisher offers less, it takes what is offered.
+        Raises OurFault when this type is not known to the grader's own ROS.
+        """
+        if topic not in self._listeners:
+            self.define(type_name)
+            self._listeners[topic] = Listener(self, topic, type_name, reliability, durability)
+        return self._listeners[topic]
+
+    def publisher(
+        self, topic: str, type_name: str, *, reliability: str = "reliable", durability: str = "volatile"
+    ) -> Stimulus:
+        """A publisher of our own, whose messages are recorded as sent."""
+        self.define(type_name)
+        return Stimulus(self, topic, type_name, _profile(reliability, durability))
+
+    def look_at_graph(self) -> None:
+        """Record the graph if it is not as it was."""
+        graph = self._reader.read_if_changed()
+        if graph is not None and graph != self.graph:
+            self.graph = graph
+            self.timeline.add(GraphSeen(self.timeline.now(), graph))
+
+    def define(self, type_name: str) -> None:
+        """Keep the text definition of this type for those who read the recording."""
+        if type_name not in self.definitions:
+            prefixes = [Path(part) for part in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)]
+            try:
+                self.definitions[type_name] = full_definition(type_name, prefixes)
+            except UnknownType as error:
+                raise OurFault(f"the grader does not know the message type {error}") from error
+
+    @property
+    def node(self) -> Node:
+        return self._node
+
+
+class Listener:
+    """One recorded topic. `count`: messages received up to now."""
+
+    def __init__(self, recorder: Recorder, topic: str, type_name: str, reliability: str, durability: str) -> None:
+        self.topic = topic
+        self.type = type_name
+        self.count = 0
+        self._recorder = recorder
+        self._wanted = (reliability, durability)
+        self._round = 0
+        self._open()
+
+    def _open(self) -> None:
+        self._round += 1
+        this_round = self._round
+        profile = _profile(*self._wanted)
+
+        def receive(data: bytes, info: Mapping[str, Any]) -> None:
+            if this_round == self._round:  # an earlier, stricter subscription is deaf from then on
+                self._receive(data, info)
+
+        self._recorder.node.create_subscription(
+            message_class(self.type), self.topic, receive, profile, raw=True, event_callbacks=self._events()
+        )
+
+    def _events(self) -> SubscriptionEventCallbacks:
+        return SubscriptionEventCallbacks(
+            message_lost=self._lost, incompatible_qos=self._incompatible, use_default_callbacks=False
+        )
+
+    def _receive(self, data: bytes, info: Mapping[str, Any]) -> None:
+        timeline = self._recorder.timeline
+        ago = (time.time_ns() - int(info["received_timestamp"])) / 1e9
+        now = timeline.now()
+        # A step of the wall clock in between must not move the message out of the recording.
+        moment = now - ago if 0.0 <= ago <= now else now
+        self.count += 1
+        timeline.add(MessageSeen(moment, self.topic, self.type, bytes(data)))
+
+    def _lost(self, info: Any) -> None:
+        timeline = self._recorder.timeline
+        timeline.add(MessagesLost(timeline.now(), self.topic, int(info.total_count_change)))
+
+    def _incompatible(self, info: Any) -> None:
+        """A publisher offers less than we asked for: ask for the least, which matches all."""
+        if self._wanted != ("best_effort", "volatile"):
+            self._wanted = ("best_effort", "volatile")
+            self._open()
+
+
+class Stimulus:
+    """A publisher of the arena."""
+
+    def __init__(self, recorder: Recorder, topic: str, type_name: str, profile: QoSProfile) -> None:
+        self.topic = topic
+        self.type = type_name
+        self._timeline = recorder.timeline
+        self._class = message_class(type_name)
+        self._publisher = recorder.node.create_publisher(self._class, topic, profile)
+
+    @property
+    def matched(self) -> int:
+        """How many subscriptions receive what is published now."""
+        return int(self._publisher.get_subscription_count())
+
+    def publish(self, **fields: Any) -> None:
+        """Publish a message with these fields; nested messages are given as dicts."""
+        data = serialize_message(_filled(self._class(), fields))
+        self._timeline.add(MessageSent(self._timeline.now(), self.topic, self.type, data))
+        self._publisher.publish(data)
+
+
+def message_class(type_name: str) -> Any:
+    """The Python class of `pkg/msg/Type`. Raises OurFault when the grader's ROS lacks it."""
+    package, kind, short = type_name.split("/")
+    try:
+        return getattr(importlib.import_module(f"{package}.{kind}"), short)
+    except (ImportError, AttributeError) as error:
+        raise OurFault(f"the grader cannot load the type {type_name}: {error}") from error
+
+
+def _filled(message: Any, fields: Mapping[str, Any]) -> Any:
+    for name, value in fields.items():
+        if isinstance(value, Mapping):
+            _filled(getattr(message, name), value)
+        else:
+            setattr(message, name, value)
+    return message
+
+
+def _profile(reliability: str, durability: str) -> QoSProfile:
+    return QoSProfile(
+        depth=DEPTH,
+        reliability=ReliabilityPolicy.get_from_short_key(reliability),
+        durability=DurabilityPolicy.get_from_short_key(durability),
+    )
+
+

@@ -1,0 +1,43 @@
+"""The one time line: events from many threads, and waiting for what they show."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+
+from course.evidence.events import Event
+
+
+class Timeline:
+    """Collects events from any thread, in the order of their arrival.
+
+    Its clock begins at 0.0 when the object is made; it is the machine's monotonic clock.
+    """
+
+    def __init__(self) -> None:
+        self._zero = time.monotonic()
+        self._changed = threading.Condition()
+        self._events: list[Event] = []
+
+    def now(self) -> float:
+        """Seconds since the recording began."""
+        return time.monotonic() - self._zero
+
+    def add(self, event: Event) -> None:
+        with self._changed:
+            self._events.append(event)
+            self._changed.notify_all()
+
+    def events(self) -> tuple[Event, ...]:
+        """What has happened up to now, sorted by time."""
+        with self._changed:
+            return tuple(sorted(self._events, key=lambda event: event.t))
+
+    def wait_until(self, condition: Callable[[], bool], timeout: float) -> bool:
+        """Wait until `condition()` holds, looking again after each event; False at the time-out.
+
+        `condition` must be quick and must not wait itself.
+        """
+        with self._changed:
+            return self._changed.wait_for(condition, timeout)

@@ -1,0 +1,112 @@
+"""Messages of one topic as checks see them, and what can be expected of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from statistics import median
+from typing import Any
+
+from course.evidence.messages import Decoder, Undecodable
+from course.feedback import Failure, Feedback
+
+MIN_INTERVALS = 4
+
+
+@dataclass(frozen=True)
+class Message:
+    """One message: when it arrived (s), its type, and its fields as attributes of `data`.
+
+    data is None when the bytes are not a message of that type.
+    """
+
+    t: float
+    type: str
+    data: Any
+
+    @classmethod
+    def of(cls, t: float, type_name: str, data: bytes, decoder: Decoder) -> Message:
+        try:
+            return cls(t, type_name, decoder.decode(type_name, data))
+        except Undecodable:
+            return cls(t, type_name, None)
+
+
+@dataclass(frozen=True)
+class LogLine:
+    """One /rosout message. node: the logger's name. level: DEBUG, INFO, WARN, ERROR or FATAL."""
+
+    t: float
+    node: str
+    level: str
+    text: str
+
+    @classmethod
+    def of(cls, message: Message) -> LogLine:
+        data = message.data
+        if data is None:
+            return cls(message.t, "", "INFO", "")
+        return cls(message.t, data.name, _LEVELS.get(data.level, str(data.level)), data.msg)
+
+
+_LEVELS = {10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
+
+
+@dataclass(frozen=True)
+class TopicView:
+    """What arrived on one topic. `lost`: messages that our own reception missed.
+
+    watched: how long the recording lasted, in seconds.
+    """
+
+    name: str
+    messages: tuple[Message, ...]
+    lost: int
+    watched: float
+
+    @property
+    def times(self) -> tuple[float, ...]:
+        return tuple(message.t for message in self.messages)
+
+    def expect_period(self, period: float, *, tolerance: float = 0.2, advice: str | None = None) -> None:
+        """The median interval is `period` seconds, within the fraction `tolerance`.
+
+        Needs at least four intervals. Raises Failure with both figures otherwise.
+        """
+        expect_period(self.times, period, what=f"messages on {self.name}", tolerance=tolerance, advice=advice)
+
+
+def expect_period(
+    times: tuple[float, ...], period: float, *, what: str, tolerance: float = 0.2, advice: str | None = None
+) -> None:
+    """`times` (s, our own clock) come every `period` seconds by their median interval."""
+    intervals = [later - earlier for earlier, later in zip(times, times[1:], strict=False)]
+    if intervals and abs(median(intervals) - period) > tolerance * period:
+        seen = median(intervals)
+        raise Failure(
+            Feedback(
+                summary=f"The {what} come every {seconds(seen)}, not every {seconds(period)}.",
+                expected=f"one every {seconds(period)} ({_hertz(period)})",
+                seen=f"one every {seconds(seen)} ({_hertz(seen)})",
+                advice=advice,
+            )
+        )
+    if len(intervals) < MIN_INTERVALS:
+        raise Failure(
+            Feedback(
+                summary=f"Only {len(times)} {what} came, too few to tell how often they come.",
+                expected=f"at least {MIN_INTERVALS + 1}, one every {seconds(period)}",
+                seen=f"{len(times)}",
+                advice=advice,
+            )
+        )
+
+
+def seconds(value: float) -> str:
+    """A duration for people: `0.5 s`, `12 ms`."""
+    if value < 0.095:
+        return f"{value * 1000:.2g} ms" if value < 0.01 else f"{value * 1000:.0f} ms"
+    return f"{value:.3g} s"
+
+
+def _hertz(period: float) -> str:
+    return f"{1 / period:.3g} Hz" if period > 0 else "all at once"

@@ -1,0 +1,104 @@
+"""What a grader module is written with: one `Grader` an exercise, its scenario, its checks.
+
+    publisher = Grader("18-publisher")
+
+    @publisher.scenario
+    def five_quotes(arena): ...
+
+    @publisher.check("rate", "publishes twice per second", points=2, needs="publishes")
+    def twice_per_second(recording): ...
+
+The scenario acts and is run once; checks are pure functions of the recording. The functions
+stay plain functions: pytest collects them, with fixtures and all, through `grading.plugin`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from course.errors import OurFault
+from course.evidence.recording import Recording
+from course.feedback import Failure
+
+if TYPE_CHECKING:
+    from course.arena.arena import Arena
+
+Scenario = Callable[["Arena"], None]
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+BUILDS = "builds"
+
+
+@dataclass(frozen=True)
+class CheckSpec:
+    """One check as its author declared it.
+
+    id: unique in the exercise and stable. needs: ids of checks that must pass, else this one
+    is skipped.
+    """
+
+    id: str
+    title: str
+    points: float
+    bonus: bool
+    needs: tuple[str, ...]
+    exercise: str
+
+
+class Grader:
+    """The grader of one exercise: at most one scenario, and the checks in their order.
+
+    builds: points of the check that the packages build, which comes first and which every
+    other check needs unless it says otherwise; None for an exercise without packages.
+    """
+
+    def __init__(self, exercise: str, *, builds: float | None = 1) -> None:
+        self.exercise = exercise
+        self.scenario_function: Scenario | None = None
+        self.checks: dict[str, CheckSpec] = {}
+        self.functions: dict[str, Callable[..., Any]] = {}
+        if builds is not None:
+            self._add(CheckSpec(BUILDS, "the packages build", builds, False, (), exercise), _packages_build)
+
+    def scenario(self, function: Scenario) -> Scenario:
+        """Decorator: this function acts in the arena and is over once the evidence is complete."""
+        if self.scenario_function is not None:
+            raise OurFault(f"{self.exercise} has two scenarios")
+        self.scenario_function = function
+        return function
+
+    def check(
+        self, id: str, title: str, *, points: float = 1, bonus: bool = False, needs: str | Sequence[str] | None = None
+    ) -> Callable[[_Function], _Function]:
+        """Decorator: this function judges the recording.
+
+        It returns when all is well and raises `course.feedback.Failure` (most easily by
+        `fail()` or an `expect_*`) when the learner's work is not right. Any other exception
+        is our error. needs: ids of checks; by default that the packages build; () for none.
+        """
+        wanted = self._default_needs() if needs is None else ((needs,) if isinstance(needs, str) else tuple(needs))
+
+        def register(function: _Function) -> _Function:
+            self._add(CheckSpec(id, title, points, bonus, wanted, self.exercise), function)
+            return function
+
+        return register
+
+    def _default_needs(self) -> tuple[str, ...]:
+        return (BUILDS,) if BUILDS in self.checks else ()
+
+    def _add(self, spec: CheckSpec, function: Callable[..., Any]) -> None:
+        if spec.id in self.checks:
+            raise OurFault(f"{self.exercise} has two checks named {spec.id}")
+        unknown = [need for need in spec.needs if need not in self.checks]
+        if unknown:
+            raise OurFault(f"check {spec.id} of {self.exercise} needs {unknown[0]}, which does not stand before it")
+        self.checks[spec.id] = spec
+        self.functions[spec.id] = function
+
+
+def _packages_build(recording: Recording) -> None:
+    if recording.packages.failure is not None:
+        raise Failure(recording.packages.failure)

@@ -1,0 +1,1 @@
+"""Expectations that many graders share. Each returns in silence or raises a `Failure`."""

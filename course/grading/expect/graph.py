@@ -1,0 +1,98 @@
+"""What is expected of the ROS graph: nodes, publishers, subscriptions, their types."""
+
+from __future__ import annotations
+
+from course.evidence.graph import Endpoint, Kind
+from course.evidence.recording import Recording
+from course.feedback import Failure, Feedback, Location
+from course.grading.explain.names import listed, nearest
+from course.grading.explain.python_code import calls, text_places
+
+_VERBS = {"publisher": "publishes on", "subscription": "subscribes to"}
+_MAKERS = {"publisher": "create_publisher", "subscription": "create_subscription"}
+
+
+def expect_node(recording: Recording, name: str) -> None:
+    """A node of this full name (`/print_forever`) was in the graph."""
+    nodes = recording.seen_nodes()
+    if name in nodes:
+        return
+    close = nearest(name, nodes) or (nodes[0] if len(nodes) == 1 else None)
+    plain = name.lstrip("/")
+    raise Failure(
+        Feedback(
+            summary=f"The node is called `{close}`, not `{name}`." if close else f"No node `{name}` appeared.",
+            expected=name,
+            seen=listed(nodes, "no node at all"),
+            where=text_places(recording.sources, close.lstrip("/"))[:3] if close else (),
+            advice=f"The node's name is what `super().__init__('{plain}')` gets.",
+        )
+    )
+
+
+def expect_endpoint(recording: Recording, kind: Kind, topic: str, *, remedy: str) -> None:
+    """Somebody publishes on, or subscribes to, `topic` (full name)."""
+    if _on(recording, kind, topic):
+        return
+    topics = recording.seen_graph().topics_of(kind)
+    close = nearest(topic, topics)
+    makers = tuple(call.where for call in calls(recording.sources, _MAKERS[kind]))
+    if close:
+        raise Failure(
+            Feedback(
+                summary=f"The node {_VERBS[kind]} `{close}`, not `{topic}`.",
+                expected=topic,
+                seen=close,
+                where=_name_places(recording, close) or makers[:2],
+                advice=f"Spell the topic's name `{topic.lstrip('/')}`, letter by letter.",
+            )
+        )
+    raise Failure(
+        Feedback(
+            summary=f"No node {_VERBS[kind]} `{topic}`.",
+            expected=f"a {kind} on {topic}",
+            seen=f"the node {_VERBS[kind]} {listed(topics, 'no topic')}",
+            where=makers[:2],
+            advice=remedy,
+        )
+    )
+
+
+def expect_type(recording: Recording, kind: Kind, topic: str, type_name: str) -> None:
+    """Every publisher (or subscription) on `topic` has this type."""
+    wrong = [endpoint for endpoint in _on(recording, kind, topic) if endpoint.type != type_name]
+    if not wrong:
+        return
+    package, _, short = type_name.split("/")
+    raise Failure(
+        Feedback(
+            summary=f"The {kind} on `{topic}` has the type `{wrong[0].type}`, not `{type_name}`.",
+            expected=type_name,
+            seen=wrong[0].type,
+            where=tuple(call.where for call in calls(recording.sources, _MAKERS[kind]))[:2],
+            advice=f"Import it with `from {package}.msg import {short}` and name it first in `{_MAKERS[kind]}`.",
+        )
+    )
+
+
+def expect_same_definition(recording: Recording, kind: Kind, topic: str, type_name: str, type_hash: str) -> None:
+    """The type of that name was built from the definition that the course knows."""
+    for endpoint in _on(recording, kind, topic):
+        if endpoint.type == type_name and endpoint.type_hash != type_hash:
+            raise Failure(
+                Feedback(
+                    summary=f"Your `{type_name}` has other fields than the exercise asks for.",
+                    advice="Compare its fields with chapter 17: names, types and order. `check 17` tells which.",
+                )
+            )
+
+
+def _on(recording: Recording, kind: Kind, topic: str) -> tuple[Endpoint, ...]:
+    return tuple(e for e in recording.seen_endpoints() if e.topic == topic and e.kind == kind)
+
+
+def _name_places(recording: Recording, topic: str) -> tuple[Location, ...]:
+    plain = topic.lstrip("/")
+    found = (text_places(recording.sources, f"{quote}{plain}{quote}") for quote in "'\"")
+    slashed = (text_places(recording.sources, f"{quote}/{plain}{quote}") for quote in "'\"")
+    return tuple(place for places in (*found, *slashed) for place in places)[:3]

@@ -1,0 +1,42 @@
+"""What a package.xml declares, read from the learner's file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from xml.etree import ElementTree
+
+from course.evidence.sources import Sources
+from course.feedback import Location
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """The tags of a package.xml with their texts, in order. where: the file."""
+
+    where: Location
+    tags: tuple[tuple[str, str], ...]
+    text: str
+
+    def values(self, *tags: str) -> tuple[str, ...]:
+        """Texts of all elements with one of these tags."""
+        return tuple(value for tag, value in self.tags if tag in tags)
+
+    def depends(self, name: str, *tags: str) -> bool:
+        """Whether one of these tags names the package."""
+        return name in self.values(*tags)
+
+
+def manifest(sources: Sources, package_folder: str) -> Manifest | None:
+    """The manifest of the package in this folder; None when it is missing or not XML."""
+    file = f"{package_folder}/package.xml"
+    text = sources.files.get(file)
+    if text is None:
+        return None
+    try:
+        root = ElementTree.fromstring(text.encode())
+    except ElementTree.ParseError:
+        return None
+    return Manifest(Location(file), tuple((child.tag, (child.text or "").strip()) for child in root), text)
+
+
+RUN_TAGS = ("depend", "exec_depend")

@@ -1,0 +1,60 @@
+"""A Python traceback, reduced to what the learner needs: the last line, and their own line."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+from course.evidence.packages import BuiltPackages
+from course.evidence.sources import Sources
+from course.feedback import Location
+
+_FRAME = re.compile(r'^\s*File "(?P<file>[^"]+)", line (?P<line>\d+)')
+
+
+@dataclass(frozen=True)
+class Crash:
+    """error: the exception's own line. where: the deepest line of the learner's. shown: telling lines."""
+
+    error: str
+    where: Location | None
+    shown: tuple[str, ...]
+
+
+def crash(traceback: tuple[str, ...], packages: BuiltPackages, sources: Sources) -> Crash | None:
+    """What this traceback says; None when it is empty."""
+    if not traceback:
+        return None
+    places = [place for place in (_place(line, packages, sources) for line in traceback) if place]
+    where = places[-1] if places else None
+    code = _code_line(where, sources)
+    error = traceback[-1].strip()
+    return Crash(error, where, tuple(line for line in (code, error) if line))
+
+
+def _place(line: str, packages: BuiltPackages, sources: Sources) -> Location | None:
+    frame = _FRAME.match(line)
+    if not frame:
+        return None
+    file = learners_file(frame["file"], packages, sources)
+    return Location(file, int(frame["line"])) if file else None
+
+
+def learners_file(path: str, packages: BuiltPackages, sources: Sources) -> str | None:
+    """The source file behind an installed one, relative to the course home."""
+    for package in packages.built:
+        prefix = package.prefix.rstrip("/") + "/"
+        if path.startswith(prefix):
+            parts = PurePosixPath(path[len(prefix) :]).parts
+            tail = parts[parts.index("site-packages") + 1 :] if "site-packages" in parts else parts[-1:]
+            name = str(PurePosixPath(package.source, *tail))
+            return name if name in sources.files else None
+    return None
+
+
+def _code_line(where: Location | None, sources: Sources) -> str | None:
+    if where is None or where.line is None:
+        return None
+    lines = sources.files[where.file].splitlines()
+    return lines[where.line - 1].strip() if where.line <= len(lines) else None

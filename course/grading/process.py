@@ -1,0 +1,105 @@
+"""The grading process: runs one scenario and its checks, apart from everything else.
+
+Started by `grading.check` with the descriptor of the result pipe as its argument. The job
+comes as one line on standard input, which stays open: when it closes, the parent is gone,
+and this process ends all that it started and itself.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+import tempfile
+import threading
+from pathlib import Path
+
+import pytest
+
+from course.arena.arena import open_arena
+from course.arena.leftovers import adopt_orphans, end_descendants
+from course.evidence.recording import Recording
+from course.evidence.sources import read_sources
+from course.evidence.timeline import Timeline
+from course.feedback import Feedback
+from course.grading.author import Grader
+from course.grading.channel import Channel, Judgement
+from course.grading.job import Job, from_line
+from course.grading.outcome import our_error
+from course.grading.plugin import JudgePlugin
+
+_PYTEST = ("-q", "-p", "no:cacheprovider", "-p", "no:faulthandler", "--tb=short", "-W", "ignore", "--capture=no")
+
+
+def main() -> int:
+    channel = Channel(int(sys.argv[1]))
+    adopt_orphans()
+    line = sys.stdin.readline()
+    if not line:
+        return 0  # the parent changed its mind
+    job = from_line(line)
+    folder = Path(tempfile.mkdtemp(prefix="ros2course-", dir=_scratch_root()))
+    threading.Thread(target=_end_with_parent, args=(folder,), daemon=True).start()
+    try:
+        channel.judgement(_judge(job, channel, folder))
+    finally:
+        end_descendants()
+        shutil.rmtree(folder, ignore_errors=True)
+    sys.stdout.flush()
+    # Threads of the middleware may take their time to end; there is nothing left to wait for.
+    os._exit(0)
+
+
+def _scratch_root() -> str | None:
+    """In a namespace of our own /dev/shm is private memory that vanishes with us."""
+    return "/dev/shm" if os.environ.get("ROS2COURSE_ENCLOSURE") == "namespaces" else None
+
+
+def _end_with_parent(folder: Path) -> None:
+    sys.stdin.read()
+    end_descendants()
+    shutil.rmtree(folder, ignore_errors=True)
+    os._exit(1)
+
+
+def _judge(job: Job, channel: Channel, folder: Path) -> Judgement:
+    took: list[float] = []
+
+    def provide(grader: Grader) -> Recording:
+        recording = _record(job, grader, channel, folder)
+        took.append(recording.duration)
+        return recording
+
+    plugin = JudgePlugin(job.exercise, provide)
+    pytest.main([job.grader, f"--rootdir={Path(job.grader).parent}", "-c", os.devnull, *_PYTEST], [plugin])
+    return Judgement(tuple(plugin.results.values()), sum(took), _fault(plugin))
+
+
+def _fault(plugin: JudgePlugin) -> Feedback | None:
+    if plugin.scenario_error is not None:
+        return our_error(plugin.scenario_error)
+    if plugin.faults:
+        lines = plugin.faults[0].splitlines()
+        return Feedback(summary="The grader module cannot be loaded.", details=tuple(lines[-12:]))
+    if not plugin.results:
+        return Feedback(summary=f"No grader judges {plugin.exercise}.")
+    return None
+
+
+def _record(job: Job, grader: Grader, channel: Channel, folder: Path) -> Recording:
+    """Run the scenario, unless nothing was built that it could run."""
+    timeline = Timeline()
+    sources = read_sources(Path(job.home), job.roots)
+    definitions: dict[str, str] = {}
+    duration = 0.0
+    if grader.scenario_function is not None and job.packages.failure is None:
+        channel.progress("watching your program")
+        with open_arena(timeline, job.packages, job.environment, job.python, folder) as arena:
+            grader.scenario_function(arena)
+            duration = timeline.now()
+            definitions = arena.definitions
+    return Recording(job.exercise, timeline.events(), definitions, sources, job.packages, duration)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,128 @@
+"""The parent's side of a grading process: start it early, give it the job, await its verdict.
+
+The process is started before the job is known, so that it loads while packages are built.
+However it ends (crash, hang, Ctrl+C here), everything below it has ended afterwards.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import TracebackType
+
+import course
+from course.arena.enclosure import Enclosure
+from course.feedback import Feedback
+from course.grading.channel import Judgement, read_message
+from course.grading.job import Job, to_line
+
+_CLOSE_GRACE = 3.0
+_START_TIME = 30.0
+_LOG_LINES = 15
+
+
+class Supervisor:
+    """Owns one grading process between entering and leaving its context."""
+
+    def __init__(self, where: Enclosure, environment: Mapping[str, str]) -> None:
+        self._where = where
+        self._environment = environment
+        self._process: subprocess.Popen[str]
+        self._results: int
+
+    def __enter__(self) -> Supervisor:
+        self._results, write_end = os.pipe()
+        # Unlinked at once, so it is gone however we end.
+        self._log = tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace")
+        try:
+            self._process = subprocess.Popen(
+                [*self._where.prefix, sys.executable, "-P" if _SAFE_PATH else "-E", "-m", "course.grading.process"]
+                + [str(write_end)],
+                stdin=subprocess.PIPE,
+                stdout=self._log,
+                stderr=self._log,
+                env=self._own_environment(),
+                cwd="/",
+                pass_fds=(write_end,),
+                # Ctrl+C at the terminal is for us alone; we end the process in order.
+                start_new_session=True,
+                text=True,
+            )
+        finally:
+            os.close(write_end)
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        with contextlib.suppress(OSError):
+            if self._process.stdin:
+                self._process.stdin.close()  # tells it that we are gone
+        try:
+            self._process.wait(_CLOSE_GRACE)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        os.close(self._results)
+        self._log.close()
+
+    def grade(self, job: Job, time_limit: float, on_progress: Callable[[str], None]) -> Judgement:
+        """Send the job and read until the judgement; faults of the process become one."""
+        try:
+            assert self._process.stdin is not None
+            self._process.stdin.write(to_line(job) + "\n")
+            self._process.stdin.flush()
+        except BrokenPipeError:
+            return self._fault("The grading process did not start.")
+        return self._await_judgement(time_limit, on_progress)
+
+    def _await_judgement(self, time_limit: float, on_progress: Callable[[str], None]) -> Judgement:
+        deadline = time.monotonic() + time_limit + _START_TIME
+        buffer = b""
+        while True:
+            ready, _, _ = select.select([self._results], [], [], max(0.0, deadline - time.monotonic()))
+            if not ready:
+                return self._fault(f"The grading process did not finish within {time_limit:.0f} s.")
+            data = os.read(self._results, 65536)
+            if not data:
+                return self._fault(f"The grading process ended without a verdict ({self._how_it_ended()}).")
+            *lines, buffer = (buffer + data).split(b"\n")
+            for line in lines:
+                message = read_message(line.decode())
+                if isinstance(message, Judgement):
+                    return message
+                on_progress(message)
+
+    def _how_it_ended(self) -> str:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(_CLOSE_GRACE)
+        code = self._process.poll()
+        return "still running" if code is None else f"signal {-code}" if code < 0 else f"exit code {code}"
+
+    def _fault(self, what: str) -> Judgement:
+        self._log.seek(0, os.SEEK_END)
+        self._log.seek(max(0, self._log.tell() - 8192))
+        tail = tuple(self._log.read().splitlines()[-_LOG_LINES:])
+        advice = "This is the course's error, not yours. The attempt does not count. Try again."
+        return Judgement((), 0.0, Feedback(summary=what, advice=advice, details=tail))
+
+    def _own_environment(self) -> dict[str, str]:
+        return {
+            **self._environment,
+            **self._where.environment,
+            "ROS2COURSE_ENCLOSURE": self._where.kind,
+            "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+            "PYTHONPATH": os.pathsep.join(
+                part for part in (str(Path(course.__file__).parents[1]), self._environment.get("PYTHONPATH")) if part
+            ),
+        }
+
+
+_SAFE_PATH = sys.version_info >= (3, 11)

@@ -1,0 +1,22 @@
+"""The course home: making and finding it, starter files, backups, and the look at the solution."""
+
+from course.home.compare import FileDiff, solution_diff
+from course.home.create import create_home
+from course.home.find import default_home, find_home
+from course.home.model import CourseHome, is_home
+from course.home.reset import ResetReport, reset
+from course.home.starter import begin, starter_files
+
+__all__ = [
+    "CourseHome",
+    "FileDiff",
+    "ResetReport",
+    "begin",
+    "create_home",
+    "default_home",
+    "find_home",
+    "is_home",
+    "reset",
+    "solution_diff",
+    "starter_files",
+]

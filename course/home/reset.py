@@ -1,0 +1,104 @@
+"""Begins an exercise anew: what was there goes to a dated backup first.
+
+At every moment the learner's work is in its place, in the backup, or in both: a full disk or a killed
+command loses nothing.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+from course.content import Exercise, shared_files
+from course.home.model import STATE, CourseHome
+from course.home.starter import starter_files
+from course.home.storage import copy_into, copy_over, inside, storing, sweep
+
+
+@dataclass(frozen=True)
+class ResetReport:
+    """What `reset` did; paths of files are relative to the course home.
+
+    backup: the folder that holds what was there, laid out as the home; None when nothing was.
+    saved: what lies in it. restored: starter files laid anew. removed: files that the starter lacks.
+    kept: files that other exercises work on too, left as they are (and saved).
+    """
+
+    backup: Path | None
+    saved: tuple[str, ...]
+    restored: tuple[str, ...]
+    removed: tuple[str, ...]
+    kept: tuple[str, ...]
+
+
+def reset(home: CourseHome, exercise: Exercise, *, now: datetime | None = None) -> ResetReport:
+    """Put the exercise's files into a backup, and its starter in their place.
+
+    Raises StorageError, with the learner's files unharmed, when the disk does not take it.
+    """
+    starter = starter_files(exercise)
+    listed = tuple(dict.fromkeys((*starter, *exercise.files)))
+    shared = shared_files(exercise)
+    with home.lock():
+        with storing(f"{exercise.id} cannot be reset"):
+            there = tuple(file for file in listed if os.path.lexists(inside(home.path, file)))
+            backup = _back_up(home, there, f"{now or datetime.now():%Y-%m-%dT%H-%M-%S}-{exercise.id}")
+        gone = tuple(file for file in there if file not in starter and file not in shared)
+        where = f"; what was there is in {backup}" if backup else ""
+        with storing(f"{exercise.id} is reset only in part{where}"):
+            _lay_anew(home, exercise.starter, starter)
+            for file in gone:
+                _remove(home.path / file)
+    kept = tuple(file for file in there if file not in starter and file in shared)
+    return ResetReport(backup, there, starter, gone, kept)
+
+
+def _back_up(home: CourseHome, files: tuple[str, ...], name: str) -> Path | None:
+    """A complete backup or none: it is written under another name and renamed."""
+    if not files:
+        return None
+    part = inside(home.path, f"{STATE}/backups/unfinished")
+    _remove(part)  # what a killed command left; we hold the home's lock
+    try:
+        for file in files:
+            _copy(home.path / file, part / file)
+        return _claim(part, name)
+    except OSError:
+        shutil.rmtree(part, ignore_errors=True)
+        raise
+
+
+def _copy(source: Path, target: Path) -> None:
+    target.parent.mkdir(parents=True, exist_ok=True)
+    if source.is_dir() and not source.is_symlink():
+        shutil.copytree(source, target, symlinks=True)
+    else:
+        copy_into(source, target)
+
+
+def _claim(part: Path, name: str) -> Path:
+    """Rename to a name that no earlier backup has, even one of the same second."""
+    backup, number = part.with_name(name), 2
+    while os.path.lexists(backup):
+        backup, number = part.with_name(f"{name}-{number}"), number + 1
+    return part.rename(backup)
+
+
+def _lay_anew(home: CourseHome, starter: Path, files: tuple[str, ...]) -> None:
+    for file in files:
+        target = home.path / file
+        target.parent.mkdir(parents=True, exist_ok=True)
+        sweep(target.parent)
+        if target.is_dir() and not target.is_symlink():
+            shutil.rmtree(target)
+        copy_over(starter / file, target)
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)

@@ -1,0 +1,41 @@
+"""Lays an exercise's starter files into the course home. A learner's file is never overwritten."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from course.content import Exercise
+from course.home.model import CourseHome
+from course.home.storage import copy_new, inside, storing, sweep
+
+_NOT_STARTERS = {"__pycache__", ".pytest_cache", ".DS_Store"}
+
+
+def begin(home: CourseHome, exercise: Exercise) -> tuple[Path, ...]:
+    """Copy the starter files that are missing; returns those, as paths in the home.
+
+    A command that is killed leaves whole files only, and the next one adds the rest.
+    """
+    files = starter_files(exercise)
+    with storing(f"the starter of {exercise.id} cannot be copied"):
+        if all((home.path / file).exists() for file in files):
+            return ()  # nothing to write, so a read-only home is as good as another
+        with home.lock():
+            return tuple(_lay(home, exercise.starter, files))
+
+
+def starter_files(exercise: Exercise) -> tuple[str, ...]:
+    """The starter's files, relative to the course home."""
+    found = (path for path in exercise.starter.rglob("*") if path.is_symlink() or not path.is_dir())
+    relative = (path.relative_to(exercise.starter) for path in found)
+    return tuple(sorted(path.as_posix() for path in relative if not _NOT_STARTERS & set(path.parts)))
+
+
+def _lay(home: CourseHome, starter: Path, files: tuple[str, ...]) -> Iterator[Path]:
+    targets = [(starter / file, inside(home.path, file)) for file in files]  # all, before any is written
+    for source, target in targets:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        sweep(target.parent)
+        if copy_new(source, target):
+            yield target

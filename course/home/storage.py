@@ -1,0 +1,130 @@
+"""Writing to the learner's disk: whole or not at all, and never through a link that leads elsewhere."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import secrets
+import shutil
+import stat
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from course.errors import StorageError, UsageError
+
+PART = ".ros2course-part"
+
+_ADVICE = {
+    errno.ENOSPC: "free some space on this disk, then try again; nothing was lost",
+    errno.EDQUOT: "free some space (your quota is used up), then try again; nothing was lost",
+    errno.EROFS: "this disk is read-only: choose another folder, or mount it writable",
+    errno.EACCES: "you may not write there: choose another folder, or ask its owner",
+    errno.EPERM: "you may not write there: choose another folder, or ask its owner",
+}
+
+
+@contextlib.contextmanager
+def storing(what: str) -> Iterator[None]:
+    """Turns an OSError into a StorageError that says what could not be done, and what to do."""
+    try:
+        yield
+    except OSError as error:
+        place = f": {error.filename}" if error.filename else ""
+        advice = _ADVICE.get(error.errno or 0, "check that folder, then try again; nothing was lost")
+        raise StorageError(f"{what} ({error.strerror or error}{place})", advice) from error
+
+
+def write_new(target: Path, content: bytes) -> bool:
+    """Make a file that does not exist yet; False, and nothing done, when something is there."""
+    return _new(target, lambda part: _fill(part, content))
+
+
+def copy_new(source: Path, target: Path) -> bool:
+    """Copy a file with its mode; False, and nothing done, when something is there."""
+    return _new(target, lambda part: copy_into(source, part))
+
+
+def copy_over(source: Path, target: Path) -> None:
+    """Copy a file with its mode in place of what is there. A link there is replaced, not followed."""
+    with _part_of(target) as part:
+        copy_into(source, part)
+        part.replace(target)
+
+
+def copy_into(source: Path, target: Path) -> None:
+    """A file with its mode, or a link as a link. A plain copy: for places where half a file does no harm."""
+    shutil.copy(source, target, follow_symlinks=False)
+    if not target.is_symlink():
+        # The course may be installed read-only; the learner's copy must not be.
+        target.chmod(target.stat().st_mode | stat.S_IRUSR | stat.S_IWUSR)
+        _flush(target)
+
+
+def sweep(folder: Path) -> None:
+    """Remove what a killed command left half-written. For whoever holds the home's lock."""
+    for left in folder.glob(f".*{PART}"):
+        left.unlink(missing_ok=True)
+
+
+def inside(home: Path, relative: str) -> Path:
+    """`home/relative`. Raises UsageError if a folder on the way is a link that leads out of the home."""
+    target = home / relative
+    for folder in reversed(target.parents):  # from the top, so that the link itself is named
+        if folder.is_relative_to(home) and not _real(folder).is_relative_to(_real(home)):
+            raise UsageError(
+                f"{folder} is a link that leads out of the course home, so nothing was written there",
+                "put a real folder in its place, then try again",
+            )
+    return target
+
+
+def _real(path: Path) -> Path:
+    return Path(os.path.realpath(path))  # unlike resolve(), at ease with links that lead in a circle
+
+
+def _new(target: Path, fill: Callable[[Path], None]) -> bool:
+    if os.path.lexists(target):
+        return False
+    with _part_of(target) as part:
+        fill(part)
+        return _name_it(part, target)
+
+
+def _name_it(part: Path, target: Path) -> bool:
+    """Give the finished file its name, unless somebody took the name meanwhile."""
+    try:
+        os.link(part, target, follow_symlinks=False)
+    except FileExistsError:
+        return False
+    except OSError as error:
+        if error.errno not in (errno.EPERM, errno.EOPNOTSUPP, errno.ENOSYS, errno.EMLINK):
+            raise
+        if os.path.lexists(target):  # a disk without hard links: as good as it gets there
+            return False
+        part.replace(target)
+    return True
+
+
+@contextlib.contextmanager
+def _part_of(target: Path) -> Iterator[Path]:
+    """A name beside the target for the unfinished file; gone afterwards, whatever happens."""
+    part = target.with_name(f".{target.name[:40]}.{secrets.token_hex(4)}{PART}")
+    try:
+        yield part
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _fill(target: Path, content: bytes) -> None:
+    target.write_bytes(content)
+    _flush(target)
+
+
+def _flush(file: Path) -> None:
+    """To the disk itself: after a power cut the name must not stand for an empty file."""
+    descriptor = os.open(file, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)

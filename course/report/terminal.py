@@ -1,0 +1,136 @@
+"""A verdict, as a learner reads it after `check`.
+
+Works without colour and at 80 columns. Every text of a check may hold what a submission
+wrote, so all of it is made safe here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Protocol
+
+from rich.console import Console
+from rich.text import Text
+
+from course.grading.result import CheckResult, Feedback, Outcome, Result, Verdict
+from course.report import safe
+from course.report.console import number, put, put_prose, with_code
+
+MARKS = {
+    Outcome.PASSED: ("ok", "bold green"),
+    Outcome.FAILED: ("no", "bold red"),
+    Outcome.SKIPPED: ("--", "dim"),
+    Outcome.ERROR: ("!!", "bold magenta"),
+}
+HEADLINES = {
+    Verdict.PASSED: ("Passed", "bold green"),
+    Verdict.NOT_PASSED: ("Not passed yet", "bold red"),
+    Verdict.NOT_AVAILABLE: ("Could not be checked on this machine", "bold yellow"),
+    Verdict.OUR_ERROR: ("The course itself has a fault", "bold magenta"),
+}
+INDENT = " " * 6
+LABEL_WIDTH = 10
+PLACES = 5
+
+
+class Titled(Protocol):
+    """What a renderer needs to know of an exercise."""
+
+    @property
+    def id(self) -> str: ...
+
+    @property
+    def title(self) -> str: ...
+
+
+def render_result(console: Console, result: Result, exercise: Titled, previous: Result | None = None) -> None:
+    """The checks one by one, what to do about each, and the total; `previous` is for comparison."""
+    put(console, Text.assemble((exercise.id, "bold"), "  ", exercise.title))
+    put(console)
+    before = {check.id: check.outcome for check in previous.checks} if previous else {}
+    for check in result.checks:
+        _put_check(console, check, before.get(check.id))
+    if result.checks:
+        put(console)
+    _put_headline(console, result, previous)
+    if result.fault:
+        put_feedback(console, result.fault)
+    for note in result.notes:
+        put_prose(console, Text(safe.paragraph(note), "dim"), first="  Note: ")
+
+
+def put_feedback(console: Console, feedback: Feedback) -> None:
+    """Why something did not pass: the cause, expected against seen, where, what to do, evidence."""
+    put_prose(console, with_code(console, safe.paragraph(feedback.summary)), first=INDENT)
+    for label, text in _comparison(feedback):
+        _put_labelled(console, label, Text(text))
+    for place in feedback.where[:PLACES]:
+        line = Text.assemble(INDENT, ("in".ljust(LABEL_WIDTH), "dim"), (safe.one_line(str(place)), "bold"))
+        put(console, line)
+    if feedback.advice:
+        _put_labelled(console, "try", with_code(console, safe.paragraph(feedback.advice)))
+    for line_of_evidence in safe.details(feedback.details):
+        put_prose(console, Text(line_of_evidence, "dim"), first=f"{INDENT}| ", rest=f"{INDENT}|   ")
+
+
+def _put_check(console: Console, check: CheckResult, before: Outcome | None) -> None:
+    mark, style = MARKS[check.outcome]
+    points = _points(check)
+    room = max(console.width - len(INDENT) - len(points) - 2, 20)
+    title = Text(safe.paragraph(check.title)).wrap(console, room)
+    for row, line in enumerate(title):
+        line.rstrip()
+        head = Text.assemble("  ", (mark, style), "  ") if row == 0 else Text(INDENT)
+        tail = f"{' ' * (room - line.cell_len)}  {points}" if row == 0 else ""
+        put(console, Text.assemble(head, line, (tail, "dim")))
+    if before is Outcome.PASSED and check.outcome is Outcome.FAILED:
+        put_prose(console, Text("This check passed the last time.", "yellow"), first=INDENT)
+    if check.feedback and check.outcome in (Outcome.FAILED, Outcome.ERROR):
+        put_feedback(console, check.feedback)
+    if check.outcome is Outcome.SKIPPED:
+        cause = safe.paragraph(check.skipped_because or "the cause is not known")
+        put_prose(console, Text(f"Not judged: {cause}", "dim"), first=INDENT)
+
+
+def _points(check: CheckResult) -> str:
+    word = "bonus " if check.bonus else ""
+    if check.outcome is Outcome.PASSED:
+        return f"{word}{number(check.points)}"
+    return f"{word}0 of {number(check.points)}"
+
+
+def _put_headline(console: Console, result: Result, previous: Result | None) -> None:
+    word, style = HEADLINES[result.verdict]
+    counted = result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED)
+    rest = f": {_total(result)}{_change(result, previous)}." if counted else ". This attempt does not count."
+    put(console, Text.assemble("  ", (word, style), rest, (_seconds(result), "dim")))
+
+
+def _total(result: Result) -> str:
+    unit = "point" if result.max_points == 1 else "points"
+    return f"{number(result.points)} of {number(result.max_points)} {unit}"
+
+
+def _change(result: Result, previous: Result | None) -> str:
+    if previous is None or previous.points == result.points:
+        return ""
+    return f" (last time {number(previous.points)})"
+
+
+def _seconds(result: Result) -> str:
+    timing = result.timing
+    if timing.total <= 0:
+        return ""
+    return f"  [built in {timing.build:.1f} s, watched for {timing.evidence:.1f} s]"
+
+
+def _comparison(feedback: Feedback) -> Iterator[tuple[str, str]]:
+    if feedback.expected is not None:
+        yield "expected", safe.paragraph(feedback.expected)
+    if feedback.seen is not None:
+        yield "seen", safe.paragraph(feedback.seen)
+
+
+def _put_labelled(console: Console, label: str, text: Text) -> None:
+    lead = f"{INDENT}{label.ljust(LABEL_WIDTH)}"
+    put_prose(console, text, first=lead)

@@ -1,0 +1,76 @@
+"""The complete environment for a process that uses ROS: nothing of the caller's but what is listed here."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from course.rosenv.captured import captured_variables
+from course.rosenv.model import Ros, python_folders
+from course.rosenv.overlays import every_prefix, sourced_prefixes, split, without
+from course.rosenv.profile import PROFILE, discovery_values
+from course.rosenv.setup_files import place_of
+from course.rosenv.wheels import Variables, ros_values, wheel_variables
+
+_BASICS = ("HOME", "USER", "LOGNAME", "SHELL", "LANG", "LANGUAGE", "TERM", "COLORTERM", "TZ", "TMPDIR")
+_PREFIXES = ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH")
+_LISTS = (*_PREFIXES, "LD_LIBRARY_PATH", "PATH", "PKG_CONFIG_PATH", "PYTHONPATH")
+_DEFAULT_PATH = "/usr/local/bin:/usr/bin:/bin"
+
+
+def node_environment(
+    ros: Ros, overlays: Sequence[Path] = (), environ: Mapping[str, str] | None = None
+) -> dict[str, str]:
+    """All variables for a child process that builds or runs ROS packages.
+
+    `overlays` are install prefixes of single packages (colcon's isolated layout); where two have the same
+    thing, the last one wins. Workspaces that happen to be sourced in `environ` are left out, and so are
+    ROS_DOMAIN_ID and the like: whoever starts the process sets them.
+    """
+    environ = os.environ if environ is None else environ
+    under, outer_path = _under(ros, environ)
+    lists = {name: list(under.lists.get(name, ())) for name in _LISTS}
+    for overlay in overlays:
+        for name, paths in _overlay_lists(overlay).items():
+            lists[name] = [*paths, *lists[name]]
+    lists["PATH"] += outer_path
+    joined = {name: ":".join(dict.fromkeys(paths)) for name, paths in lists.items() if paths}
+    return {**_basics(environ), **under.values, **discovery_values(_profile(ros, environ)), **joined}
+
+
+def _under(ros: Ros, environ: Mapping[str, str]) -> tuple[Variables, list[str]]:
+    """The variables of the ROS itself, and the entries of the caller's PATH that come after them."""
+    sourced = sourced_prefixes(environ)
+    path = split(environ.get("PATH")) or _DEFAULT_PATH.split(":")
+    if ros.origin == "sourced" and sourced and sourced.rclpy == ros.prefix:
+        names = {*_LISTS} - {"PATH"}
+        lists = {name: tuple(without(split(environ.get(name)), sourced.dropped)) for name in names}
+        return Variables(lists, ros_values(ros.distro)), without(path, sourced.dropped)
+    # Another ROS may be sourced, or this one with workspaces on top: their programs are not to be found.
+    path = without(path, every_prefix(environ))
+    return (wheel_variables(ros) if ros.origin == "pip" else _captured(ros, environ)), path
+
+
+def _captured(ros: Ros, environ: Mapping[str, str]) -> Variables:
+    variables = captured_variables(ros, environ)
+    lists = {name: tuple(split(variables.pop(name, None))) for name in _LISTS}
+    return Variables(lists, {**variables, **ros_values(ros.distro)})
+
+
+def _overlay_lists(overlay: Path) -> dict[str, list[str]]:
+    lists = {name: [str(overlay)] for name in _PREFIXES}
+    lists["PYTHONPATH"] = [str(folder) for folder in python_folders(overlay)]
+    for name, folder in (("LD_LIBRARY_PATH", "lib"), ("PATH", "bin"), ("PKG_CONFIG_PATH", "lib/pkgconfig")):
+        lists[name] = [str(overlay / folder)] if (overlay / folder).is_dir() else []
+    return lists
+
+
+def _basics(environ: Mapping[str, str]) -> dict[str, str]:
+    return {name: value for name, value in environ.items() if name in _BASICS or name.startswith("LC_")}
+
+
+def _profile(ros: Ros, environ: Mapping[str, str]) -> Path:
+    # The copy beside the wheels is the one that setup.bash names, and the one a sandbox shows.
+    copy = place_of(ros, environ).profile if ros.origin == "pip" else PROFILE
+    return copy if copy.exists() else PROFILE

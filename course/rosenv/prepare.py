@@ -1,0 +1,63 @@
+"""Makes a ROS ready for use, once; quick when there is nothing to do."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sysconfig
+from collections.abc import Mapping
+from pathlib import Path
+
+from course.errors import StorageError
+from course.rosenv.files import locked
+from course.rosenv.model import Ros
+from course.rosenv.relocate import relocate
+from course.rosenv.setup_files import Place, is_stamped, place_of, write_setup_files, write_stamp
+
+
+def prepare(ros: Ros, environ: Mapping[str, str] | None = None) -> None:
+    """Correct the wheels' paths and write their setup files; an installed ROS needs nothing.
+
+    Done again when pip changed a wheel. Safe to be killed, and to be called by two processes at once.
+    """
+    if ros.origin != "pip":
+        return
+    place = place_of(ros, os.environ if environ is None else environ)
+    if is_prepared(ros, place):
+        return
+    try:
+        with locked(place.lock):
+            # Another process may have done it while we waited.
+            if not is_prepared(ros, place):
+                _prepare(ros, place)
+    except OSError as error:
+        raise _storage_error(ros, error) from error
+
+
+def is_prepared(ros: Ros, place: Place) -> bool:
+    """Whether all was done for just these wheels, and nobody removed what a learner sources."""
+    return is_stamped(ros, place) and (place.scripts / "local_setup.sh").exists()
+
+
+def _prepare(ros: Ros, place: Place) -> None:
+    relocate(ros.prefix, Path(sysconfig.get_path("include")), _numpy_include(ros))
+    write_setup_files(ros, place)
+    write_stamp(ros, place)
+
+
+def _numpy_include(ros: Ros) -> Path:
+    """What numpy.get_include() says, without the tenth of a second that importing numpy takes."""
+    root = ros.python_packages / "numpy"
+    if not root.exists() and (found := importlib.util.find_spec("numpy")) and found.origin:
+        root = Path(found.origin).parent  # in the Python that this environment is made on top of
+    new, old = root / "_core/include", root / "core/include"  # since and before numpy 2
+    return old if old.exists() and not new.exists() else new
+
+
+def _storage_error(ros: Ros, error: OSError) -> StorageError:
+    where = error.filename or ros.prefix
+    return StorageError(
+        f"ROS 2 in {ros.prefix} could not be made ready: {where}: {error.strerror}.",
+        "If the disk is full, make room. If the folder belongs to somebody else, let them run "
+        "`ros2course doctor` once, or set the course up in a folder of your own: ./ros2course next",
+    )

@@ -1,0 +1,127 @@
+"""The setup.bash that a learner sources for the pip wheels, which bring none, and what colcon looks for."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from course.rosenv.files import write_atomic
+from course.rosenv.identity import digest
+from course.rosenv.model import Ros
+from course.rosenv.paths import cache_dir
+from course.rosenv.profile import PROFILE, discovery_values
+from course.rosenv.wheels import Variables, wheel_variables
+
+_FORMAT = "1"
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where our files for a prefix lie: `scripts` has setup.bash, `data` profile, stamp and lock."""
+
+    scripts: Path
+    data: Path
+
+    @property
+    def profile(self) -> Path:
+        return self.data / PROFILE.name
+
+    @property
+    def stamp(self) -> Path:
+        return self.data / "prepared"
+
+    @property
+    def lock(self) -> Path:
+        return self.data / "lock"
+
+
+def place_of(ros: Ros, environ: Mapping[str, str]) -> Place:
+    """In the prefix, where that was done or can be done; else in the cache."""
+    inside = Place(ros.prefix, ros.prefix / "share/ros2course")
+    cached = cache_dir(environ) / "rosenv" / digest([str(ros.prefix)])
+    outside = Place(cached, cached)
+    for place in (inside, outside):
+        if is_stamped(ros, place):
+            return place
+    return inside if _can_write(inside) else outside
+
+
+def is_stamped(ros: Ros, place: Place) -> bool:
+    """Whether everything was written there for just these wheels."""
+    try:
+        return place.stamp.read_text(encoding="utf-8") == _stamp(ros)
+    except (OSError, UnicodeDecodeError):
+        return False
+
+
+def write_stamp(ros: Ros, place: Place) -> None:
+    """Say that everything is done; write this last."""
+    write_atomic(place.stamp, _stamp(ros))
+
+
+def setup_script(ros: Ros, environ: Mapping[str, str] | None = None) -> Path:
+    """What a learner sources in bash to use this ROS; for pip wheels it is there after `prepare`."""
+    if ros.origin == "pip":
+        return place_of(ros, os.environ if environ is None else environ).scripts / "setup.bash"
+    # A ROS that was built from source package by package has it one folder higher.
+    own, above = ros.prefix / "setup.bash", ros.prefix.parent / "setup.bash"
+    return above if above.exists() and not own.exists() else own
+
+
+def write_setup_files(ros: Ros, place: Place) -> None:
+    """Write setup.* and local_setup.* for bash, sh and zsh, and the discovery profile they name."""
+    write_atomic(place.profile, PROFILE.read_text(encoding="utf-8"))
+    body = place.scripts / "local_setup.sh"
+    write_atomic(body, script(wheel_variables(ros), discovery_values(place.profile)))
+    call = f"# Uses ROS 2 from these pip packages; written by ros2course.\n. {shlex.quote(str(body))}\n"
+    for name in ("setup.sh", "setup.bash", "setup.zsh", "local_setup.bash", "local_setup.zsh"):
+        write_atomic(place.scripts / name, call)
+
+
+def script(variables: Variables, discovery: Mapping[str, str]) -> str:
+    """The text to source: for any POSIX shell, also under `set -eu`, and without effect a second time."""
+    return "\n".join([_HEAD, *_prepends(variables), *_exports({**variables.values, **discovery}), _TAIL])
+
+
+def _prepends(variables: Variables) -> Iterator[str]:
+    for name, paths in variables.lists.items():
+        # Each goes to the front, so the last one first.
+        yield from (f"_ros2course_prepend {name} {shlex.quote(path)}" for path in reversed(paths))
+
+
+def _exports(values: Mapping[str, str]) -> Iterator[str]:
+    return (f"export {name}={shlex.quote(value)}" for name, value in values.items())
+
+
+def _can_write(place: Place) -> bool:
+    return all(os.access(folder, os.W_OK) for folder in (place.scripts, place.data.parent) if folder.exists())
+
+
+def _stamp(ros: Ros) -> str:
+    return f"{_FORMAT} {ros.prefix} {ros.identity}\n"
+
+
+# A path that is there already stays where it is: what was sourced on top of it must stay on top.
+_HEAD = """\
+# Uses ROS 2 from these pip packages. Source it: it changes the environment of the shell it is read by.
+# Written by ros2course, and written anew when the packages change.
+
+_ros2course_prepend() {
+  eval "_ros2course_old=\\"\\${$1-}\\""
+  case ":${_ros2course_old}:" in
+    *":$2:"*) ;;
+    *) export "$1=$2${_ros2course_old:+:${_ros2course_old}}" ;;
+  esac
+}
+
+if [ -n "${ROS_DISTRO-}" ] && [ "${ROS_DISTRO-}" != "jazzy" ]; then
+  echo "ROS ${ROS_DISTRO-} was sourced in this shell before. Do not mix it with jazzy: open a new shell." >&2
+fi
+"""
+_TAIL = """
+unset -f _ros2course_prepend
+unset _ros2course_old
+"""

@@ -1,0 +1,52 @@
+"""What a process needs to use the ROS wheels of a prefix: the one list for children and for setup.bash."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from course.rosenv.model import Ros
+
+DISTRO = "jazzy"
+
+
+@dataclass(frozen=True)
+class Variables:
+    """`lists` are variables of paths, to be put in front of what is there; `values` replace what is there."""
+
+    lists: Mapping[str, tuple[str, ...]]
+    values: Mapping[str, str]
+
+
+def wheel_variables(ros: Ros) -> Variables:
+    """The variables of the wheels' prefix, without what lies on top of it."""
+    prefix, packages = str(ros.prefix), ros.python_packages
+    lists = {
+        "AMENT_PREFIX_PATH": (prefix,),
+        "CMAKE_PREFIX_PATH": (prefix,),
+        "LD_LIBRARY_PATH": (f"{prefix}/lib", *_bundled_libraries(packages)),
+        "PATH": (f"{prefix}/bin",),
+        "PYTHONPATH": (str(packages),) if _serves_system_python(packages) else (),
+    }
+    return Variables(lists, {**ros_values(ros.distro), "VIRTUAL_ENV": prefix})
+
+
+def ros_values(distro: str) -> dict[str, str]:
+    """What every ROS 2 sets, and the mark that spares a Python with ROS wheels from starting twice."""
+    return {
+        "ROS_DISTRO": distro,
+        "ROS_VERSION": "2",
+        "ROS_PYTHON_VERSION": "3",
+        "_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1",
+    }
+
+
+def _bundled_libraries(packages: Path) -> tuple[str, ...]:
+    # The wheels' own start-up lists these in an order that varies from run to run; ours must not.
+    return tuple(str(folder) for folder in sorted(packages.glob("ros_*.libs")))
+
+
+def _serves_system_python(packages: Path) -> bool:
+    """Whether /usr/bin/python3, which scripts may ask for, is of the version these packages are made for."""
+    return Path("/usr/bin/python3").resolve().name == packages.parent.name

@@ -1,0 +1,34 @@
+"""The node print_forever: twice per second it logs how often it has logged."""
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+PERIOD = 0.5  # seconds
+
+
+class PrintForever(Node):
+    """Counts its own log messages, from zero and for ever."""
+
+    def __init__(self):
+        super().__init__('print_forever')
+        self.count = 0
+        self.timer = self.create_timer(PERIOD, self.timer_callback)
+
+    def timer_callback(self):
+        """Log the count, then move it on."""
+        self.get_logger().info(f'Printed {self.count} times.')
+        self.count += 1
+
+
+def main(args=None):
+    """Run the node until Ctrl+C."""
+    try:
+        rclpy.init(args=args)
+        rclpy.spin(PrintForever())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,5 @@
+"""A program that only says its name."""
+
+
+def main():
+    print('listener here')
