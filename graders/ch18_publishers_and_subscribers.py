@@ -2,38 +2,253 @@
 
 from __future__ import annotations
 
+from functools import partial
+from itertools import pairwise
+
 from course.arena.arena import Arena
+from course.arena.process import Process
+from course.evidence.events import MessageSent
+from course.evidence.recorder import Stimulus
 from course.evidence.recording import Recording
+from course.evidence.topic_view import Message
+from course.feedback import Failure, Feedback
 from course.grading.author import Grader
-from course.grading.expect.graph import expect_endpoint, expect_node, expect_type
+from course.grading.expect.deliveries import expect_contents, expect_deliveries
+from course.grading.expect.graph import (
+    expect_compatible_qos,
+    expect_endpoint,
+    expect_node,
+    expect_same_definition,
+    expect_type,
+)
 from course.grading.expect.manifests import expect_dependency
 from course.grading.expect.programs import expect_clean_interrupt, expect_running
+from course.grading.explain.python_code import calls
+from course.grading.explain.timers import timer_cause, timer_places
+from course.grading.stimulus import quotes_to_say
 
 PACKAGE = "python_package_that_uses_the_messages"
-QUOTE = "package_with_interfaces/msg/AmazingQuote"
+INTERFACES = "package_with_interfaces"
+QUOTE = f"{INTERFACES}/msg/AmazingQuote"
+QUOTE_HASH = "RIHS01_6eb8a339124c22e6ee8541e6132c3bccee5a2125c643270c85cae174a4aaeb21"
 TOPIC = "/amazing_quote"
 PUBLISHER = "amazing_quote_publisher_node"
+SUBSCRIBER = "amazing_quote_subscriber_node"
+ENOUGH = 5
 
 publisher = Grader("18-publisher")
+subscriber = Grader("18-subscriber")
 
 
 @publisher.scenario
 def five_quotes(arena: Arena) -> None:
+    """Five messages are four intervals; a node without that topic is not waited for so long."""
     quotes = arena.subscribe(TOPIC, QUOTE)
     node = arena.run(PACKAGE, PUBLISHER)
-    arena.until(lambda: quotes.count >= 5, timeout=8, while_running=node)
+    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
+        arena.until(lambda: quotes.count, timeout=4, while_running=node)
+        if quotes.count:
+            arena.until(lambda: quotes.count >= ENOUGH, timeout=5, while_running=node)
     arena.interrupt(node)
 
 
-@publisher.check("starts", "the node starts and keeps running", needs="builds")
+@publisher.check("starts", "the node starts and keeps running")
 def publisher_starts(recording: Recording) -> None:
     expect_running(recording, PUBLISHER)
 
 
-@publisher.check("rate", "publishes twice per second", needs="starts")
-def publisher_rate(recording: Recording) -> None:
-    recording.topic(TOPIC).expect_period(0.5)
+@publisher.check("node_name", f"the node is called /{PUBLISHER}", needs="starts")
+def publisher_name(recording: Recording) -> None:
+    expect_node(recording, f"/{PUBLISHER}")
 
-@publisher.check("interrupt", "ctrlc", needs="starts")
-def publisher_int(recording: Recording) -> None:
+
+@publisher.check("topic_exists", f"it has a publisher on {TOPIC}", needs="starts")
+def topic_exists(recording: Recording) -> None:
+    remedy = f"Make one: `self.create_publisher(AmazingQuote, '{TOPIC}', 10)`."
+    expect_endpoint(recording, "publisher", TOPIC, remedy=remedy)
+
+
+@publisher.check("right_type", f"the topic's type is {QUOTE}", needs="topic_exists")
+def publisher_type(recording: Recording) -> None:
+    expect_type(recording, "publisher", TOPIC, QUOTE)
+    expect_same_definition(recording, "publisher", TOPIC, QUOTE, QUOTE_HASH)
+
+
+@publisher.check("publishes", "messages arrive", needs="right_type")
+def publishes(recording: Recording) -> None:
+    received = recording.topic(TOPIC).messages
+    if len(received) > 1:
+        return
+    cause = timer_cause(recording.sources)
+    unused = not calls(recording.sources, "publish")
+    raise Failure(
+        Feedback(
+            summary="The publisher exists, but no message comes."
+            if not received
+            else "One message came, and then no more.",
+            expected="a message every 0.5 s",
+            seen=f"{len(received)} in {recording.duration:.1f} s",
+            where=cause.where if cause else timer_places(recording.sources),
+            advice="The publisher is never used: call `self.publisher.publish(message)` in the "
+            "timer's callback."
+            if unused
+            else cause.text
+            if cause
+            else "Does the timer's callback reach `publish(...)`?",
+        )
+    )
+
+
+@publisher.check("rate", "it publishes twice per second", points=2, needs="publishes")
+def rate(recording: Recording) -> None:
+    advice = "The period of `create_timer` is in seconds: 0.5."
+    recording.topic(TOPIC).expect_period(0.5, advice=advice)
+
+
+@publisher.check("ids", "id goes up by one with each message", needs="publishes")
+def ids(recording: Recording) -> None:
+    if recording.lost(TOPIC):
+        raise RuntimeError(f"our own reception lost {recording.lost(TOPIC)} messages")
+    numbers = [message.data.id for message in recording.topic(TOPIC).messages]
+    steps = {later - earlier for earlier, later in pairwise(numbers)}
+    if steps == {1}:
+        return
+    shown = ", ".join(map(str, numbers[:ENOUGH]))
+    seen = f"id goes {shown}" if len(steps) > 1 else f"id changes by {steps.pop()} each time: {shown}"
+    constant = len(set(numbers)) == 1
+    raise Failure(
+        Feedback(
+            summary=f"`id` is always {numbers[0]}." if constant else "`id` does not go up by one.",
+            expected="0, 1, 2, 3, 4",
+            seen=seen,
+            where=tuple(call.where for call in calls(recording.sources, "publish"))[:1],
+            advice="Keep the next number in the node, give it to `message.id`, and add one after publishing.",
+        )
+    )
+
+
+@publisher.check("texts", "quote and philosopher_name are not empty", needs="publishes")
+def texts(recording: Recording) -> None:
+    for message in recording.topic(TOPIC).messages:
+        for field in ("quote", "philosopher_name"):
+            if not getattr(message.data, field).strip():
+                raise Failure(
+                    Feedback(
+                        summary=f"`{field}` is empty in the message with id {message.data.id}.",
+                        expected="a text",
+                        seen="an empty string",
+                        where=tuple(call.where for call in calls(recording.sources, "publish"))[:1],
+                        advice=f"Set it before publishing: `message.{field} = '...'`.",
+                    )
+                )
+
+
+@publisher.check("declares_messages", "package.xml declares rclpy and package_with_interfaces")
+def publisher_dependencies(recording: Recording) -> None:
+    expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
+
+
+@publisher.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+def publisher_interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, PUBLISHER)
+
+
+@subscriber.scenario
+def six_quotes_to_hear(arena: Arena) -> None:
+    """Each quote is published once the one before is in the node's log, or a while has passed."""
+    speaker = arena.publisher(TOPIC, QUOTE)
+    node = arena.run(PACKAGE, SUBSCRIBER)
+    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
+        arena.until(lambda: speaker.matched, timeout=3, while_running=node)
+        if speaker.matched:
+            say_all(arena, speaker, node)
+    arena.interrupt(node)
+
+
+def say_all(arena: Arena, speaker: Stimulus, node: Process) -> None:
+    for quote in quotes_to_say():
+        parts = [str(part) for part in quote.values() if part]
+        if node.running:
+            speaker.publish(**quote)
+            arena.until(partial(all_logged, arena, parts), timeout=1, while_running=node)
+
+
+def all_logged(arena: Arena, parts: list[str]) -> bool:
+    return all(arena.logged(part) for part in parts)
+
+
+def said(recording: Recording) -> tuple[Message, ...]:
+    return recording.sent(TOPIC)
+
+
+@subscriber.check("starts", "the node starts and keeps running")
+def subscriber_starts(recording: Recording) -> None:
+    first = next((event.t for event in recording.events if isinstance(event, MessageSent)), None)
+    if first is None:
+        expect_running(recording, SUBSCRIBER)
+    else:
+        expect_running(recording, SUBSCRIBER, until=first)
+
+
+@subscriber.check("node_name", f"the node is called /{SUBSCRIBER}", needs="starts")
+def subscriber_name(recording: Recording) -> None:
+    expect_node(recording, f"/{SUBSCRIBER}")
+
+
+@subscriber.check("subscribes", f"it has a subscription on {TOPIC}", needs="starts")
+def subscribes(recording: Recording) -> None:
+    remedy = (
+        "Make one with `create_subscription`: `self.create_subscription(AmazingQuote, "
+        f"'{TOPIC}', callback, 10)`."
+    )
+    expect_endpoint(recording, "subscription", TOPIC, remedy=remedy)
+
+
+@subscriber.check("right_type", f"the topic's type is {QUOTE}", needs="subscribes")
+def subscriber_type(recording: Recording) -> None:
+    expect_type(recording, "subscription", TOPIC, QUOTE)
+    expect_same_definition(recording, "subscription", TOPIC, QUOTE, QUOTE_HASH)
+
+
+@subscriber.check("qos", "its QoS profile matches an ordinary publisher's", needs="right_type")
+def qos(recording: Recording) -> None:
+    expect_compatible_qos(recording, TOPIC)
+
+
+@subscriber.check("survives", "it keeps running while messages come", needs="qos")
+def survives(recording: Recording) -> None:
+    view = recording.process(SUBSCRIBER)
+    if view.ended_by_itself and view.traceback() == () and len(said(recording)) == 1:
+        raise Failure(
+            Feedback(
+                summary="The program ended by itself after its first message; `rclpy.spin` "
+                "should keep it running.",
+                expected="it runs until Ctrl+C",
+                seen=f"exit code {view.ended_by_itself.code}",
+                advice="`spin_once` handles one event and returns; `rclpy.shutdown()` ends `rclpy.spin`. "
+                "Use `rclpy.spin(node)`, and shut nothing down in the callback.",
+            )
+        )
+    expect_running(recording, SUBSCRIBER)
+
+
+@subscriber.check("receives", "it logs each message", needs="survives")
+def receives(recording: Recording) -> None:
+    expect_deliveries(recording, SUBSCRIBER, said(recording))
+
+
+@subscriber.check(
+    "content", "quote, philosopher_name and id are in the log, once", points=2, needs="receives"
+)
+def content(recording: Recording) -> None:
+    expect_contents(recording, said(recording), ("quote", "philosopher_name", "id"), once="quote")
+
+
+@subscriber.check("declares_messages", "package.xml declares rclpy and package_with_interfaces")
+def subscriber_dependencies(recording: Recording) -> None:
+    expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
+
+
+@subscriber.check("interrupt", "Ctrl+C ends it in silence", needs="survives")
+def subscriber_interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(recording, SUBSCRIBER)

@@ -7,7 +7,6 @@ is closed, every process that was started in it, or by one of them, has ended.
 from __future__ import annotations
 
 import contextlib
-import os
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -16,13 +15,16 @@ from course.arena.executables import command_for
 from course.arena.leftovers import end_descendants
 from course.arena.process import Process
 from course.errors import OurFault
-from course.evidence.events import ExecutableMissing, Marked
+from course.evidence.events import ExecutableMissing, FileKept, Marked, MessageSeen, OutputLine
 from course.evidence.graph import Graph
 from course.evidence.packages import BuiltPackages
 from course.evidence.recorder import Listener, Recorder, Stimulus
+from course.evidence.recording import ROSOUT
 from course.evidence.timeline import Timeline
 
 INTERRUPT_GRACE = 3.0
+TYPE_PROBE = "type probe"
+_TYPE_PROBE = Path(__file__).with_name("type_probe.py")
 
 
 class Arena:
@@ -70,7 +72,12 @@ class Arena:
         return self._recorder.publisher(topic, type_name, **qos)
 
     def run(
-        self, package: str, executable: str, *args: str, name: str | None = None, env: Mapping[str, str] | None = None
+        self,
+        package: str,
+        executable: str,
+        *args: str,
+        name: str | None = None,
+        env: Mapping[str, str] | None = None,
     ) -> Process | None:
         """Start what `ros2 run package executable args...` would start.
 
@@ -96,7 +103,12 @@ class Arena:
         return process
 
     def until(
-        self, condition: Callable[[], Any], *, timeout: float, while_running: Process | None = None, name: str = ""
+        self,
+        condition: Callable[[], Any],
+        *,
+        timeout: float,
+        while_running: Process | None = None,
+        name: str = "",
     ) -> bool:
         """Wait until `condition()` holds: True; False after `timeout` s or when the program ended.
 
@@ -126,6 +138,30 @@ class Arena:
             self.timeline.add(Marked(self.timeline.now(), f"ignored Ctrl+C: {process.name}"))
             process.close()
 
+    def logged(self, text: str) -> int:
+        """How many /rosout messages up to now hold this text."""
+        needle = text.encode()
+        return sum(1 for e in self.timeline.of(MessageSeen) if e.topic == ROSOUT and needle in e.data)
+
+    def printed(self, text: str) -> int:
+        """How many lines on the programs' terminals up to now hold this text."""
+        return sum(1 for event in self.timeline.of(OutputLine) if text in event.text)
+
+    def keep(self, package: str, file: str) -> None:
+        """Keep an installed text file (relative to the package's prefix) in the recording."""
+        built = self._packages.get(package)
+        path = Path(built.prefix, file) if built else None
+        text = path.read_text(encoding="utf-8", errors="replace") if path and path.is_file() else None
+        self.timeline.add(FileKept(self.timeline.now(), file, text))
+
+    def probe_types(self, *types: str) -> Process:
+        """Start a program of ours that offers endpoints of these types as the learner built them.
+
+        For the n-th type (from 0) a publisher or service `/probe/tN`; the graph then shows the
+        hash of the type's definition. It prints `missing <type>` for what cannot be imported.
+        """
+        return self.start(self._python, str(_TYPE_PROBE), *types, name=TYPE_PROBE)
+
     def mark(self, name: str, detail: str = "") -> None:
         """Name this moment in the recording."""
         self.timeline.add(Marked(self.timeline.now(), name, detail))
@@ -153,7 +189,7 @@ def open_arena(
     timeline: Timeline, packages: BuiltPackages, environment: Mapping[str, str], python: str, folder: Path
 ) -> Iterator[Arena]:
     """An arena whose recorder listens before anything is started in it."""
-    os.makedirs(folder, exist_ok=True)
+    folder.mkdir(parents=True, exist_ok=True)
     with Recorder(timeline) as recorder:
         arena = Arena(recorder, packages, environment, python, folder)
         try:

@@ -17,12 +17,12 @@ EPILOG = (
         ("next", "begin, or go on where you left off"),
         ("check", "check the exercise you are at"),
         ("hint", "a hint for it"),
-        ("shell", "a shell in which ROS 2 and your course home are ready"),
+        ("shell", "a shell in your course home, with ROS 2 ready"),
         ("doctor", "what is here, and what is missing"),
         ("COMMAND --help", "more about a command, with examples"),
     )
-    + "\n\n\b\nExit codes: 0 passed or done, 1 not passed, 2 wrong usage, 3 a fault of the course,"
-    + "\n4 something is missing on this machine, 130 stopped with Ctrl+C."
+    + "\n\n\b\nExit codes: 0 passed or done, 1 not passed, 2 wrong usage,"
+    + "\n3 a fault of the course, 4 something is missing here, 130 stopped with Ctrl+C."
 )
 
 app = typer.Typer(

@@ -31,7 +31,7 @@ def check(
     exercise: CurrentExercise = None,
     json: Annotated[bool, typer.Option("--json", help="Print the result as JSON, and nothing else.")] = False,
 ) -> None:
-    """Build and run what you wrote, and say what is right and what is not.
+    """Build and run what you wrote, and judge what it does.
 
     Your files are only read. Ends with 0 when the exercise is passed, 1 when it
     is not, 3 when the course itself has a fault, 4 when this machine lacks

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import platform
+import shlex
 import shutil
 import subprocess
 import sys
@@ -29,21 +30,19 @@ NOT_BEFORE = 2026
 
 def find_all(options: Options) -> list[Finding]:
     """Everything `doctor` shows, in its order."""
-    home = _home(options)
-    folders = [cache_dir(os.environ)]
-    if home.state is State.OK:
-        folders.append(Path(home.found))
+    cache = cache_dir(os.environ)
     return [
         ros(),
         python(),
         colcon(),
-        tool("g++", "g++", "--version"),
-        tool("cmake", "cmake", "--version"),
-        make(),
+        program("g++", "g++"),
+        program("cmake", "cmake"),
+        program("make", "make"),
+        program("bash", "bash"),
         namespaces(),
-        home,
-        *(finding for folder in folders for finding in (writable(folder), space(folder))),
-        clock(folders[0]),
+        course_home(options),
+        storage("cache", cache),
+        clock(cache),
     ]
 
 
@@ -75,24 +74,16 @@ def colcon() -> Finding:
         return Finding("colcon", State.OK, f"colcon-core {metadata.version('colcon-core')}")
     if command := shutil.which("colcon"):
         return Finding("colcon", State.OK, command)
-    step = f"`{shlex_python()} -m pip install colcon-common-extensions`"
+    step = f"`{shlex.quote(sys.executable)} -m pip install colcon-common-extensions`"
     return Finding("colcon", State.MISSING, "not found", step)
 
 
-def tool(name: str, package: str, *question: str) -> Finding:
-    """A program that building interface packages needs."""
+def program(name: str, package: str) -> Finding:
+    """A program that building and working need."""
     command = shutil.which(name)
     if command is None:
         return Finding(name, State.MISSING, "not found", f"Install it: {install(package)}")
-    return Finding(name, State.OK, f"{_first_line(command, *question)}, {command}")
-
-
-def make() -> Finding:
-    """What CMake builds with."""
-    command = shutil.which("make") or shutil.which("ninja")
-    if command is None:
-        return Finding("make", State.MISSING, "not found", f"Install it: {install('make')}")
-    return Finding("make", State.OK, command)
+    return Finding(name, State.OK, f"{_first_line(command, '--version')}, {command}")
 
 
 def namespaces() -> Finding:
@@ -106,28 +97,30 @@ def namespaces() -> Finding:
     return Finding("bubblewrap", State.LESS, obstacle, step)
 
 
-def writable(folder: Path) -> Finding:
-    """Whether files can be made where the course keeps them."""
-    name = f"write {_short(folder)}"
+def course_home(options: Options) -> Finding:
+    """Where the learner's work lies, and whether it can be written."""
+    try:
+        return storage("course home", home_of(options).path)
+    except CourseError as error:
+        return Finding("course home", State.LESS, error.what, f"`{typed('next')}` makes one.")
+
+
+def storage(name: str, folder: Path) -> Finding:
+    """Whether files can be made in a folder, and whether its disk has room for builds."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):
-            return Finding(name, State.OK, "can be written")
+            free = shutil.disk_usage(folder).free
     except OSError as error:
-        step = f"See to the owner and the rights of {folder}: `ls -ld {folder}`."
-        return Finding(name, State.MISSING, f"{error.strerror}", step)
-
-
-def space(folder: Path) -> Finding:
-    """Room for builds."""
-    name = f"space {_short(folder)}"
-    there = next(place for place in (folder, *folder.parents) if place.exists())
-    free = shutil.disk_usage(there).free
-    found = f"{free / GIBIBYTE:.1f} GiB free"
+        step = (
+            f"See to the owner and the rights of {folder}, and to its disk: `ls -ld {folder}; df {folder}`."
+        )
+        return Finding(name, State.MISSING, f"{folder}: {error.strerror}", step)
+    found = f"{folder}, {free / GIBIBYTE:.1f} GiB free"
     if free >= ENOUGH_SPACE:
         return Finding(name, State.OK, found)
     state = State.LESS if free >= LEAST_SPACE else State.MISSING
-    return Finding(name, state, found, f"Make room on the disk of {there}.")
+    return Finding(name, state, found, f"Make room on the disk of {folder}.")
 
 
 def clock(folder: Path) -> Finding:
@@ -154,27 +147,9 @@ def install(package: str) -> str:
     return f"the package `{package}`, with this system's package manager"
 
 
-def shlex_python() -> str:
-    import shlex
-
-    return shlex.quote(sys.executable)
-
-
-def _home(options: Options) -> Finding:
-    try:
-        return Finding("course home", State.OK, str(home_of(options).path))
-    except CourseError as error:
-        return Finding("course home", State.LESS, error.what, f"`{typed('next')}` makes one.")
-
-
 def _first_line(*command: str) -> str:
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=10, check=False)
     except (OSError, subprocess.SubprocessError):
         return "does not start"
     return (done.stdout.splitlines() or ["says nothing"])[0]
-
-
-def _short(folder: Path) -> str:
-    home = Path.home()
-    return f"~/{folder.relative_to(home)}" if folder.is_relative_to(home) else str(folder)

@@ -50,6 +50,9 @@ def _show(console: Console, desk: Desk, exercise: Exercise, *, again: bool, ever
     for index in _indices(desk, exercise, again=again, every=every):
         render_hint(console, exercise.id, index + 1, total, exercise.hints[index])
     last = desk.progress.hints_shown(exercise.id) >= total
+    if last and total:
+        put(console, "That was the last hint.")
+        put(console)
     put_steps(console, _steps(exercise, last=last))
 
 
@@ -70,6 +73,6 @@ def _steps(exercise: Exercise, *, last: bool) -> list[tuple[str, str]]:
     if last:
         return [
             check,
-            (typed(f"solution {exercise.id} --anyway"), "that was the last hint; this shows a solution"),
+            (typed(f"solution {exercise.id} --anyway"), "for a solution"),
         ]
     return [check, (typed("hint"), "for the next hint")]

@@ -69,9 +69,9 @@ def _begin(console: Console, desk: Desk, exercise: Exercise, *, lesson: bool) ->
     if lesson or not desk.progress.chapter_shown(exercise.chapter.slug):
         render_lesson(console, exercise.chapter, chapter_text(desk.course, exercise))
         desk.progress.mark_chapter_shown(exercise.chapter.slug)
-    render_exercise(console, exercise, desk.progress.state(exercise.id))
-    put_requires(console, not_passed_yet(desk, exercise))
+    render_exercise(console, exercise, desk.home.path, desk.progress.state(exercise.id))
     render_new_files(console, desk.home.path, new)
+    put_requires(console, not_passed_yet(desk, exercise))
     _steps(console)
 
 

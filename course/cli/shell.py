@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from course.cli.words import LAUNCHER, PROGRAM, examples
+from course.cli.words import LAUNCHER, PROGRAM, examples, typed
 
 if TYPE_CHECKING:
     from course.home import CourseHome
@@ -41,14 +41,15 @@ def shell(
     """
     from course.cli.desk import home_of
     from course.cli.options import options_of
+    from course.cli.shell_files import write_start_file
     from course.errors import MissingHere
 
     bash = shutil.which("bash")
     if bash is None:
         raise MissingHere("The program bash is missing.", "Install it: `sudo apt install bash`.")
     home = home_of(options_of(ctx))
-    script = _start_script(home)
-    words = ["-c", f". {shlex.quote(str(script))}\n{command}"] if command else ["--rcfile", str(script), "-i"]
+    start = str(write_start_file(home, _setup_script()))
+    words = ["--rcfile", start, "-i"] if command is None else ["-c", f". {shlex.quote(start)}\n{command}"]
     os.chdir(home.path)
     sys.stdout.flush()
     # Not a child: job control, signals and the exit code are bash's own.
@@ -58,17 +59,20 @@ def shell(
 def env(ctx: typer.Context) -> None:
     """Print what makes a shell of your own ready for the course.
 
-    The lines set ROS 2 up and tell ros2course where your course home is.
+    The lines set ROS 2 up, say where your course home is, and let you type
+    ros2course in any folder.
     """
     from course.cli.desk import home_of
     from course.cli.options import options_of
+    from course.cli.shell_files import write_command
 
     home = home_of(options_of(ctx))
     lines = (
-        f"export ROS2COURSE_HOME={shlex.quote(str(home.path))}",
         f"source {shlex.quote(str(_setup_script()))}",
-        '# For this shell:       eval "$(' + _own_command() + ' env)"',
-        "# For every new shell:  add the two lines above to ~/.bashrc",
+        f"export ROS2COURSE_HOME={shlex.quote(str(home.path))}",
+        f"export PATH={shlex.quote(str(write_command(home)))}:$PATH",
+        f'# For the shell you are in:  eval "$({typed("env")})"',
+        f"# For every new one:         {typed('env')} >> ~/.bashrc",
     )
     typer.echo("\n".join(lines))
 
@@ -81,38 +85,11 @@ def _setup_script() -> Path:
     return setup_script(ros)
 
 
-def _start_script(home: CourseHome) -> Path:
-    """Write the file that bash starts with. It stays in the course home's own folder for such things."""
-    from course.errors import StorageError
-    from course.rosenv.files import write_atomic
-
-    script = home.state / "shell.bash"
-    try:
-        write_atomic(script, _START.format(setup=shlex.quote(str(_setup_script())), command=_own_command()))
-    except OSError as error:
-        raise StorageError(
-            f"{script} cannot be written: {error.strerror}.", f"See to {script.parent}."
-        ) from error
-    return script
-
-
-# The learner's own .bashrc comes last but for the prompt: what they set there is meant.
-_START = """\
-# Written by `ros2course shell` each time; edit ~/.bashrc instead.
-. {setup}
-[ -r ~/.bashrc ] && . ~/.bashrc
-ros2course() {{ {launcher}=ros2course {command} "$@"; }}
-export -f ros2course
-PS1='(ros2course) \\w\\$ '
-""".replace("{launcher}", LAUNCHER)
-
-
 def _environment(home: CourseHome) -> dict[str, str]:
-    from course.rosenv.paths import cache_dir
+    from course.rosenv import cache_dir
 
-    environment = {
-        name: value for name, value in os.environ.items() if name not in (LAUNCHER, "PROMPT_COMMAND")
-    }
+    dropped = (LAUNCHER, "PROMPT_COMMAND")
+    environment = {name: value for name, value in os.environ.items() if name not in dropped}
     # With another HOME, the cache and the course home would be looked for in other places.
     return {
         **environment,
@@ -120,14 +97,3 @@ def _environment(home: CourseHome) -> dict[str, str]:
         "ROS2COURSE_HOME": str(home.path),
         "ROS2COURSE_CACHE": str(cache_dir(os.environ)),
     }
-
-
-def _own_command() -> str:
-    """The words that run this program from any folder."""
-    for candidate in (os.environ.get(LAUNCHER), sys.argv[0]):
-        file = Path(candidate or "").absolute()
-        if file.name == PROGRAM and os.access(file, os.X_OK) and file.is_file():
-            return shlex.quote(str(file))
-    root = Path(__file__).parents[2]
-    code = f"import sys; sys.path[0] = {str(root)!r}; from course.cli.main import run; run()"
-    return f"{shlex.quote(sys.executable)} -c {shlex.quote(code)}"

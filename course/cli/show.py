@@ -36,4 +36,4 @@ def show(
         with paged(console) if pager else nullcontext():
             if lesson:
                 render_lesson(console, shown.chapter, chapter_text(desk.course, shown))
-            render_exercise(console, shown, state)
+            render_exercise(console, shown, desk.home.path, state)

@@ -10,7 +10,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
 from course.content.document import Document, Place, key_text
-from course.content.names import did_you_mean
+from course.content.names import did_you_mean, nearest
 from course.errors import ContentError
 
 Checked = tuple[dict[str, Any] | None, tuple[ContentError, ...]]
@@ -31,9 +31,23 @@ def check(document: Document, schema: type[BaseModel]) -> Checked:
     try:
         data = schema.model_validate(document.data).model_dump(by_alias=True)
     except ValidationError as error:
-        found = (_explain(document, schema, details) for details in error.errors(include_url=False))
-        return None, (*document.repeated, *found)
+        found = error.errors(include_url=False)
+        misspelt = _misspelt(schema, found)
+        told = (_explain(document, schema, details) for details in found if details["loc"] not in misspelt)
+        return None, (*document.repeated, *told)
     return (None if document.repeated else data), document.repeated
+
+
+def _misspelt(schema: type[BaseModel], found: list[ErrorDetails]) -> set[Place]:
+    """Keys that are only missing because they are misspelt, which the unknown key's error says already."""
+    unknown = [details["loc"] for details in found if details["type"] == "extra_forbidden"]
+    meant = (
+        (*place[:-1], name)
+        for place in unknown
+        for name in nearest(str(place[-1]), _fields(_model_at(schema, place[:-1])), 1)
+    )
+    missing = {details["loc"] for details in found if details["type"] == "missing"}
+    return missing & set(meant)
 
 
 def _explain(document: Document, schema: type[BaseModel], details: ErrorDetails) -> ContentError:

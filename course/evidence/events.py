@@ -103,6 +103,21 @@ class GraphSeen(Event):
 
 
 @dataclass(frozen=True)
+class FileKept(Event):
+    """A text file that the scenario found and kept; `text` is None when it was not there."""
+
+    name: str
+    text: str | None
+
+
+@dataclass(frozen=True)
+class MessagesCut(Event):
+    """More messages came on `topic` than are kept; those after this moment are not recorded."""
+
+    topic: str
+
+
+@dataclass(frozen=True)
 class Marked(Event):
     """The scenario reached a point worth naming, e.g. that it gave up waiting for something."""
 

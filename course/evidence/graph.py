@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 from typing import Literal
 
 Kind = Literal["publisher", "subscription"]
@@ -10,10 +11,15 @@ Kind = Literal["publisher", "subscription"]
 
 @dataclass(frozen=True, order=True)
 class Qos:
-    """The QoS policies that decide whether two endpoints match, by their ROS names."""
+    """The QoS policies that decide whether two endpoints match, by their ROS names.
+
+    deadline: seconds; infinite when there is none.
+    """
 
     reliability: str = "reliable"
     durability: str = "volatile"
+    liveliness: str = "automatic"
+    deadline: float = inf
 
 
 @dataclass(frozen=True, order=True)
@@ -34,10 +40,15 @@ class Endpoint:
 
 @dataclass(frozen=True, order=True)
 class Service:
-    """A service by name and type."""
+    """A service by name and type.
+
+    request_hash, response_hash: RIHS01 hashes as the server was built; "" without a server.
+    """
 
     name: str
     type: str
+    request_hash: str = ""
+    response_hash: str = ""
 
 
 @dataclass(frozen=True)
@@ -56,7 +67,9 @@ class Graph:
 
     def topics_of(self, kind: Kind) -> tuple[str, ...]:
         """Names of the topics that have an endpoint of this kind, without ROS's own."""
-        return tuple(sorted({e.topic for e in self.endpoints if e.kind == kind and not infrastructure(e.topic)}))
+        return tuple(
+            sorted({e.topic for e in self.endpoints if e.kind == kind and not infrastructure(e.topic)})
+        )
 
 
 def infrastructure(topic: str) -> bool:
@@ -65,7 +78,7 @@ def infrastructure(topic: str) -> bool:
 
 
 def mismatch(publisher: Qos, subscription: Qos) -> str | None:
-    """The policy that keeps these two apart ("reliability" or "durability"), or None.
+    """The policy that keeps these two apart ("reliability", "durability", ...), or None.
 
     A subscription may ask for no more than the publisher offers.
     Source: ROS 2 documentation, "Quality of Service settings", compatibility tables.
@@ -74,4 +87,6 @@ def mismatch(publisher: Qos, subscription: Qos) -> str | None:
         return "reliability"
     if subscription.durability == "transient_local" and publisher.durability == "volatile":
         return "durability"
-    return None
+    if subscription.liveliness == "manual_by_topic" and publisher.liveliness != "manual_by_topic":
+        return "liveliness"
+    return "deadline" if subscription.deadline < publisher.deadline else None

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import inf
 from typing import Any
 
 from course.evidence.graph import Endpoint, Graph, Kind, Qos, Service
 
+# The middleware gives "no deadline" as nearly 300 years.
+_FOR_EVER = 1e9
 _UNKNOWN = "_NODE_NAME_UNKNOWN_"
 _OWN_SERVICES = (
     "/describe_parameters",
@@ -65,15 +68,31 @@ class GraphReader:
         node = full_name(info.node_name, info.node_namespace) if known else ""
         if node == self._own:
             return
-        profile = info.qos_profile
-        qos = Qos(profile.reliability.name.lower(), profile.durability.name.lower())
-        yield Endpoint(topic, kind, node, info.topic_type, str(info.topic_type_hash), qos)
+        yield Endpoint(topic, kind, node, info.topic_type, str(info.topic_type_hash), _qos(info.qos_profile))
 
     def _services(self) -> Iterable[Service]:
         for name, types in self._node.get_service_names_and_types():
             if not name.endswith(_OWN_SERVICES):
                 for type_name in types:
-                    yield Service(name, type_name)
+                    yield Service(name, type_name, *self._hashes(name))
+
+    def _hashes(self, service: str) -> tuple[str, str]:
+        """Of the server's two DDS topics, `rq/<service>Request` and `rr/<service>Reply`."""
+        requests = self._node.get_subscriptions_info_by_topic(f"rq{service}Request", no_mangle=True)
+        replies = self._node.get_publishers_info_by_topic(f"rr{service}Reply", no_mangle=True)
+        ends = (requests, replies)
+        request, response = (str(infos[0].topic_type_hash) if infos else "" for infos in ends)
+        return request, response
+
+
+def _qos(profile: Any) -> Qos:
+    deadline = profile.deadline.nanoseconds / 1e9
+    return Qos(
+        profile.reliability.name.lower(),
+        profile.durability.name.lower(),
+        profile.liveliness.name.lower(),
+        deadline if 0 < deadline < _FOR_EVER else inf,
+    )
 
 
 def full_name(name: str, namespace: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 from dataclasses import dataclass
+from itertools import takewhile
 
 from course.evidence.events import (
     Event,
@@ -14,6 +15,7 @@ from course.evidence.events import (
     SignalSent,
 )
 
+_MORE = 4
 TRACEBACK = "Traceback (most recent call last)"
 
 
@@ -74,8 +76,12 @@ class ProcessView:
 
 
 def _one_traceback(lines: list[str]) -> tuple[str, ...]:
-    """From its first line to the line with the exception, which is the first not indented."""
+    """From its first line to the line with the exception, which is the first not indented.
+
+    An exception's message may go on over indented lines; a few of them are kept.
+    """
     for index, text in enumerate(lines[1:], start=1):
         if text and not text.startswith((" ", "\t")):
-            return tuple(lines[: index + 1])
+            more = takewhile(lambda line: line.startswith((" ", "\t")), lines[index + 1 : index + 1 + _MORE])
+            return (*lines[: index + 1], *more)
     return tuple(lines)

@@ -7,6 +7,7 @@ which the middleware received them here.
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import os
 import secrets
@@ -27,7 +28,7 @@ from rclpy.serialization import serialize_message
 from rclpy.signals import SignalHandlerOptions
 
 from course.errors import OurFault
-from course.evidence.events import GraphSeen, MessageSeen, MessageSent, MessagesLost
+from course.evidence.events import GraphSeen, MessagesCut, MessageSeen, MessageSent, MessagesLost
 from course.evidence.graph import Graph
 from course.evidence.graph_reader import GraphReader
 from course.evidence.messages import UnknownType, full_definition
@@ -35,6 +36,9 @@ from course.evidence.recording import ROSOUT, ROSOUT_TYPE
 from course.evidence.timeline import Timeline
 
 DEPTH = 1000
+# A node that publishes as fast as it can must not fill our memory; nobody judges so many.
+MAX_MESSAGES = 50_000
+MAX_BYTES = 64 * 1024 * 1024
 GRAPH_PERIOD = 0.02
 
 
@@ -78,10 +82,9 @@ class Recorder:
         self._node.destroy_node()
 
     def _spin(self) -> None:
-        try:
+        # The exception is how rclpy says that our own __exit__ ended it.
+        with contextlib.suppress(ExternalShutdownException):
             self._executor.spin()
-        except ExternalShutdownException:
-            pass  # how rclpy says that our own __exit__ ended it
 
     def subscribe(
         self, topic: str, type_name: str, *, reliability: str = "reliable", durability: str = "volatile"
@@ -127,10 +130,14 @@ class Recorder:
 class Listener:
     """One recorded topic. `count`: messages received up to now."""
 
-    def __init__(self, recorder: Recorder, topic: str, type_name: str, reliability: str, durability: str) -> None:
+    def __init__(
+        self, recorder: Recorder, topic: str, type_name: str, reliability: str, durability: str
+    ) -> None:
         self.topic = topic
         self.type = type_name
         self.count = 0
+        self._bytes = 0
+        self._is_cut = False
         self._recorder = recorder
         self._wanted = (reliability, durability)
         self._round = 0
@@ -161,7 +168,16 @@ class Listener:
         # A step of the wall clock in between must not move the message out of the recording.
         moment = now - ago if 0.0 <= ago <= now else now
         self.count += 1
+        self._bytes += len(data)
+        if self.count > MAX_MESSAGES or self._bytes > MAX_BYTES:
+            self._cut(now)
+            return
         timeline.add(MessageSeen(moment, self.topic, self.type, bytes(data)))
+
+    def _cut(self, now: float) -> None:
+        if not self._is_cut:
+            self._is_cut = True
+            self._recorder.timeline.add(MessagesCut(now, self.topic))
 
     def _lost(self, info: Any) -> None:
         timeline = self._recorder.timeline
@@ -220,5 +236,3 @@ def _profile(reliability: str, durability: str) -> QoSProfile:
         reliability=ReliabilityPolicy.get_from_short_key(reliability),
         durability=DurabilityPolicy.get_from_short_key(durability),
     )
-
-

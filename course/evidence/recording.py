@@ -15,6 +15,7 @@ from typing import TypeVar
 from course.evidence.events import (
     Event,
     ExecutableMissing,
+    FileKept,
     GraphSeen,
     Marked,
     MessageSeen,
@@ -115,6 +116,10 @@ class Recording:
         """Everything that was ever in the graph, as one graph."""
         services = {service for seen in self.graphs for service in seen.graph.services}
         return Graph(self.seen_nodes(), self.seen_endpoints(), tuple(sorted(services)))
+
+    def kept(self, name: str) -> str | None:
+        """Text of the file that the scenario kept under that name; None if it was not there."""
+        return next((event.text for event in self._of(FileKept) if event.name == name), None)
 
     def marked(self, name: str) -> Marked | None:
         """The point of that name that the scenario reached, if it did."""

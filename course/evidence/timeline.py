@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import TypeVar
 
 from course.evidence.events import Event
+
+_E = TypeVar("_E", bound=Event)
 
 
 class Timeline:
@@ -33,6 +36,12 @@ class Timeline:
         """What has happened up to now, sorted by time."""
         with self._changed:
             return tuple(sorted(self._events, key=lambda event: event.t))
+
+    def of(self, kind: type[_E]) -> Iterator[_E]:
+        """Events of one kind, in the order of their arrival."""
+        with self._changed:
+            known = tuple(self._events)
+        return (event for event in known if isinstance(event, kind))
 
     def wait_until(self, condition: Callable[[], bool], timeout: float) -> bool:
         """Wait until `condition()` holds, looking again after each event; False at the time-out.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from statistics import median
 from typing import Any
 
@@ -79,7 +80,7 @@ def expect_period(
     times: tuple[float, ...], period: float, *, what: str, tolerance: float = 0.2, advice: str | None = None
 ) -> None:
     """`times` (s, our own clock) come every `period` seconds by their median interval."""
-    intervals = [later - earlier for earlier, later in zip(times, times[1:], strict=False)]
+    intervals = [later - earlier for earlier, later in pairwise(times)]
     if intervals and abs(median(intervals) - period) > tolerance * period:
         seen = median(intervals)
         raise Failure(
@@ -102,10 +103,8 @@ def expect_period(
 
 
 def seconds(value: float) -> str:
-    """A duration for people: `0.5 s`, `12 ms`."""
-    if value < 0.095:
-        return f"{value * 1000:.2g} ms" if value < 0.01 else f"{value * 1000:.0f} ms"
-    return f"{value:.3g} s"
+    """A duration for people: `0.50 s`, `2.3 ms`."""
+    return f"{value * 1000:.2g} ms" if value < 0.01 else f"{value:.2f} s"
 
 
 def _hertz(period: float) -> str:

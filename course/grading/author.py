@@ -70,7 +70,13 @@ class Grader:
         return function
 
     def check(
-        self, id: str, title: str, *, points: float = 1, bonus: bool = False, needs: str | Sequence[str] | None = None
+        self,
+        id: str,
+        title: str,
+        *,
+        points: float = 1,
+        bonus: bool = False,
+        needs: str | Sequence[str] | None = None,
     ) -> Callable[[_Function], _Function]:
         """Decorator: this function judges the recording.
 
@@ -78,7 +84,9 @@ class Grader:
         `fail()` or an `expect_*`) when the learner's work is not right. Any other exception
         is our error. needs: ids of checks; by default that the packages build; () for none.
         """
-        wanted = self._default_needs() if needs is None else ((needs,) if isinstance(needs, str) else tuple(needs))
+        wanted = (
+            self._default_needs() if needs is None else ((needs,) if isinstance(needs, str) else tuple(needs))
+        )
 
         def register(function: _Function) -> _Function:
             self._add(CheckSpec(id, title, points, bonus, wanted, self.exercise), function)
@@ -94,7 +102,9 @@ class Grader:
             raise OurFault(f"{self.exercise} has two checks named {spec.id}")
         unknown = [need for need in spec.needs if need not in self.checks]
         if unknown:
-            raise OurFault(f"check {spec.id} of {self.exercise} needs {unknown[0]}, which does not stand before it")
+            raise OurFault(
+                f"check {spec.id} of {self.exercise} needs {unknown[0]}, which does not stand before it"
+            )
         self.checks[spec.id] = spec
         self.functions[spec.id] = function
 

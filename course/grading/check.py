@@ -8,7 +8,7 @@ becomes an «our error» result: the learner is never blamed for it.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -67,7 +67,7 @@ def _build(exercise: Exercise, home: Path, ros: Ros, store: Store, on_progress: 
     return build(workspace, exercise.packages, ros, store, on_progress=on_progress)
 
 
-def _job(exercise: Exercise, home: Path, ros: Ros, outcome: BuildOutcome, extra: dict[str, str]) -> Job:
+def _job(exercise: Exercise, home: Path, ros: Ros, outcome: BuildOutcome, extra: Mapping[str, str]) -> Job:
     packages = as_evidence(outcome)
     environment = {**node_environment(ros, outcome.prefixes), **extra}
     roots = (*(package.source for package in packages.built), *exercise.files)
@@ -82,7 +82,9 @@ def _job(exercise: Exercise, home: Path, ros: Ros, outcome: BuildOutcome, extra:
     )
 
 
-def _result(exercise: Exercise, judgement: Judgement, timing: Timing, kind: str, missing: str | None) -> Result:
+def _result(
+    exercise: Exercise, judgement: Judgement, timing: Timing, kind: str, missing: str | None
+) -> Result:
     verdict = Verdict.OUR_ERROR if judgement.fault else verdict_of(judgement.checks)
     notes = (missing,) if missing else ()
     return Result(exercise.id, verdict, judgement.checks, timing, judgement.fault, kind, notes)

@@ -11,7 +11,10 @@ def as_evidence(outcome: BuildOutcome) -> BuiltPackages:
     """The packages with the executables that are really installed, and the failure if any."""
     built = tuple(
         BuiltPackage(
-            package.name, package.source, str(package.prefix), installed_executables(package.prefix, package.name)
+            package.name,
+            package.source,
+            str(package.prefix),
+            installed_executables(package.prefix, package.name),
         )
         for package in outcome.packages
     )

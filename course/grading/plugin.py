@@ -40,7 +40,12 @@ class GraderNode(pytest.Collector):
         for spec in self.grader.checks.values():
             function = self.grader.functions[spec.id]
             yield CheckItem.from_parent(
-                self, name=spec.id, callobj=function, spec=spec, grader=self.grader, originalname=function.__name__
+                self,
+                name=spec.id,
+                callobj=function,
+                spec=spec,
+                grader=self.grader,
+                originalname=function.__name__,
             )
 
 
@@ -59,7 +64,9 @@ class JudgePlugin:
         self._recording: Recording | None = None
 
     @pytest.hookimpl(tryfirst=True)
-    def pytest_pycollect_makeitem(self, collector: pytest.Collector, obj: object) -> list[pytest.Collector] | None:
+    def pytest_pycollect_makeitem(
+        self, collector: pytest.Collector, obj: object
+    ) -> list[pytest.Collector] | None:
         if not isinstance(obj, Grader):
             return None
         if obj.exercise != self.exercise:
@@ -77,7 +84,7 @@ class JudgePlugin:
         for grader in graders.values():
             try:
                 self._recording = self._provide(grader)
-            except Exception as error:  # whatever a scenario ran into is our error, kept and shown
+            except Exception as error:  # noqa: BLE001 - whatever a scenario ran into is our error, kept and shown
                 self.scenario_error = error
                 session.items.clear()
 

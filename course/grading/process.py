@@ -28,7 +28,17 @@ from course.grading.job import Job, from_line
 from course.grading.outcome import our_error
 from course.grading.plugin import JudgePlugin
 
-_PYTEST = ("-q", "-p", "no:cacheprovider", "-p", "no:faulthandler", "--tb=short", "-W", "ignore", "--capture=no")
+_PYTEST = (
+    "-q",
+    "-p",
+    "no:cacheprovider",
+    "-p",
+    "no:faulthandler",
+    "--tb=short",
+    "-W",
+    "ignore",
+    "--capture=no",
+)
 
 
 def main() -> int:
@@ -47,7 +57,7 @@ def main() -> int:
         shutil.rmtree(folder, ignore_errors=True)
     sys.stdout.flush()
     # Threads of the middleware may take their time to end; there is nothing left to wait for.
-    os._exit(0)
+    os._exit(0)  # noqa: TID251 - see above; everything has been cleaned up
 
 
 def _scratch_root() -> str | None:
@@ -59,7 +69,7 @@ def _end_with_parent(folder: Path) -> None:
     sys.stdin.read()
     end_descendants()
     shutil.rmtree(folder, ignore_errors=True)
-    os._exit(1)
+    os._exit(1)  # noqa: TID251 - the main thread may be anywhere; nothing is left to clean up
 
 
 def _judge(job: Job, channel: Channel, folder: Path) -> Judgement:
@@ -102,4 +112,4 @@ def _record(job: Job, grader: Grader, channel: Channel, folder: Path) -> Recordi
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    raise SystemExit(main())

@@ -43,8 +43,7 @@ class Supervisor:
         self._log = tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace")
         try:
             self._process = subprocess.Popen(
-                [*self._where.prefix, sys.executable, "-P" if _SAFE_PATH else "-E", "-m", "course.grading.process"]
-                + [str(write_end)],
+                [*self._where.prefix, sys.executable, "-m", "course.grading.process", str(write_end)],
                 stdin=subprocess.PIPE,
                 stdout=self._log,
                 stderr=self._log,
@@ -120,9 +119,8 @@ class Supervisor:
             "ROS2COURSE_ENCLOSURE": self._where.kind,
             "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
             "PYTHONPATH": os.pathsep.join(
-                part for part in (str(Path(course.__file__).parents[1]), self._environment.get("PYTHONPATH")) if part
+                part
+                for part in (str(Path(course.__file__).parents[1]), self._environment.get("PYTHONPATH"))
+                if part
             ),
         }
-
-
-_SAFE_PATH = sys.version_info >= (3, 11)

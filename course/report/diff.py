@@ -18,12 +18,10 @@ def render_diff(console: Console, files: Iterable[tuple[str, str]]) -> bool:
     """Unified diffs (file, text); says which files are the same. Returns whether anything differs."""
     differs = False
     for file, diff in files:
-        name = safe.one_line(file)
         if not diff.strip():
-            put(console, Text(f"{name}: the same as the reference", "dim"))
+            put(console, Text(f"{safe.one_line(file)}: the same as the reference", "dim"))
             continue
         differs = True
-        put(console, Text(name, "bold"))
         for line in diff.rstrip("\n").split("\n"):
             put(console, _line(line))
         put(console)

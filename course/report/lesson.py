@@ -49,24 +49,24 @@ def render_lesson(console: Console, chapter: ChapterName, text: str) -> None:
     put(console)
 
 
-def render_exercise(console: Console, exercise: ExerciseText, state: str = "") -> None:
+def render_exercise(console: Console, exercise: ExerciseText, home: Path, state: str = "") -> None:
     """An exercise's task under its title, and the learner's files that belong to it."""
     put(console, _rule(console, f"{exercise.id}: {exercise.title}", state))
     put(console)
     put_markdown(console, _without_title(exercise.text, exercise.title))
     if exercise.files:
         put(console)
-        put(console, "Your files:", "bold")
+        put(console, f"Your files, in {safe.one_line(str(home))}:", "bold")
         for file in exercise.files:
             put(console, f"  {safe.one_line(file)}")
     put(console)
 
 
 def render_new_files(console: Console, home: Path, files: Sequence[Path]) -> None:
-    """Which files were laid into the course home just now; nothing when there are none."""
+    """Which files were laid into the course home just now, after `render_exercise`; nothing for none."""
     if not files:
         return
-    put(console, Text.assemble(("New in ", "bold"), (f"{safe.one_line(str(home))}:", "bold")))
+    put(console, "New among them, laid just now:", "bold")
     for file in files:
         put(console, f"  + {safe.one_line(_relative(file, home))}")
     put(console)

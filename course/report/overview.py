@@ -13,7 +13,7 @@ from course.report import safe
 from course.report.console import number, put
 
 MARKS = {"passed": ("ok", "green"), "tried": ("no", "red"), "begun": ("..", "yellow"), "new": ("  ", "")}
-LEGEND = "ok passed   no tried, not passed yet   .. begun   > where you are"
+LEGEND = "ok passed   no not passed yet   .. begun   > where you are"
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,8 @@ def render_list(console: Console, rows: Iterable[Row]) -> None:
             put(console, _line(console, row, width))
     passed = sum(row.state == "passed" for row in every)
     put(console)
-    put(console, Text.assemble((f"{passed} of {len(every)} passed.", "bold"), (f"   {LEGEND}", "dim")))
+    put(console, f"{passed} of {len(every)} passed.", "bold")
+    put(console, LEGEND, "dim")
 
 
 def _line(console: Console, row: Row, width: int) -> Text:

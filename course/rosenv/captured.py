@@ -15,14 +15,14 @@ from course.rosenv.identity import digest
 from course.rosenv.model import Ros
 from course.rosenv.paths import cache_dir
 from course.rosenv.setup_files import setup_script
+from course.rosenv.variables import LISTS
 
 _PLAIN_PATH = "/usr/local/bin:/usr/bin:/bin"
-_BY_THE_SHELL = frozenset({"_", "SHLVL", "PWD", "OLDPWD", "HOME"})
 _PATIENCE = 60  # seconds; sourcing takes well under one, on a cold and busy disk a few
 
 
 def captured_variables(ros: Ros, environ: Mapping[str, str]) -> dict[str, str]:
-    """The variables that setup.bash sets; PATH holds only what it adds."""
+    """The variables of paths that setup.bash sets; PATH holds only what it adds."""
     remembered = cache_dir(environ) / "rosenv" / f"{digest([str(ros.prefix)])}.json"
     if (variables := _recall(remembered, ros)) is not None:
         return variables
@@ -45,29 +45,30 @@ def _recall(file: Path, ros: Ros) -> dict[str, str] | None:
 
 def _source(script: Path, environ: Mapping[str, str]) -> dict[str, str]:
     base = {"PATH": _PLAIN_PATH, "HOME": environ.get("HOME", "/")}
-    command = ["bash", "--noprofile", "--norc", "-c", '. "$1" >&2 && exec env -0', "bash", str(script)]
+    command = ["bash", "--noprofile", "--norc", "-c", '. "$1" >&2; exec env -0', "bash", str(script)]
     try:
         done = subprocess.run(
-            command, env=base, stdin=subprocess.DEVNULL, capture_output=True, timeout=_PATIENCE, check=True
+            command, env=base, stdin=subprocess.DEVNULL, capture_output=True, timeout=_PATIENCE
         )
-    except (OSError, subprocess.SubprocessError) as error:
-        what = f"{script} could not be sourced: {_reason(error)}."
-        raise MissingHere(what, f"See what this says: bash -c 'source {script}'") from error
-    return _added(done.stdout)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise _unusable(script, str(error)) from error
+    variables = _added(done.stdout)
+    if "AMENT_PREFIX_PATH" not in variables:
+        said = done.stderr.decode(errors="replace").strip().splitlines()
+        raise _unusable(script, said[-1] if said else "it sets no AMENT_PREFIX_PATH")
+    return variables
 
 
 def _added(output: bytes) -> dict[str, str]:
     pairs = (os.fsdecode(entry).partition("=") for entry in output.split(b"\0") if entry)
-    found = {name: value for name, _, value in pairs if name not in _BY_THE_SHELL}
+    found = {name: value for name, _, value in pairs if name in LISTS}
     plain = _PLAIN_PATH.split(":")
     found["PATH"] = ":".join(path for path in found.get("PATH", "").split(":") if path not in plain)
     return found
 
 
-def _reason(error: Exception) -> str:
-    if isinstance(error, subprocess.CalledProcessError):
-        lines = error.stderr.decode(errors="replace").strip().splitlines()
-        return lines[-1] if lines else f"it ended with {error.returncode}"
-    if isinstance(error, subprocess.TimeoutExpired):
-        return f"it did not end within {_PATIENCE} seconds"
-    return str(error)
+def _unusable(script: Path, reason: str) -> MissingHere:
+    return MissingHere(
+        f"The ROS 2 installed here cannot be used: {script}: {reason}.",
+        f"See what this says, then repair or reinstall that ROS: bash -c 'source {script}'",
+    )

@@ -11,11 +11,9 @@ from course.rosenv.model import Ros, python_folders
 from course.rosenv.overlays import every_prefix, sourced_prefixes, split, without
 from course.rosenv.profile import PROFILE, discovery_values
 from course.rosenv.setup_files import place_of
-from course.rosenv.wheels import Variables, ros_values, wheel_variables
+from course.rosenv.variables import LISTS, PREFIXES, Variables, ros_values, wheel_variables
 
 _BASICS = ("HOME", "USER", "LOGNAME", "SHELL", "LANG", "LANGUAGE", "TERM", "COLORTERM", "TZ", "TMPDIR")
-_PREFIXES = ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH")
-_LISTS = (*_PREFIXES, "LD_LIBRARY_PATH", "PATH", "PKG_CONFIG_PATH", "PYTHONPATH")
 _DEFAULT_PATH = "/usr/local/bin:/usr/bin:/bin"
 
 
@@ -30,7 +28,7 @@ def node_environment(
     """
     environ = os.environ if environ is None else environ
     under, outer_path = _under(ros, environ)
-    lists = {name: list(under.lists.get(name, ())) for name in _LISTS}
+    lists = {name: list(under.lists.get(name, ())) for name in LISTS}
     for overlay in overlays:
         for name, paths in _overlay_lists(overlay).items():
             lists[name] = [*paths, *lists[name]]
@@ -44,7 +42,7 @@ def _under(ros: Ros, environ: Mapping[str, str]) -> tuple[Variables, list[str]]:
     sourced = sourced_prefixes(environ)
     path = split(environ.get("PATH")) or _DEFAULT_PATH.split(":")
     if ros.origin == "sourced" and sourced and sourced.rclpy == ros.prefix:
-        names = {*_LISTS} - {"PATH"}
+        names = {*LISTS} - {"PATH"}
         lists = {name: tuple(without(split(environ.get(name)), sourced.dropped)) for name in names}
         return Variables(lists, ros_values(ros.distro)), without(path, sourced.dropped)
     # Another ROS may be sourced, or this one with workspaces on top: their programs are not to be found.
@@ -53,13 +51,12 @@ def _under(ros: Ros, environ: Mapping[str, str]) -> tuple[Variables, list[str]]:
 
 
 def _captured(ros: Ros, environ: Mapping[str, str]) -> Variables:
-    variables = captured_variables(ros, environ)
-    lists = {name: tuple(split(variables.pop(name, None))) for name in _LISTS}
-    return Variables(lists, {**variables, **ros_values(ros.distro)})
+    lists = {name: tuple(split(value)) for name, value in captured_variables(ros, environ).items()}
+    return Variables(lists, ros_values(ros.distro))
 
 
 def _overlay_lists(overlay: Path) -> dict[str, list[str]]:
-    lists = {name: [str(overlay)] for name in _PREFIXES}
+    lists = {name: [str(overlay)] for name in PREFIXES}
     lists["PYTHONPATH"] = [str(folder) for folder in python_folders(overlay)]
     for name, folder in (("LD_LIBRARY_PATH", "lib"), ("PATH", "bin"), ("PKG_CONFIG_PATH", "lib/pkgconfig")):
         lists[name] = [str(overlay / folder)] if (overlay / folder).is_dir() else []

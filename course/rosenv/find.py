@@ -13,7 +13,7 @@ from course.rosenv.host import Host
 from course.rosenv.model import Origin, Ros, python_folders
 from course.rosenv.overlays import has_rclpy, sourced_prefixes, split
 from course.rosenv.support import why_no_wheels
-from course.rosenv.wheels import DISTRO
+from course.rosenv.variables import DISTRO
 
 _SET_UP = (
     "Let the course install ROS 2: ./ros2course next (in the course's folder), or, in an environment of your "

@@ -13,7 +13,7 @@ from course.rosenv.identity import digest
 from course.rosenv.model import Ros
 from course.rosenv.paths import cache_dir
 from course.rosenv.profile import PROFILE, discovery_values
-from course.rosenv.wheels import Variables, wheel_variables
+from course.rosenv.variables import Variables, wheel_variables
 
 _FORMAT = "1"
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from course.evidence.graph import Endpoint, Kind
+from math import inf
+
+from course.evidence.graph import Endpoint, Kind, Qos, mismatch
 from course.evidence.recording import Recording
 from course.feedback import Failure, Feedback, Location
 from course.grading.explain.names import listed, nearest
@@ -21,7 +23,9 @@ def expect_node(recording: Recording, name: str) -> None:
     plain = name.lstrip("/")
     raise Failure(
         Feedback(
-            summary=f"The node is called `{close}`, not `{name}`." if close else f"No node `{name}` appeared.",
+            summary=f"The node is called `{close}`, not `{name}`."
+            if close
+            else f"No node `{name}` appeared.",
             expected=name,
             seen=listed(nodes, "no node at all"),
             where=text_places(recording.sources, close.lstrip("/"))[:3] if close else (),
@@ -70,21 +74,51 @@ def expect_type(recording: Recording, kind: Kind, topic: str, type_name: str) ->
             expected=type_name,
             seen=wrong[0].type,
             where=tuple(call.where for call in calls(recording.sources, _MAKERS[kind]))[:2],
-            advice=f"Import it with `from {package}.msg import {short}` and name it first in `{_MAKERS[kind]}`.",
+            advice=f"Import it with `from {package}.msg import {short}` and name it first in "
+            f"`{_MAKERS[kind]}`.",
         )
     )
 
 
-def expect_same_definition(recording: Recording, kind: Kind, topic: str, type_name: str, type_hash: str) -> None:
+def expect_same_definition(
+    recording: Recording, kind: Kind, topic: str, type_name: str, type_hash: str
+) -> None:
     """The type of that name was built from the definition that the course knows."""
     for endpoint in _on(recording, kind, topic):
         if endpoint.type == type_name and endpoint.type_hash != type_hash:
             raise Failure(
                 Feedback(
                     summary=f"Your `{type_name}` has other fields than the exercise asks for.",
-                    advice="Compare its fields with chapter 17: names, types and order. `check 17` tells which.",
+                    advice="Compare its fields with chapter 17: names, types and order. `check "
+                    "17` tells which.",
                 )
             )
+
+
+def expect_compatible_qos(recording: Recording, topic: str) -> None:
+    """The subscriptions on `topic` match an ordinary publisher: reliable, volatile, no deadline."""
+    for endpoint in _on(recording, "subscription", topic):
+        policy = mismatch(Qos(), endpoint.qos)
+        if policy:
+            offered, asked = getattr(Qos(), policy), getattr(endpoint.qos, policy)
+            raise Failure(
+                Feedback(
+                    summary=f"The subscription asks for more than the publisher offers: {policy} "
+                    "does not match, "
+                    "so no message is delivered.",
+                    expected=f"{policy}: {_policy_value(offered)}",
+                    seen=f"{policy}: {_policy_value(asked)}",
+                    where=tuple(call.where for call in calls(recording.sources, "create_subscription"))[:2],
+                    advice="Give `create_subscription` just the depth, `10`, or leave that "
+                    "policy at its default.",
+                )
+            )
+
+
+def _policy_value(value: object) -> str:
+    if isinstance(value, float):
+        return "none" if value == inf else f"{value:g} s"
+    return str(value)
 
 
 def _on(recording: Recording, kind: Kind, topic: str) -> tuple[Endpoint, ...]:

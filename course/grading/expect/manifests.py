@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
+from course.feedback import Failure, Feedback
 from course.grading.explain.names import nearest
 from course.grading.explain.package_xml import RUN_TAGS, Manifest, manifest
 
@@ -21,24 +21,48 @@ def expect_dependency(recording: Recording, package: str, *names: str) -> None:
     """package.xml declares each of these packages as needed to run."""
     found = expect_manifest(recording, package)
     missing = [name for name in names if not found.depends(name, *RUN_TAGS)]
-    if not missing:
+    if missing:
+        raise Failure(_undeclared(found, missing[0], names))
+
+
+def expect_tag(
+    recording: Recording, package: str, tags: tuple[str, ...], value: str, *, purpose: str
+) -> None:
+    """package.xml has an element with one of these tags and this text."""
+    found = expect_manifest(recording, package)
+    if found.depends(value, *tags):
         return
-    name = missing[0]
-    close = nearest(name, set(found.values(*RUN_TAGS)) - set(names))
+    elsewhere = [tag for tag, text in found.tags if text == value]
+    written = f"<{tags[0]}>{value}</{tags[0]}>"
     raise Failure(
         Feedback(
-            summary=f"package.xml does not declare the dependency `{name}`"
-            + (f"; it names `{close}`." if close else ", which the code needs."),
-            expected=f"<depend>{name}</depend>",
-            seen=close,
-            where=(_line_with(found, "<depend>") or found.where,),
-            advice=f"Add `<depend>{name}</depend>` to package.xml.",
+            summary=f"package.xml does not hold `{written}`: {purpose}.",
+            expected=written,
+            seen=f"<{elsewhere[0]}>{value}</{elsewhere[0]}>" if elsewhere else None,
+            where=(found.place_of(value) or found.where,),
+            advice=f"Add the line `{written}` to package.xml.",
         )
     )
 
 
-def _line_with(found: Manifest, text: str) -> Location | None:
-    for number, line in enumerate(found.text.splitlines(), start=1):
-        if text in line:
-            return Location(found.where.file, number)
-    return None
+def _undeclared(found: Manifest, name: str, wanted: tuple[str, ...]) -> Feedback:
+    line = f"<depend>{name}</depend>"
+    other_tags = [tag for tag, text in found.tags if text == name]
+    if other_tags:
+        return Feedback(
+            summary=f"package.xml declares `{name}` as `{other_tags[0]}` only, but the program "
+            "needs it when it runs.",
+            expected=line,
+            seen=f"<{other_tags[0]}>{name}</{other_tags[0]}>",
+            where=(found.place_of(name) or found.where,),
+            advice=f"Write `{line}`, which stands for building and running.",
+        )
+    close = nearest(name, set(found.values(*RUN_TAGS)) - set(wanted))
+    return Feedback(
+        summary=f"package.xml does not declare the dependency `{name}`"
+        + (f"; it names `{close}`." if close else ", which the program needs."),
+        expected=line,
+        seen=f"<depend>{close}</depend>" if close else None,
+        where=(found.place_of(close or "<depend>") or found.where,),
+        advice=f"Add the line `{line}` to package.xml.",
+    )

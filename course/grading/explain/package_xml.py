@@ -25,6 +25,13 @@ class Manifest:
         """Whether one of these tags names the package."""
         return name in self.values(*tags)
 
+    def place_of(self, text: str) -> Location | None:
+        """The first line of the file that holds this text."""
+        for number, line in enumerate(self.text.splitlines(), start=1):
+            if text in line:
+                return Location(self.where.file, number)
+        return None
+
 
 def manifest(sources: Sources, package_folder: str) -> Manifest | None:
     """The manifest of the package in this folder; None when it is missing or not XML."""

@@ -42,11 +42,40 @@ def called_name(node: ast.Call) -> str:
     return node.func.id if isinstance(node.func, ast.Name) else ""
 
 
-def number(node: ast.expr | None) -> float | None:
-    """The value of a literal number."""
+def number(sources: Sources, node: ast.expr | None) -> float | None:
+    """The value of a number in the source: a literal, or a name that is given one somewhere."""
     if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
         return float(node.value)
-    return None
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div | ast.Mult):
+        left, right = number(sources, node.left), number(sources, node.right)
+        if left is None or not right:
+            return None
+        return left / right if isinstance(node.op, ast.Div) else left * right
+    name = _plain_name(node)
+    values = (number(sources, value) for value in _assigned(sources, name)) if name else ()
+    return next((value for value in values if value is not None), None)
+
+
+def _plain_name(node: ast.AST | None) -> str | None:
+    """`period` for both `period` and `self.period`."""
+    if isinstance(node, ast.Attribute):
+        return node.attr
+    return node.id if isinstance(node, ast.Name) else None
+
+
+def _assigned(sources: Sources, name: str) -> Iterator[ast.expr]:
+    """Literals that are assigned to this name anywhere (other names are not followed)."""
+    for _, tree in _trees(sources):
+        for node in ast.walk(tree):
+            targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
+            value = getattr(node, "value", None)
+            assigns = isinstance(node, ast.Assign | ast.AnnAssign) and value is not None and _literal(value)
+            if assigns and any(_plain_name(target) == name for target in targets):
+                yield value
+
+
+def _literal(node: ast.expr) -> bool:
+    return all(not isinstance(part, ast.Name | ast.Attribute | ast.Call) for part in ast.walk(node))
 
 
 def text_places(sources: Sources, text: str) -> tuple[Location, ...]:

@@ -22,12 +22,18 @@ class EntryPoint:
 
 def entry_points(sources: Sources, package_folder: str) -> tuple[EntryPoint, ...]:
     """All console scripts that the package in this folder declares."""
-    return (*_from_setup_py(sources, f"{package_folder}/setup.py"), *_from_setup_cfg(sources, f"{package_folder}/setup.cfg"))
+    return (
+        *_from_setup_py(sources, f"{package_folder}/setup.py"),
+        *_from_setup_cfg(sources, f"{package_folder}/setup.cfg"),
+    )
 
 
 def joined_entry_points(sources: Sources, package_folder: str) -> EntryPoint | None:
     """An entry that holds two: Python joins neighbouring strings when the comma is missing."""
-    return next((e for e in entry_points(sources, package_folder) if e.target.count("=") or e.target.count(":") > 1), None)
+    return next(
+        (e for e in entry_points(sources, package_folder) if e.target.count("=") or e.target.count(":") > 1),
+        None,
+    )
 
 
 def _from_setup_py(sources: Sources, file: str) -> tuple[EntryPoint, ...]:
@@ -40,7 +46,9 @@ def _from_setup_py(sources: Sources, file: str) -> tuple[EntryPoint, ...]:
         for node in ast.walk(tree)
         if isinstance(node, ast.Dict)
         for key, value in zip(node.keys, node.values, strict=True)
-        if isinstance(key, ast.Constant) and key.value == "console_scripts" and isinstance(value, ast.List | ast.Tuple)
+        if isinstance(key, ast.Constant)
+        and key.value == "console_scripts"
+        and isinstance(value, ast.List | ast.Tuple)
         for item in value.elts
     ]
     return tuple(

@@ -10,6 +10,7 @@ from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
 from course.feedback import Location
 
+_ERROR_LINES = 2
 _FRAME = re.compile(r'^\s*File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
 
@@ -28,9 +29,17 @@ def crash(traceback: tuple[str, ...], packages: BuiltPackages, sources: Sources)
         return None
     places = [place for place in (_place(line, packages, sources) for line in traceback) if place]
     where = places[-1] if places else None
-    code = _code_line(where, sources)
-    error = traceback[-1].strip()
-    return Crash(error, where, tuple(line for line in (code, error) if line))
+    start = _error_start(traceback)
+    error = " ".join(line.strip() for line in traceback[start : start + _ERROR_LINES] if line.strip(" ^"))
+    place = f"{where.file}, line {where.line}:" if where else None
+    shown = tuple(line for line in (place, _code_line(where, sources), *traceback[start:]) if line)
+    return Crash(error, where, shown)
+
+
+def _error_start(traceback: tuple[str, ...]) -> int:
+    """Index of the exception's own line: the last that is not indented."""
+    flush = [index for index, line in enumerate(traceback) if line and not line.startswith((" ", "\t"))]
+    return flush[-1] if flush else len(traceback) - 1
 
 
 def _place(line: str, packages: BuiltPackages, sources: Sources) -> Location | None:
@@ -57,4 +66,4 @@ def _code_line(where: Location | None, sources: Sources) -> str | None:
     if where is None or where.line is None:
         return None
     lines = sources.files[where.file].splitlines()
-    return lines[where.line - 1].strip() if where.line <= len(lines) else None
+    return "    " + lines[where.line - 1].strip() if where.line <= len(lines) else None

@@ -1,4 +1,4 @@
-"""What a process needs to use the ROS wheels of a prefix: the one list for children and for setup.bash."""
+"""The variables that a process needs to use ROS: for the wheels, one list serves children and setup.bash."""
 
 from __future__ import annotations
 
@@ -9,6 +9,10 @@ from pathlib import Path
 from course.rosenv.model import Ros
 
 DISTRO = "jazzy"
+
+# The variables of paths that make up a ROS environment. Whatever else a setup script sets is left out.
+PREFIXES = ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH")
+LISTS = (*PREFIXES, "LD_LIBRARY_PATH", "PATH", "PKG_CONFIG_PATH", "PYTHONPATH")
 
 
 @dataclass(frozen=True)
@@ -29,7 +33,9 @@ def wheel_variables(ros: Ros) -> Variables:
         "PATH": (f"{prefix}/bin",),
         "PYTHONPATH": (str(packages),) if _serves_system_python(packages) else (),
     }
-    return Variables(lists, {**ros_values(ros.distro), "VIRTUAL_ENV": prefix})
+    # CMake looks for Python in $VIRTUAL_ENV first, and the caller may be in another one.
+    is_virtual = (ros.prefix / "pyvenv.cfg").exists()
+    return Variables(lists, {**ros_values(ros.distro), **({"VIRTUAL_ENV": prefix} if is_virtual else {})})
 
 
 def ros_values(distro: str) -> dict[str, str]:

@@ -1,0 +1,40 @@
+"""Runs among the learner's programs: offers one endpoint of each type named on the command line.
+
+For the n-th type (from 0): a publisher on `/probe/tN` for a message, a server `/probe/tN` for a
+service. What it finds is not believed; the recorder reads the types' hashes from the graph.
+"""
+
+import importlib
+import sys
+
+import rclpy
+from rclpy.node import Node
+
+
+def offer(node: Node, index: int, name: str) -> None:
+    package, kind, short = name.split("/")
+    try:
+        made = getattr(importlib.import_module(f"{package}.{kind}"), short)
+    except (ImportError, AttributeError):
+        print(f"missing {name}", flush=True)
+        return
+    if kind == "msg":
+        node.create_publisher(made, f"/probe/t{index}", 10)
+    else:
+        node.create_service(made, f"/probe/t{index}", lambda request, response: response)
+
+
+def main() -> None:
+    rclpy.init()
+    node = Node("type_probe", start_parameter_services=False, enable_rosout=False)
+    for index, name in enumerate(sys.argv[1:]):
+        offer(node, index, name)
+    print("ready", flush=True)
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,86 @@
+"""One failed build as the digests see it: what was printed, what was built, and who may be asked."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from course.build.outcome import BuildFailure
+from course.build.workspace import Package, Workspace
+from course.feedback import Feedback, Location
+
+_COLOUR = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b\][^\x07]*\x07")
+_ENTRY = r"/[0-9a-f]{32}/"
+MOST_DETAILS = 6
+
+
+@dataclass(frozen=True)
+class Case:
+    """A build that did not work.
+
+    source: the copy that was built; lines: what was printed, with the learner's paths in it.
+    installed: names of the ROS packages that the build could use.
+    ask_setup_py: runs `setup.py --name` on the copy; what it prints, likewise.
+    """
+
+    package: Package
+    workspace: Workspace
+    source: Path
+    lines: tuple[str, ...]
+    log: Path
+    installed: Callable[[], frozenset[str]]
+    ask_setup_py: Callable[[], tuple[str, ...]]
+
+    def known_packages(self) -> frozenset[str]:
+        """Names of all packages that this one could depend on."""
+        return self.installed() | {package.name for package in self.workspace.packages} - {self.package.name}
+
+    def place(self, file: str, line: int | None = None) -> Location:
+        """`file` is relative to the package."""
+        return Location(f"{self.package.source}/{file}", line)
+
+    def text(self, file: str) -> str:
+        """The content of a file of the package, empty if there is none."""
+        path = self.source / file
+        return path.read_text(encoding="utf-8", errors="replace") if path.is_file() else ""
+
+    def line_of(self, file: str, pattern: str) -> int | None:
+        """The first line of `file` that matches the pattern anywhere."""
+        return line_matching(self.text(file), pattern)
+
+    def own_file(self, shown: str) -> str | None:
+        """A path from the log, relative to the package; None for files of others."""
+        relative = shown.removeprefix(f"{self.package.source}/")
+        return relative if (self.source / relative).is_file() and not relative.startswith("/") else None
+
+    def failure(
+        self,
+        kind: str,
+        summary: str,
+        *,
+        where: Iterable[Location] = (),
+        advice: str | None = None,
+        details: Iterable[str] = (),
+        expected: str | None = None,
+        seen: str | None = None,
+    ) -> BuildFailure:
+        lines = tuple(line.rstrip() for line in details if line.strip())[:MOST_DETAILS]
+        feedback = Feedback(summary, expected, seen, tuple(dict.fromkeys(where)), advice, lines)
+        return BuildFailure(self.package.name, kind, feedback, self.log)
+
+
+def line_matching(text: str, pattern: str) -> int | None:
+    lines = enumerate(text.splitlines(), 1)
+    return next((number for number, line in lines if re.search(pattern, line)), None)
+
+
+def readable(text: str, store: Path, copy: Path, source: str) -> tuple[str, ...]:
+    """The lines of a log, with the learner's paths instead of the store's, and without colours."""
+    text = _COLOUR.sub("", text).replace("\r\n", "\n")
+    for top in {str(store), str(store.resolve())}:
+        text = text.replace(f"{top}/{copy.parent.name}/src/", f"{source}/")
+        text = text.replace(f"{top}/{copy.parent.name}/src", source)
+        text = re.sub(re.escape(top) + _ENTRY, "", text)
+    return tuple(text.splitlines())

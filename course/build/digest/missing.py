@@ -1,0 +1,131 @@
+"""What is wrong before anything is built: packages missing, twice, in a circle, or with a bad package.xml."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+from course.build.manifest import ManifestFault
+from course.build.outcome import BuildFailure
+from course.build.sources import MOST_BYTES, MOST_FILES
+from course.build.workspace import Package, Workspace, read_package, shown
+from course.feedback import Feedback, Location
+
+_NOT_SEARCHED = frozenset({"build", "install", "log", "node_modules", "site-packages"})
+_DEEPEST = 6  # folders below the course home; a package put in the wrong place does not lie deeper
+
+
+def package_missing(workspace: Workspace, name: str) -> BuildFailure:
+    """There is no package of that name where packages belong."""
+    summary = f"There is no package `{name}` in {workspace.source}."
+    where, advice = _astray(workspace, name) or _look_alike(workspace, name) or ((), _make_it(workspace))
+    found = tuple(f"{package.source}: {package.name}" for package in workspace.packages)
+    return BuildFailure(
+        name, "package-missing", Feedback(summary, where=where, advice=advice, details=found[:6])
+    )
+
+
+def duplicate(packages: Sequence[Package]) -> BuildFailure:
+    name = packages[0].name
+    summary = f"There are {len(packages)} packages called `{name}`; colcon refuses to build either."
+    where = tuple(manifest_place(package, "name") for package in packages)
+    advice = "Rename or remove all but one; a copy kept for later belongs outside the workspace."
+    return BuildFailure(name, "package-twice", Feedback(summary, where=where, advice=advice))
+
+
+def cycle(workspace: Workspace, names: Sequence[str]) -> BuildFailure:
+    circle = " needs ".join(f"`{name}`" for name in (*names, names[0]))
+    where = tuple(
+        Location(f"{package.source}/package.xml", dependency.line)
+        for name, needed in zip(names, (*names[1:], names[0]), strict=True)
+        for package in workspace.named(name)
+        for dependency in package.dependencies
+        if dependency.name == needed
+    )
+    advice = "Remove one of these dependencies: none of the packages can be built before the other."
+    return BuildFailure(names[0], "package-circle", Feedback(f"{circle}.", where=where, advice=advice))
+
+
+def unreadable(package: Package, fault: ManifestFault) -> BuildFailure:
+    file = f"{package.source}/package.xml"
+    summary = f"package.xml of `{package.name}` is not right: {fault.what}."
+    details = _line(package.folder / "package.xml", fault.line)
+    feedback = Feedback(summary, where=(Location(file, fault.line),), advice=fault.advice, details=details)
+    return BuildFailure(package.name, "package-xml", feedback)
+
+
+def too_much(package: Package, largest: str) -> BuildFailure:
+    summary = f"The folder of `{package.name}` holds more than a package can: look at `{largest}`."
+    advice = (
+        f"Move it out of the package: more than {MOST_FILES} files or {MOST_BYTES // 10**6} MB are not built."
+    )
+    where = (Location(f"{package.source}/{largest}"),)
+    return BuildFailure(package.name, "package-size", Feedback(summary, where=where, advice=advice))
+
+
+def manifest_place(package: Package, tag: str) -> Location:
+    line = package.manifest.lines.get(tag) if package.manifest else None
+    return Location(f"{package.source}/package.xml", line)
+
+
+def like(name: str, known: Iterable[str]) -> str | None:
+    """The known name that was probably meant, if one is alike."""
+    near = difflib.get_close_matches(name, sorted(set(known)), 1, 0.75)
+    return near[0] if near else None
+
+
+Found = tuple[tuple[Location, ...], str]
+
+
+def _astray(workspace: Workspace, name: str) -> Found | None:
+    """The package or its folder exists, but not as a package of the workspace."""
+    home, right = workspace.home, f"{workspace.source}/{name}"
+    for folder in _folders(home):
+        place = shown(folder, home)
+        if (folder / "package.xml").is_file():
+            if read_package(folder, home).name != name:
+                continue
+            outer = next((p for p in workspace.packages if folder.is_relative_to(p.folder)), None)
+            inside = f", inside the package `{outer.name}`" if outer else ""
+            return (Location(place),), f"It is in {place}{inside}: move it to {right}."
+        if folder.name == name and (folder / "setup.py").is_file() or (folder / "CMakeLists.txt").is_file():
+            if folder.name == name:
+                return (
+                    Location(place),
+                ), f"The folder {place} has no package.xml: without it, it is no package."
+    return None
+
+
+def _look_alike(workspace: Workspace, name: str) -> Found | None:
+    names = {package.name: package for package in workspace.packages}
+    folders = {package.folder.name: package for package in workspace.packages}
+    if package := folders.get(name):
+        advice = f"The package in {package.source} calls itself `{package.name}`: correct its `<name>`."
+        return (
+            manifest_place(package, "name"),
+        ), f"{advice} The names in setup.py or CMakeLists.txt must agree."
+    if near := like(name, names):
+        advice = (
+            f"Was `{near}` meant to be it? Its folder, its `<name>` in package.xml and setup.py must say so."
+        )
+        return (manifest_place(names[near], "name"),), advice
+    return None
+
+
+def _make_it(workspace: Workspace) -> str:
+    return f"Make it with `ros2 pkg create`, in the folder {workspace.source}."
+
+
+def _folders(top: Path) -> Iterator[Path]:
+    for folder, folders, _ in os.walk(top):
+        depth = len(Path(folder).relative_to(top).parts)
+        stop = depth >= _DEEPEST
+        folders[:] = [] if stop else sorted(n for n in folders if n not in _NOT_SEARCHED and n[0] != ".")
+        yield Path(folder)
+
+
+def _line(file: Path, number: int | None) -> tuple[str, ...]:
+    lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
+    return (lines[number - 1].strip(),) if number and number <= len(lines) else ()

@@ -1,0 +1,216 @@
+"""Reading package.xml: quickly and with line numbers here, strictly with catkin_pkg before a build.
+
+catkin_pkg is what colcon itself reads package.xml with, so its verdict counts. But importing it takes
+longer than everything else a check with nothing to build does, and it knows no line numbers.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.parsers import expat
+
+# The tags whose packages must be there when this one is built or run.
+_DEPEND_TAGS = frozenset(
+    f"{kind}depend"
+    for kind in ("", "build_", "buildtool_", "build_export_", "buildtool_export_", "exec_", "run_")
+)
+
+
+@dataclass(frozen=True)
+class Dependency:
+    """One dependency tag: the package named, the tag's name and its line."""
+
+    name: str
+    tag: str
+    line: int
+
+
+@dataclass(frozen=True)
+class ManifestFault:
+    """What is wrong with a package.xml: one sentence, the line where known, and what to do."""
+
+    what: str
+    line: int | None
+    advice: str
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """What a package.xml says of the package's place among others.
+
+    dependencies: tags other than test_depend and doc_depend whose condition holds.
+    lines: the line of each tag's first occurrence.
+    """
+
+    name: str
+    build_type: str | None
+    dependencies: tuple[Dependency, ...]
+    groups: tuple[str, ...]
+    lines: dict[str, int]
+
+
+def read_manifest(data: bytes) -> Manifest | ManifestFault:
+    """The manifest in `data`, or why it cannot be read."""
+    reader = _Reader()
+    try:
+        reader.read(data)
+    except expat.ExpatError as error:
+        return _not_well_formed(reader, error)
+    names = [text for path, text, *_ in reader.elements if path == ("package", "name") and text]
+    if len(names) != 1:
+        return _name_fault(reader.lines, len(names))
+    return _manifest(names[0], reader)
+
+
+def guessed_name(data: bytes) -> str | None:
+    """The package's name in a package.xml that cannot be read, if it can be made out."""
+    found = re.search(rb"<name>\s*([\w-]+)\s*</", data)
+    return found.group(1).decode() if found else None
+
+
+def strict_fault(file: Path) -> ManifestFault | None:
+    """What catkin_pkg, and so colcon, objects to in this package.xml."""
+    from catkin_pkg.package import InvalidPackage, parse_package  # slow to import: only before a build
+
+    try:
+        parse_package(str(file), warnings=[])
+    except InvalidPackage as error:
+        message = str(getattr(error, "msg", error))
+    except (ValueError, AssertionError) as error:  # a format="..." that is no known number
+        message = str(error)
+    else:
+        return None
+    read = read_manifest(file.read_bytes())
+    return _in_words(message, read.lines if isinstance(read, Manifest) else {})
+
+
+@dataclass
+class _Reader:
+    """Collects every element: its path of tags, its text, its line and its attributes."""
+
+    elements: list[tuple[tuple[str, ...], str, int, dict[str, str]]] = field(default_factory=list)
+    lines: dict[str, int] = field(default_factory=dict)
+    open_tags: list[tuple[str, int, dict[str, str], list[str]]] = field(default_factory=list)
+
+    def read(self, data: bytes) -> None:
+        self._parser = expat.ParserCreate()
+        self._parser.StartElementHandler = self._start
+        self._parser.EndElementHandler = self._end
+        self._parser.CharacterDataHandler = self._text
+        self._parser.Parse(data, True)
+
+    def _start(self, tag: str, attributes: dict[str, str]) -> None:
+        line = self._parser.CurrentLineNumber
+        self.lines.setdefault(tag, line)
+        self.open_tags.append((tag, line, attributes, []))
+
+    def _text(self, text: str) -> None:
+        if self.open_tags:
+            self.open_tags[-1][3].append(text)
+
+    def _end(self, tag: str) -> None:
+        path = tuple(name for name, *_ in self.open_tags)
+        _, line, attributes, text = self.open_tags.pop()
+        self.elements.append((path, "".join(text).strip(), line, attributes))
+
+
+def _manifest(name: str, reader: _Reader) -> Manifest:
+    dependencies = []
+    groups = []
+    build_type = None
+    for path, text, line, attributes in reader.elements:
+        if path == ("package", "export", "build_type") and _holds(attributes):
+            build_type = text
+        elif len(path) == 2 and path[1] in _DEPEND_TAGS and _holds(attributes):
+            dependencies.append(Dependency(text, path[1], line))
+        elif path == ("package", "member_of_group") and _holds(attributes):
+            groups.append(text)
+    return Manifest(name, build_type, tuple(dependencies), tuple(groups), reader.lines)
+
+
+def _holds(attributes: dict[str, str]) -> bool:
+    condition = attributes.get("condition")
+    if condition is None:
+        return True
+    from catkin_pkg.condition import evaluate_condition  # conditions are rare, and its import is slow
+
+    context = {"ROS_VERSION": "2", "ROS_DISTRO": "jazzy", "ROS_PYTHON_VERSION": "3"}
+    try:
+        return bool(evaluate_condition(condition, context))
+    except ValueError:
+        return True  # nonsense; catkin_pkg says so before a build
+
+
+def _not_well_formed(reader: _Reader, error: expat.ExpatError) -> ManifestFault:
+    reason = expat.errors.messages[error.code]
+    advice = "Every `<tag>` needs its `</tag>`, spelt the same, in the right order."
+    if reader.open_tags and reason in (
+        expat.errors.XML_ERROR_TAG_MISMATCH,
+        expat.errors.XML_ERROR_NO_ELEMENTS,
+    ):
+        tag, line, *_ = reader.open_tags[-1]
+        return ManifestFault(f"the <{tag}> of line {line} is never closed", line, advice)
+    if reason == expat.errors.XML_ERROR_NO_ELEMENTS:
+        return ManifestFault("it is empty", None, "Copy one from another package and change the name.")
+    return ManifestFault(f"line {error.lineno} is not right for XML ({reason})", error.lineno, advice)
+
+
+def _name_fault(lines: dict[str, int], count: int) -> ManifestFault:
+    if count > 1:
+        return ManifestFault("it has more than one <name>", lines.get("name"), "Keep one.")
+    what = "its <name> is empty" if "name" in lines else "it has no <name>"
+    return ManifestFault(what, lines.get("name"), "Write the package's name: `<name>my_package</name>`.")
+
+
+def _in_words(message: str, lines: dict[str, int]) -> ManifestFault:
+    message = message.removeprefix("Error(s):\n- ")
+    first = message.strip().splitlines()[0]
+    if found := re.search(r'exactly one "(\w+)" tag', first):
+        return _count_fault(found.group(1), lines)
+    if "at least one maintainer" in first:
+        return _count_fault("maintainer", lines)
+    if 'at least one "license" tag' in first:
+        return _count_fault("license", lines)
+    if found := re.search(r"following tags: (.+)$", first):
+        return _unknown_tag(found.group(1).split(", ")[0], lines)
+    tag = next(
+        (name for name in re.findall(r"\w+", first.lower()) if name in lines and name != "package"), None
+    )
+    return ManifestFault(
+        first.rstrip("."), lines.get(tag or "package"), "Repair that line, then check again."
+    )
+
+
+_EXAMPLES = {
+    "name": "<name>my_package</name>",
+    "version": "<version>0.0.0</version>",
+    "description": "<description>What the package is for</description>",
+    "maintainer": '<maintainer email="you@example.com">Your Name</maintainer>',
+    "license": "<license>MIT</license>",
+}
+
+
+def _count_fault(tag: str, lines: dict[str, int]) -> ManifestFault:
+    if tag in lines:
+        return ManifestFault(f"it must have exactly one <{tag}>", lines[tag], "Keep one of them.")
+    advice = f"Add a line such as `{_EXAMPLES.get(tag, f'<{tag}>...</{tag}>')}` below `<package>`."
+    return ManifestFault(f"it has no <{tag}>", lines.get("package"), advice)
+
+
+def _unknown_tag(tag: str, lines: dict[str, int]) -> ManifestFault:
+    import difflib
+
+    known = [
+        *_DEPEND_TAGS,
+        "test_depend",
+        "doc_depend",
+        "group_depend",
+        "member_of_group",
+        "export",
+        *_EXAMPLES,
+    ]
+    near = difflib.get_close_matches(tag, known, 1)
+    advice = f"Did you mean `<{near[0]}>`?" if near else "Remove it, or move it into `<export>`."
+    return ManifestFault(f"there is no tag called <{tag}>", lines.get(tag), advice)

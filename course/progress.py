@@ -1,0 +1,340 @@
+"""What a learner has done: attempts, passes, hints seen, and where they are. One SQLite file in the home.
+
+The file is in WAL mode, so that two checks at once both land. A damaged file is kept aside and told of, and
+a new one begun. Errors of ours are stored too, but never count as an attempt of the learner's.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import os
+import sqlite3
+from collections.abc import Iterator
+from datetime import datetime, timezone
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Literal
+
+from course.errors import StorageError, UsageError
+
+if TYPE_CHECKING:
+    from course.grading.result import Result
+
+State = Literal["new", "begun", "tried", "passed"]
+
+FILE = "progress.sqlite3"
+SCHEMA_VERSION = 1
+APPLICATION = 0x726F7332  # "ros2", in the file's header: tells our files from anybody else's
+BUSY_SECONDS = 10.0
+
+_SCHEMA = f"""
+BEGIN IMMEDIATE;
+CREATE TABLE attempts (
+    id INTEGER PRIMARY KEY,
+    exercise TEXT NOT NULL,
+    at TEXT NOT NULL,            -- UTC, ISO 8601; so are the other times
+    verdict TEXT NOT NULL,
+    counts INTEGER NOT NULL,     -- 0: our error, or not available here
+    points REAL NOT NULL,
+    max_points REAL NOT NULL,
+    result TEXT NOT NULL         -- JSON, as course.grading.result writes it
+);
+CREATE INDEX attempts_of_exercise ON attempts (exercise, counts);
+CREATE TABLE exercises (
+    exercise TEXT PRIMARY KEY,
+    begun_at TEXT,
+    passed_at TEXT,              -- the first pass; what is passed stays passed
+    hints INTEGER NOT NULL DEFAULT 0
+);
+CREATE TABLE chapters_shown (slug TEXT PRIMARY KEY, at TEXT NOT NULL);
+CREATE TABLE current (one INTEGER PRIMARY KEY CHECK (one = 1), exercise TEXT NOT NULL);
+PRAGMA application_id = {APPLICATION};
+PRAGMA user_version = {SCHEMA_VERSION};
+COMMIT;
+"""
+
+
+class Progress:
+    """The progress kept in one course home. A context manager; `notices` tells what happened to the file."""
+
+    def __init__(self, database: sqlite3.Connection, notices: tuple[str, ...] = ()) -> None:
+        self._database = database
+        self.notices = notices
+
+    @classmethod
+    def open(cls, state: Path) -> Progress:
+        """Open the file in `state` (a home's), or begin one.
+
+        Raises StorageError when it cannot be read or written, UsageError when a newer ros2course wrote it.
+        """
+        with _storage(), _one_at_a_time(state):
+            return cls(*_open(state / FILE))
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._database.close()
+
+    def record(self, result: Result) -> None:
+        """Store a result, and a pass if it is one. It is on the disk when this returns."""
+        from course.grading.result import Verdict, to_json  # `hint` and `list` do without
+
+        counts = result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED)
+        row = (result.exercise, _now(), result.verdict.value, counts, result.points, result.max_points)
+        with self._writing():
+            self._run(
+                "INSERT INTO attempts (exercise, at, verdict, counts, points, max_points, result)"
+                " VALUES (?, ?, ?, ?, ?, ?, ?)",
+                *row,
+                to_json(result),
+            )
+            if result.verdict is Verdict.PASSED:
+                self._stamp(result.exercise, "passed_at")
+
+    def state(self, exercise: str) -> State:
+        """What is passed stays passed, whatever later attempts bring."""
+        row = self._one("SELECT begun_at, passed_at FROM exercises WHERE exercise = ?", exercise)
+        begun, passed = row or (None, None)
+        if passed:
+            return "passed"
+        if self.attempts(exercise):
+            return "tried"
+        return "begun" if begun else "new"
+
+    def attempts(self, exercise: str) -> int:
+        """How often it was checked, without the times when the fault was ours."""
+        return int(self._value("SELECT count(*) FROM attempts WHERE exercise = ? AND counts", exercise) or 0)
+
+    def best(self, exercise: str) -> float | None:
+        """The most points of all attempts; None before the first."""
+        points = self._value("SELECT max(points) FROM attempts WHERE exercise = ? AND counts", exercise)
+        return None if points is None else float(points)
+
+    def last_result(self, exercise: str) -> Result | None:
+        """The result of the last attempt that counts; None if there is none that can still be read."""
+        from course.grading.result import from_json  # as above
+
+        text = self._value(
+            "SELECT result FROM attempts WHERE exercise = ? AND counts ORDER BY id DESC LIMIT 1", exercise
+        )
+        try:
+            return None if text is None else from_json(text)
+        except (ValueError, KeyError, TypeError):  # in the form of another version
+            return None
+
+    def passed_ids(self) -> frozenset[str]:
+        return frozenset(
+            row[0] for row in self._rows("SELECT exercise FROM exercises WHERE passed_at NOTNULL")
+        )
+
+    def current(self) -> str | None:
+        """The id of the exercise that `next` opened last."""
+        exercise = self._value("SELECT exercise FROM current")
+        return None if exercise is None else str(exercise)
+
+    def set_current(self, exercise: str) -> None:
+        """Also marks the exercise as begun."""
+        with self._writing():
+            self._run("INSERT OR REPLACE INTO current (one, exercise) VALUES (1, ?)", exercise)
+            self._stamp(exercise, "begun_at")
+
+    def next_hint(self, exercise: str, total: int) -> int:
+        """Index of the hint to show now, from 0. Each call moves on by one; at the last one it stays."""
+        if total < 1:
+            raise ValueError("an exercise without hints has no next one")
+        with self._writing():
+            shown = min(self._hints(exercise) + 1, total)
+            self._run(
+                "INSERT INTO exercises (exercise, hints) VALUES (?, ?)"
+                " ON CONFLICT (exercise) DO UPDATE SET hints = excluded.hints",
+                exercise,
+                shown,
+            )
+        return shown - 1
+
+    def hints_shown(self, exercise: str) -> int:
+        with _storage():
+            return self._hints(exercise)
+
+    def chapter_shown(self, slug: str) -> bool:
+        """Whether the chapter's text was shown."""
+        return self._value("SELECT 1 FROM chapters_shown WHERE slug = ?", slug) is not None
+
+    def mark_chapter_shown(self, slug: str) -> None:
+        with self._writing():
+            self._run("INSERT OR IGNORE INTO chapters_shown (slug, at) VALUES (?, ?)", slug, _now())
+
+    def _hints(self, exercise: str) -> int:
+        return int(self._value("SELECT hints FROM exercises WHERE exercise = ?", exercise) or 0)
+
+    def _stamp(self, exercise: str, column: Literal["begun_at", "passed_at"]) -> None:
+        """The first time stays."""
+        self._run("INSERT OR IGNORE INTO exercises (exercise) VALUES (?)", exercise)
+        self._run(
+            f"UPDATE exercises SET {column} = coalesce({column}, ?) WHERE exercise = ?", _now(), exercise
+        )
+
+    @contextlib.contextmanager
+    def _writing(self) -> Iterator[None]:
+        """All or nothing; waits for another process that is writing."""
+        with _storage():
+            self._database.execute("BEGIN IMMEDIATE")
+            try:
+                yield
+                self._database.execute("COMMIT")
+            finally:
+                if self._database.in_transaction:  # an error came between
+                    self._database.execute("ROLLBACK")
+
+    def _run(self, statement: str, *values: object) -> None:
+        self._database.execute(statement, values)
+
+    def _rows(self, query: str, *values: object) -> list[tuple[Any, ...]]:
+        with _storage():
+            return self._database.execute(query, values).fetchall()
+
+    def _one(self, query: str, *values: object) -> tuple[Any, ...] | None:
+        rows = self._rows(query, *values)
+        return rows[0] if rows else None
+
+    def _value(self, query: str, *values: object) -> Any:
+        row = self._one(query, *values)
+        return row[0] if row else None
+
+
+class _Damaged(Exception):
+    """The file is not ours, or not whole."""
+
+
+def _open(file: Path) -> tuple[sqlite3.Connection, tuple[str, ...]]:
+    try:
+        return _usable(file), ()
+    except _Damaged:
+        aside = _set_aside(file)
+        notice = f"The record of your progress was damaged. It is kept as {aside}; a new one was begun."
+        return _usable(file), (notice,)
+
+
+def _usable(file: Path) -> sqlite3.Connection:
+    """A connection to a whole file of our schema. Raises _Damaged when it is neither that nor empty."""
+    database = _connect(file)
+    try:
+        _prepare(database)
+    except BaseException as error:
+        database.close()
+        if type(error) is sqlite3.DatabaseError:  # "malformed", "not a database"; a full disk is a subclass
+            raise _Damaged(str(error)) from error
+        raise
+    return database
+
+
+def _connect(file: Path) -> sqlite3.Connection:
+    database = sqlite3.connect(file, timeout=BUSY_SECONDS, isolation_level=None)
+    try:
+        database.execute("PRAGMA user_version")
+    except sqlite3.OperationalError:
+        _leave_wal(database)
+    except sqlite3.DatabaseError:
+        pass  # damaged: said by whoever asks next
+    return database
+
+
+def _leave_wal(database: sqlite3.Connection) -> None:
+    """WAL needs shared memory, which some network disks lack: a home moved to one is converted."""
+    try:
+        database.execute("PRAGMA locking_mode = EXCLUSIVE")  # which does without shared memory
+        database.execute("PRAGMA journal_mode = DELETE")
+        database.execute("PRAGMA locking_mode = NORMAL")
+        database.execute("SELECT count(*) FROM sqlite_master").fetchall()  # lets go of the lock
+    except BaseException:
+        database.close()
+        raise
+
+
+def _prepare(database: sqlite3.Connection) -> None:
+    version = _pragma(database, "user_version")
+    tables = {row[0] for row in database.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+    if version == 0 and not tables:
+        _begin(database)
+        return
+    if _pragma(database, "application_id") != APPLICATION:
+        raise _Damaged("a database of something else")
+    if version > SCHEMA_VERSION:
+        raise UsageError(
+            f"your progress was saved by a newer ros2course (its form is {version})",
+            "upgrade ros2course, then try again; your progress is left as it is",
+        )
+    if version != SCHEMA_VERSION or _TABLES - tables or _pragma(database, "quick_check(1)") != "ok":
+        raise _Damaged("not whole")
+
+
+_TABLES = frozenset({"attempts", "exercises", "chapters_shown", "current"})
+
+
+def _begin(database: sqlite3.Connection) -> None:
+    with contextlib.suppress(sqlite3.OperationalError):  # a disk without shared memory: plain journal
+        database.execute("PRAGMA journal_mode = WAL")
+    if _pragma(database, "journal_mode") != "wal":
+        database.execute("PRAGMA journal_mode = DELETE")
+    database.executescript(_SCHEMA)
+
+
+def _pragma(database: sqlite3.Connection, name: str) -> Any:
+    return database.execute(f"PRAGMA {name}").fetchone()[0]
+
+
+def _set_aside(file: Path) -> Path:
+    """Rename the file and its journals to names that are free; returns the new name."""
+    stamp, number = f"{datetime.now():%Y-%m-%dT%H-%M-%S}", 1
+    aside = file.with_name(f"progress.damaged-{stamp}.sqlite3")
+    while os.path.lexists(aside):
+        number += 1
+        aside = file.with_name(f"progress.damaged-{stamp}-{number}.sqlite3")
+    for suffix in ("-wal", "-shm", "-journal", ""):
+        with contextlib.suppress(FileNotFoundError):
+            Path(f"{file}{suffix}").rename(f"{aside}{suffix}")
+    return aside
+
+
+@contextlib.contextmanager
+def _one_at_a_time(state: Path) -> Iterator[None]:
+    """Only while opening: two processes must not both begin a file, or both set one aside."""
+    state.mkdir(parents=True, exist_ok=True)
+    flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
+    descriptor = os.open(state / "progress.lock", flags, 0o644)
+    try:
+        with contextlib.suppress(OSError):  # a network disk without locks: then without
+            fcntl.flock(descriptor, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(descriptor)
+
+
+@contextlib.contextmanager
+def _storage() -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        what = f"your progress cannot be saved ({error.strerror or error}: {error.filename})"
+        raise StorageError(what, _advice(str(error))) from error
+    except sqlite3.DatabaseError as error:
+        raise StorageError(f"your progress cannot be saved ({error})", _advice(str(error))) from error
+
+
+def _advice(error: str) -> str:
+    said = error.lower()
+    if "full" in said or "no space" in said:
+        return "free some space on this disk, then try again; what was saved before is still there"
+    if "readonly" in said or "read-only" in said or "permission" in said or "unable to open" in said:
+        return "make the course home writable for you; what was saved before is still there"
+    if "locked" in said:
+        return "another ros2course is busy with it: wait until it has ended, then try again"
+    return "check the disk that holds the course home, then try again"
+
+
+def _now() -> str:
+    return datetime.now(timezone.utc).isoformat(timespec="seconds")

@@ -1,0 +1,142 @@
+"""Grader of chapter 17: a package that defines a message and a service.
+
+The types are recognised by the hashes that ROS itself announces for them (RIHS01); the .msg
+and .srv files only serve to say what differs.
+"""
+
+from __future__ import annotations
+
+from course.arena.arena import Arena
+from course.evidence.recording import Recording
+from course.feedback import Failure, Feedback, Location
+from course.grading.author import Grader
+from course.grading.expect.manifests import expect_tag
+from course.grading.explain.interface_files import Section, compare, interface_file
+from course.grading.explain.names import nearest
+from course.grading.explain.python_code import text_places
+
+PACKAGE = "package_with_interfaces"
+MESSAGE = f"{PACKAGE}/msg/AmazingQuote"
+SERVICE = f"{PACKAGE}/srv/WhatIsThePoint"
+MESSAGE_HASH = "RIHS01_6eb8a339124c22e6ee8541e6132c3bccee5a2125c643270c85cae174a4aaeb21"
+REQUEST_HASH = "RIHS01_e87c30d67764861fc30a04b9d64414ff99bc5be6e31bdc2e5e5e18ea106f8ab4"
+RESPONSE_HASH = "RIHS01_c11b8860d83662096ca56a010676029161709fabb468dace3e4f362bd1d2c29c"
+QUOTE_FIELDS: Section = (("int32", "id"), ("string", "quote"), ("string", "philosopher_name"))
+REQUEST_FIELDS: Section = ((f"{PACKAGE}/AmazingQuote", "quote"),)
+RESPONSE_FIELDS: Section = (("geometry_msgs/Point", "point"),)
+EXPORTS = f"share/{PACKAGE}/cmake/ament_cmake_export_dependencies-extras.cmake"
+CMAKE = "CMakeLists.txt"
+
+interfaces = Grader("17-interfaces")
+
+
+@interfaces.scenario
+def offer_both_types(arena: Arena) -> None:
+    """A program of ours uses the learner's types; the graph tells their hashes."""
+    arena.keep(PACKAGE, EXPORTS)
+    probe = arena.probe_types(MESSAGE, SERVICE)
+    if arena.until(lambda: arena.printed("ready"), timeout=15, while_running=probe):
+        missing = arena.printed("missing ")
+        arena.until(lambda: len(hashes_in(arena)) + missing >= 2, timeout=5, while_running=probe)
+    arena.interrupt(probe)
+
+
+def hashes_in(arena: Arena) -> list[str]:
+    messages = [endpoint.type_hash for endpoint in arena.graph.publishers("/probe/t0")]
+    services = [service.request_hash for service in arena.graph.services if service.name == "/probe/t1"]
+    return [found for found in (*messages, *services) if found]
+
+
+@interfaces.check("message", "AmazingQuote is as the task defines it", points=2)
+def message(recording: Recording) -> None:
+    offered = recording.seen_graph().publishers("/probe/t0")
+    if not offered:
+        raise Failure(unknown(recording, MESSAGE))
+    if offered[0].type_hash == MESSAGE_HASH:
+        return
+    file = interface_file(recording.sources, PACKAGE, "msg", "AmazingQuote")
+    raise Failure(compare(file, (QUOTE_FIELDS,), PACKAGE, "AmazingQuote"))
+
+
+@interfaces.check("service", "WhatIsThePoint is as the task defines it", points=2, needs="message")
+def service(recording: Recording) -> None:
+    offered = [
+        found for found in recording.seen_graph().services if found.name == "/probe/t1" and found.request_hash
+    ]
+    if not offered:
+        raise Failure(unknown(recording, SERVICE))
+    if (offered[0].request_hash, offered[0].response_hash) == (REQUEST_HASH, RESPONSE_HASH):
+        return
+    file = interface_file(recording.sources, PACKAGE, "srv", "WhatIsThePoint")
+    raise Failure(compare(file, (REQUEST_FIELDS, RESPONSE_FIELDS), PACKAGE, "WhatIsThePoint"))
+
+
+def unknown(recording: Recording, type_name: str) -> Feedback:
+    """The package builds, but it brings no such type: it is not listed, or called otherwise."""
+    _, kind, short = type_name.split("/")
+    wanted = f"{kind}/{short}.{kind}"
+    cmake = next((name for name in recording.sources.names if name.endswith(f"{PACKAGE}/{CMAKE}")), CMAKE)
+    called = text_places(recording.sources.below(cmake.rpartition("/")[0]), "rosidl_generate_interfaces(")
+    others = [name.rpartition("/")[2] for name in recording.sources.names if name.endswith(f".{kind}")]
+    close = nearest(f"{short}.{kind}", [name for name in others if name != f"{short}.{kind}"])
+    if not [place for place in called if place.file == cmake]:
+        return Feedback(
+            summary=f"Nothing generates `{type_name}`: CMakeLists.txt does not call "
+            "`rosidl_generate_interfaces`.",
+            where=(Location(cmake),),
+            advice=f'Call `rosidl_generate_interfaces(${{PROJECT_NAME}} "{wanted}" ...)` before '
+            "`ament_package()`.",
+        )
+    if close:
+        return Feedback(
+            summary=f"The package has no `{short}`; it has `{close.rpartition('.')[0]}`.",
+            expected=wanted,
+            seen=close,
+            where=(Location(next(name for name in recording.sources.names if name.endswith(close))),),
+            advice=f"Rename the file to `{short}.{kind}`, here and in CMakeLists.txt: the file's "
+            "name is the type's.",
+        )
+    return Feedback(
+        summary=f"The package builds, but it brings no `{type_name}`: `{wanted}` is not listed "
+        "in CMakeLists.txt.",
+        expected=f'"{wanted}" in rosidl_generate_interfaces',
+        where=called[:1],
+        advice=f'Add the line `"{wanted}"` to `rosidl_generate_interfaces(...)` in CMakeLists.txt.',
+    )
+
+
+@interfaces.check("package_xml", "package.xml declares what interfaces need")
+def package_xml(recording: Recording) -> None:
+    wanted = (
+        (
+            ("buildtool_depend", "build_depend", "depend"),
+            "rosidl_default_generators",
+            "it generates the code",
+        ),
+        (("exec_depend", "depend"), "rosidl_default_runtime", "programs that use the types need it"),
+        (("depend", "build_depend"), "geometry_msgs", "the service uses one of its types"),
+        (
+            ("member_of_group",),
+            "rosidl_interface_packages",
+            "it tells ROS that this package defines interfaces",
+        ),
+    )
+    for tags, value, purpose in wanted:
+        expect_tag(recording, PACKAGE, tags, value, purpose=purpose)
+
+
+@interfaces.check("cmake_exports", "CMakeLists.txt exports the runtime")
+def cmake_exports(recording: Recording) -> None:
+    installed = recording.kept(EXPORTS) or ""
+    if "rosidl_default_runtime" in installed:
+        return
+    places = text_places(recording.sources, "ament_export_dependencies")
+    raise Failure(
+        Feedback(
+            summary="CMakeLists.txt does not export the runtime: "
+            "`ament_export_dependencies(rosidl_default_runtime)`.",
+            where=places or text_places(recording.sources, "ament_package()"),
+            advice="Add `ament_export_dependencies(rosidl_default_runtime)` before `ament_package()`, "
+            "so that packages which use your types find what these need.",
+        )
+    )
