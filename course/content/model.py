@@ -40,6 +40,7 @@ class Mistake:
     """A mistake that learners make: edits of the reference solution, and how it must be caught.
 
     caught_by: id of the check that must fail. says: texts that its feedback must contain.
+    also_fails: ids of other checks that it rightly fails too; no other may.
     """
 
     id: str
@@ -48,6 +49,7 @@ class Mistake:
     edits: tuple[Edit, ...]
     caught_by: str
     says: tuple[str, ...]
+    also_fails: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -94,6 +94,7 @@ def _mistake(data: dict[str, Any]) -> Mistake:
         edits=tuple(_edit(item) for item in data["edits"]),
         caught_by=data["caught_by"],
         says=tuple(data["says"]),
+        also_fails=tuple(data["also_fails"]),
     )
 
 

@@ -171,6 +171,9 @@ class MistakeSchema(Strict):
     says: Annotated[list[Text], AfterValidator(_unempty)] = Field(
         description="a list of texts that the feedback must contain"
     )
+    also_fails: list[Line] = Field(
+        default=[], description="a list of ids of other checks that this mistake rightly fails too"
+    )
 
 
 class MistakesSchema(Strict):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
-from course.feedback import Feedback
+from course.feedback import Feedback, feedback_from_dict
 
 
 @dataclass(frozen=True)
@@ -30,3 +32,9 @@ class BuiltPackages:
 
     def get(self, name: str) -> BuiltPackage | None:
         return next((package for package in self.built if package.name == name), None)
+
+
+def packages_from_dict(data: Mapping[str, Any]) -> BuiltPackages:
+    """Built packages out of their JSON form."""
+    built = (BuiltPackage(**{**item, "executables": tuple(item["executables"])}) for item in data["built"])
+    return BuiltPackages(tuple(built), feedback_from_dict(data["failure"]))

@@ -7,8 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from course.evidence.packages import BuiltPackage, BuiltPackages
-from course.feedback import feedback_from_dict
+from course.evidence.packages import BuiltPackages, packages_from_dict
 
 
 @dataclass(frozen=True)
@@ -37,9 +36,5 @@ def to_line(job: Job) -> str:
 def from_line(line: str) -> Job:
     """Read what `to_line` wrote."""
     data: dict[str, Any] = json.loads(line)
-    packages = data.pop("packages")
-    built = tuple(BuiltPackage(**{**p, "executables": tuple(p["executables"])}) for p in packages["built"])
-    return Job(
-        **{**data, "roots": tuple(data["roots"])},
-        packages=BuiltPackages(built, feedback_from_dict(packages["failure"])),
-    )
+    packages = packages_from_dict(data.pop("packages"))
+    return Job(**{**data, "roots": tuple(data["roots"])}, packages=packages)

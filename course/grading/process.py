@@ -12,12 +12,15 @@ import shutil
 import sys
 import tempfile
 import threading
+import time
 from pathlib import Path
 
 import pytest
 
 from course.arena.arena import open_arena
 from course.arena.leftovers import adopt_orphans, end_descendants
+from course.errors import StorageError
+from course.evidence.mcap_file import save
 from course.evidence.recording import Recording
 from course.evidence.sources import read_sources
 from course.evidence.timeline import Timeline
@@ -78,11 +81,23 @@ def _judge(job: Job, channel: Channel, folder: Path) -> Judgement:
     def provide(grader: Grader) -> Recording:
         recording = _record(job, grader, channel, folder)
         took.append(recording.duration)
+        _keep(recording, job, channel)
         return recording
 
     plugin = JudgePlugin(job.exercise, provide)
     pytest.main([job.grader, f"--rootdir={Path(job.grader).parent}", "-c", os.devnull, *_PYTEST], [plugin])
     return Judgement(tuple(plugin.results.values()), sum(took), _fault(plugin))
+
+
+def _keep(recording: Recording, job: Job, channel: Channel) -> None:
+    """Save the evidence; that there is no room for it is no reason to withhold the verdict."""
+    if job.evidence is None:
+        return
+    began = time.time_ns() - round(recording.duration * 1e9)
+    try:
+        save(recording, Path(job.evidence), began_ns=began)
+    except StorageError as error:
+        channel.progress(error.what)
 
 
 def _fault(plugin: JudgePlugin) -> Feedback | None:

@@ -16,6 +16,7 @@ case "$*" in
         for folder in "$@"; do :; done # the last argument
         mkdir -p "$folder/bin"
         touch "$folder/pyvenv.cfg"
+        [ ! -e "$FAKE/venv_dies" ] || kill -KILL 0 # the launcher and all that it started
         cp "$0" "$folder/bin/python"
         ;;
     *'-m pip '*)
@@ -30,6 +31,7 @@ case "$*" in
     *)
         echo "run in $PWD with $_ROS_WHEELS_BOOTSTRAP_COMPLETE:" >>"$FAKE/calls"
         shift # the script
+        if (: >&9) 2>/dev/null; then echo "  holding the lock" >>"$FAKE/calls"; fi
         [ $# = 0 ] || printf '  <%s>\n' "$@" >>"$FAKE/calls"
         exit "$(cat "$FAKE/exit_code" 2>/dev/null || echo 0)"
         ;;

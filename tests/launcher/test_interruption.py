@@ -31,6 +31,30 @@ def test_killed_while_pip_runs(machine: Machine) -> None:
     again(machine)
 
 
+def test_killed_while_the_environment_is_made(machine: Machine) -> None:
+    (machine.fake / "venv_dies").touch()
+    assert machine.run().returncode == -signal.SIGKILL
+    assert (machine.clone / ".venv/pyvenv.cfg").exists()
+    (machine.fake / "venv_dies").unlink()
+    assert machine.run().returncode == 0
+    assert len(machine.calls("run")) == 1
+
+
+def test_killed_while_a_half_made_environment_is_removed(machine: Machine) -> None:
+    venv = machine.clone / ".venv"
+    venv.mkdir()
+    for name in (".ros2course", "pyvenv.cfg"):
+        (venv / name).write_text("unfinished\n\n\n")
+    rm = machine.bin / "rm"
+    real = rm.readlink()
+    rm.unlink()
+    dies = f'{real} "$2/.ros2course"; kill -KILL 0'
+    machine.script("rm", f'case $1 in -rf) {dies} ;; *) exec {real} "$@" ;; esac')
+    assert machine.run().returncode == -signal.SIGKILL
+    machine.script("rm", f'exec {real} "$@"')
+    assert machine.run().returncode == 0
+
+
 def test_killed_while_an_environment_is_brought_up_to_date(machine: Machine) -> None:
     machine.run()
     (machine.clone / "pyproject.toml").write_text("# changed\n")
@@ -40,6 +64,7 @@ def test_killed_while_an_environment_is_brought_up_to_date(machine: Machine) -> 
     os.killpg(first.pid, signal.SIGKILL)
     finish(first)
     again(machine, pips=3)
+    assert len(machine.calls("venv")) == 2  # what a killed pip leaves half installed is not built upon
 
 
 @pytest.mark.parametrize("left", ["nothing", "folder", "stamp", "environment", "no pyvenv.cfg"])

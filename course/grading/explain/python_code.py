@@ -69,13 +69,15 @@ def _assigned(sources: Sources, name: str) -> Iterator[ast.expr]:
         for node in ast.walk(tree):
             targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
             value = getattr(node, "value", None)
-            assigns = isinstance(node, ast.Assign | ast.AnnAssign) and value is not None and _literal(value)
-            if assigns and any(_plain_name(target) == name for target in targets):
+            assigns = isinstance(node, ast.Assign | ast.AnnAssign) and _literal(value)
+            if assigns and value is not None and any(_plain_name(target) == name for target in targets):
                 yield value
 
 
-def _literal(node: ast.expr) -> bool:
-    return all(not isinstance(part, ast.Name | ast.Attribute | ast.Call) for part in ast.walk(node))
+def _literal(node: ast.expr | None) -> bool:
+    return node is not None and all(
+        not isinstance(part, ast.Name | ast.Attribute | ast.Call) for part in ast.walk(node)
+    )
 
 
 def text_places(sources: Sources, text: str) -> tuple[Location, ...]:

@@ -1,0 +1,42 @@
+"""Events as plain JSON and back, for everything that is not a ROS message."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from typing import Any
+
+from course.evidence import events
+from course.evidence.events import Event, GraphSeen
+from course.evidence.graph import Endpoint, Graph, Qos, Service
+
+_KINDS: Mapping[str, type[Event]] = {
+    kind.__name__: kind
+    for kind in vars(events).values()
+    if isinstance(kind, type) and issubclass(kind, Event) and kind is not Event
+}
+
+
+def to_dict(event: Event) -> dict[str, Any]:
+    """The event's fields, and its class's name as `kind`."""
+    return {"kind": type(event).__name__, **dataclasses.asdict(event)}
+
+
+def from_dict(data: Mapping[str, Any]) -> Event:
+    """Read what `to_dict` gave, after a way through JSON. Raises KeyError or TypeError on anything else."""
+    fields = {name: _frozen(value) for name, value in data.items() if name != "kind"}
+    kind = _KINDS[data["kind"]]
+    if kind is GraphSeen:
+        return GraphSeen(fields["t"], _graph(data["graph"]))
+    return kind(**fields)
+
+
+def _frozen(value: Any) -> Any:
+    """JSON has lists where events have tuples."""
+    return tuple(_frozen(item) for item in value) if isinstance(value, list) else value
+
+
+def _graph(data: Mapping[str, Any]) -> Graph:
+    endpoints = (Endpoint(**{**item, "qos": Qos(**item["qos"])}) for item in data["endpoints"])
+    services = (Service(**item) for item in data["services"])
+    return Graph(tuple(data["nodes"]), tuple(endpoints), tuple(services))

@@ -1,0 +1,95 @@
+"""Trial homes: course homes made of the course's own solutions, starters and known mistakes.
+
+They prove graders: the reference and every other right way must pass, a starter must not, and
+each mistake must be caught.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from course.content import Alternative, Course, Edit, Exercise, Mistake
+from course.errors import ContentError
+
+_NOT_LAID = "alternatives"
+
+
+def lay_solution(course: Course, exercise: Exercise, home: Path) -> None:
+    """The reference solutions of this exercise's chapter and of all that it stands on."""
+    for needed in _standing_on(course, exercise):
+        _lay(needed.solution, home)
+
+
+def lay_starter(course: Course, exercise: Exercise, home: Path) -> None:
+    """What a learner has who did all before and begins this exercise now.
+
+    Where earlier exercises of the chapter share its solution, their starters stand in for it.
+    """
+    before = _standing_on(course, exercise)[:-1]
+    for needed in before:
+        if needed.solution != exercise.solution:
+            _lay(needed.solution, home)
+    for needed in (*before, exercise):
+        if needed.solution == exercise.solution and needed.starter.is_dir():
+            _lay(needed.starter, home)
+
+
+def lay_alternative(course: Course, exercise: Exercise, alternative: Alternative, home: Path) -> None:
+    """Another right solution over the reference."""
+    lay_solution(course, exercise, home)
+    for name in alternative.deletes:
+        (home / name).unlink()
+    _lay(alternative.tree, home)
+
+
+def lay_mistake(course: Course, exercise: Exercise, mistake: Mistake, home: Path) -> None:
+    """The reference solution with this mistake in it.
+
+    Raises ContentError when an edit no longer applies to the solution.
+    """
+    lay_solution(course, exercise, home)
+    for edit in mistake.edits:
+        _apply(edit, mistake, home, exercise.folder / "mistakes.yaml")
+
+
+def _standing_on(course: Course, exercise: Exercise) -> tuple[Exercise, ...]:
+    """The exercise after all that it requires, each once, the first needed first."""
+    found: dict[str, Exercise] = {}
+    for name in exercise.requires:
+        found.update((needed.id, needed) for needed in _standing_on(course, course.exercise(name)))
+    found[exercise.id] = exercise
+    return tuple(found.values())
+
+
+def _lay(tree: Path, home: Path) -> None:
+    for entry in sorted(tree.iterdir()):
+        if entry.is_dir() and entry.name != _NOT_LAID:
+            shutil.copytree(entry, home / entry.name, dirs_exist_ok=True)
+
+
+def _apply(edit: Edit, mistake: Mistake, home: Path, where: Path) -> None:
+    file = home / edit.file
+    if not file.exists() and edit.content is None:
+        raise ContentError(f"{mistake.id} edits {edit.file}, which the solution does not have", file=where)
+    if edit.delete:
+        file.unlink()
+    elif edit.rename is not None:
+        target = home / edit.rename
+        target.parent.mkdir(parents=True, exist_ok=True)
+        file.rename(target)
+    elif edit.content is not None:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(edit.content, encoding="utf-8")
+    elif edit.mode is not None:
+        file.chmod(int(edit.mode, 8))
+    else:
+        _replace(edit, mistake, file, where)
+
+
+def _replace(edit: Edit, mistake: Mistake, file: Path, where: Path) -> None:
+    text = file.read_text(encoding="utf-8")
+    if edit.replace is None or edit.replace not in text:
+        step = f"Bring its `replace` in line with the solution's {edit.file}."
+        raise ContentError(f"{mistake.id} no longer applies", step, file=where, key="replace")
+    file.write_text(text.replace(edit.replace, edit.with_ or ""), encoding="utf-8")

@@ -1,0 +1,40 @@
+"""Grading for real: trial homes, one build store for all tests of a run, a check in one call."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from course.build import Store
+from course.content import Course, Exercise, open_course
+from course.grading.check import check_exercise
+from course.grading.result import Result
+from course.rosenv import find_ros
+
+Check = Callable[[Exercise, Path], Result]
+
+
+@pytest.fixture(scope="session")
+def course() -> Course:
+    return open_course()
+
+
+@pytest.fixture(scope="session")
+def store(tmp_path_factory: pytest.TempPathFactory) -> Store:
+    """Shared by all workers of a run: the same sources are built once."""
+    return Store(tmp_path_factory.getbasetemp().parent / "builds")
+
+
+@pytest.fixture
+def home(tmp_path: Path) -> Path:
+    folder = tmp_path / "home"
+    (folder / "ros2_tutorial_workspace" / "src").mkdir(parents=True)
+    return folder
+
+
+@pytest.fixture
+def check(store: Store) -> Check:
+    ros = find_ros()
+    return lambda exercise, home: check_exercise(exercise, home, ros=ros, store=store)
