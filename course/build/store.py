@@ -86,6 +86,10 @@ class Entry:
         beside.write_text(json.dumps({"package": package, "bytes": _size(self.path)}), encoding="utf-8")
         beside.replace(self.marker)
 
+    def discard(self) -> None:
+        """Leave nothing of a build that did not come to an end."""
+        shutil.rmtree(self.path, ignore_errors=True)
+
     def give_up(self) -> None:
         """Keep the log of a failed build, and nothing else."""
         for folder in (self.src, self.build, self.install):

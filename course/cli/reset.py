@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from course.content import Exercise
 
 EXAMPLES = examples(
-    ("reset 18-publisher", "begin it anew; what you wrote goes to a backup"),
+    ("reset 18-publisher", "begin anew; yours goes to a backup"),
     ("reset 18-publisher --yes", "without being asked"),
 )
 

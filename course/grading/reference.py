@@ -10,14 +10,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from course.build import Store, Workspace, build
+from course.build import Interrupt, Store, Workspace, build
 from course.content import Exercise
 from course.errors import OurFault
 from course.rosenv import Ros
 
 
 def reference_packages(
-    exercise: Exercise, ros: Ros, store: Store, on_progress: Callable[[str], None]
+    exercise: Exercise, ros: Ros, store: Store, on_progress: Callable[[str], None], stop: Interrupt
 ) -> tuple[Path, ...]:
     """Install prefixes of the exercise's `grader_packages`, built once a machine and kept.
 
@@ -26,7 +26,7 @@ def reference_packages(
     prefixes: list[Path] = []
     for name in exercise.grader_packages:
         workspace = Workspace.scan(_solution_with(name, exercise.solution.parent))
-        outcome = build(workspace, (name,), ros, store, on_progress=on_progress)
+        outcome = build(workspace, (name,), ros, store, on_progress=on_progress, interrupt=stop)
         if outcome.failure is not None:
             raise OurFault(f"the course's own {name} does not build: {outcome.failure.feedback.summary}")
         prefixes += outcome.prefixes

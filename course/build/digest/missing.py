@@ -81,21 +81,22 @@ Found = tuple[tuple[Location, ...], str]
 
 def _astray(workspace: Workspace, name: str) -> Found | None:
     """The package or its folder exists, but not as a package of the workspace."""
-    home, right = workspace.home, f"{workspace.source}/{name}"
-    for folder in _folders(home):
-        place = shown(folder, home)
+    for folder in _folders(workspace.home):
+        place = shown(folder, workspace.home)
         if (folder / "package.xml").is_file():
-            if read_package(folder, home).name != name:
-                continue
-            outer = next((p for p in workspace.packages if folder.is_relative_to(p.folder)), None)
-            inside = f", inside the package `{outer.name}`" if outer else ""
-            return (Location(place),), f"It is in {place}{inside}: move it to {right}."
-        if folder.name == name and (folder / "setup.py").is_file() or (folder / "CMakeLists.txt").is_file():
-            if folder.name == name:
-                return (
-                    Location(place),
-                ), f"The folder {place} has no package.xml: without it, it is no package."
+            if read_package(folder, workspace.home).name == name:
+                inside = _inside(workspace, folder)
+                return (Location(place),), f"It is in {place}{inside}: move it to {workspace.source}/{name}."
+        elif folder.name == name and any(
+            (folder / file).is_file() for file in ("setup.py", "CMakeLists.txt")
+        ):
+            return (Location(place),), f"The folder {place} has no package.xml: without one it is no package."
     return None
+
+
+def _inside(workspace: Workspace, folder: Path) -> str:
+    outer = [package.name for package in workspace.packages if folder.is_relative_to(package.folder)]
+    return f", inside the package `{outer[0]}`" if outer else ""
 
 
 def _look_alike(workspace: Workspace, name: str) -> Found | None:

@@ -1,0 +1,96 @@
+"""Runs commands on the small course, with a check that answers at once."""
+
+from __future__ import annotations
+
+import sys
+import types
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+
+from course.cli.main import main
+from course.grading.result import CheckResult, Feedback, Outcome, Result, Verdict
+
+REPO = Path(__file__).parents[2]
+
+
+@dataclass(frozen=True)
+class Run:
+    """What one command came to."""
+
+    code: int
+    out: str
+    err: str
+
+
+Ros2course = Callable[..., Run]
+
+
+@pytest.fixture
+def ros2course(
+    small_course: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> Ros2course:
+    """`ros2course("hint", "04-light")` as typed, at 80 columns, on a copy of the small course."""
+    for name in ("NO_COLOR", "FORCE_COLOR", "ROS2COURSE_LAUNCHER", "ROS2COURSE_DEBUG"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.chdir(small_course.parent)
+
+    def run(*words: str, course: Path | None = small_course) -> Run:
+        code = main([*(("--course", str(course)) if course else ()), *words])
+        out, err = capsys.readouterr()
+        return Run(code, out, err)
+
+    return run
+
+
+@pytest.fixture
+def home(monkeypatch: pytest.MonkeyPatch, guarded_home: Path) -> Path:
+    """Where the course home is, or will be: nothing names another place than the default."""
+    monkeypatch.delenv("ROS2COURSE_HOME", raising=False)
+    return guarded_home / "ros2course"
+
+
+PASSED = Result("04-light", Verdict.PASSED, (CheckResult("shines", "It shines", 2, Outcome.PASSED),))
+FAILED = Result(
+    "04-light",
+    Verdict.NOT_PASSED,
+    (
+        CheckResult(
+            "shines", "It shines", 2, Outcome.FAILED, feedback=Feedback("It is dark.", advice="Light it.")
+        ),
+    ),
+)
+OURS = Result("04-light", Verdict.OUR_ERROR, fault=Feedback("The grader fell over."))
+MISSING = Result("04-light", Verdict.NOT_AVAILABLE, fault=Feedback("There is no compiler."))
+
+
+@dataclass
+class Checker:
+    """Stands in for the grading: gives `answer`, or raises it; keeps what it was called with."""
+
+    answer: Result | BaseException = PASSED
+    calls: list[tuple[str, Path]] = field(default_factory=list)
+    says: tuple[str, ...] = ()
+
+    def check_exercise(
+        self, exercise: object, home: Path, *, ros: object, on_progress: Callable[[str], None]
+    ) -> Result:
+        self.calls.append((exercise.id, home))  # type: ignore[attr-defined]
+        for text in self.says:
+            on_progress(text)
+        if isinstance(self.answer, BaseException):
+            raise self.answer
+        return self.answer
+
+
+@pytest.fixture
+def checker(monkeypatch: pytest.MonkeyPatch) -> Checker:
+    stand_in = Checker()
+    module = types.ModuleType("course.grading.check")
+    module.check_exercise = stand_in.check_exercise  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "course.grading.check", module)
+    monkeypatch.setattr("course.rosenv.find_ros", lambda: None)
+    return stand_in

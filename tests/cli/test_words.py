@@ -1,0 +1,37 @@
+"""Words of the command line."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.cli.words import examples, global_options_first, spoken
+
+
+@pytest.mark.parametrize(
+    ("words", "moved"),
+    [
+        (["next", "--home", "x"], ["--home", "x", "next"]),
+        (["next", "--home=x", "a"], ["--home=x", "next", "a"]),
+        (["--course", "c", "list", "--home", "x"], ["--course", "c", "--home", "x", "list"]),
+        (["list", "--home"], ["list", "--home"]),
+        (["shell", "--", "--home", "x"], ["shell", "--", "--home", "x"]),
+        ([], []),
+    ],
+)
+def test_global_options_move_to_the_front(words: list[str], moved: list[str]) -> None:
+    assert global_options_first(words) == moved
+
+
+def test_advice_names_the_launcher_as_it_was_typed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS2COURSE_LAUNCHER", "../x/ros2course")
+    said = spoken("`ros2course init` makes it in ~/ros2course; see /a/ros2course next. ./ros2course next")
+    assert (
+        said == "`../x/ros2course init` makes it in ~/ros2course; see /a/ros2course next. ./ros2course next"
+    )
+
+
+def test_examples_line_up() -> None:
+    assert examples(("a", "one"), ("bcd", "two")).splitlines()[2:] == [
+        "  ros2course a    one",
+        "  ros2course bcd  two",
+    ]
