@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import fcntl
 import multiprocessing
 import os
 import signal
 import sqlite3
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from contextlib import AbstractContextManager, closing
 from pathlib import Path
@@ -134,7 +136,7 @@ def test_the_file_is_in_wal_mode(state: Path) -> None:
 def used(state: Path) -> Path:
     """The file of somebody who has done a lot."""
     with Progress.open(state) as progress:
-        for number in range(40):
+        for number in range(8):
             progress.record(result(f"{number:02d}-thing", points=3.0))
     return state / FILE
 
@@ -164,7 +166,8 @@ def overwritten_inside(file: Path) -> None:
 def of_something_else(file: Path) -> None:
     file.unlink()
     with closing(sqlite3.connect(file)) as database, database:
-        database.execute("CREATE TABLE attempts (x)")
+        for table in ("attempts", "exercises", "chapters_shown", "current"):
+            database.execute(f"CREATE TABLE {table} (x)")
         database.execute("PRAGMA user_version = 1")
 
 
@@ -248,13 +251,13 @@ def test_two_processes_at_once_both_land(state: Path) -> None:
     with multiprocessing.get_context("spawn").Pool(2) as pool:
         pool.starmap(_record_many, [(state, "01-a"), (state, "02-b")], chunksize=1)
     with Progress.open(state) as progress:
-        assert (progress.attempts("01-a"), progress.attempts("02-b")) == (25, 25)
-        assert progress.hints_shown("00-both") == 50
+        assert (progress.attempts("01-a"), progress.attempts("02-b")) == (10, 10)
+        assert progress.hints_shown("00-both") == 20
         assert progress.notices == ()
 
 
 def _record_many(state: Path, exercise: str) -> None:
-    for number in range(25):
+    for number in range(10):
         with Progress.open(state) as progress:
             progress.record(result(exercise, points=number % 3))
             progress.next_hint("00-both", 1000)
@@ -305,6 +308,41 @@ def test_a_journal_left_without_its_file_is_no_matter(state: Path, used: Path) -
         progress.record(result())
 
 
+def test_opening_waits_for_another_that_is_opening(state: Path) -> None:
+    other = threading.Thread(target=_open_and_record, args=(state,))
+    state.mkdir()
+    with (state / "progress.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        other.start()
+        other.join(0.2)
+        assert other.is_alive()
+        assert not (state / FILE).exists()
+    other.join(10)
+    assert (state / FILE).exists()
+
+
+def test_what_is_read_for_writing_cannot_change_meanwhile(
+    state: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("course.progress.BUSY_SECONDS", 0.05)
+    with Progress.open(state) as one, Progress.open(state) as other:
+        with one._writing(), pytest.raises(StorageError, match="locked"):
+            other.next_hint("18-publisher", 3)
+        assert other.next_hint("18-publisher", 3) == 0
+
+
+def test_an_error_in_between_leaves_all_as_it_was(state: Path) -> None:
+    with Progress.open(state) as progress:
+        progress.set_current("18-publisher")
+        with pytest.raises(ZeroDivisionError), progress._writing():
+            progress._run("DELETE FROM current")
+            raise ZeroDivisionError
+        assert progress.current() == "18-publisher"
+        progress.set_current("18-subscriber")
+    with Progress.open(state) as progress:
+        assert progress.current() == "18-subscriber"
+
+
 def test_a_file_that_stays_busy_is_told(state: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     Progress.open(state).__exit__(None, None, None)
     monkeypatch.setattr("course.progress.BUSY_SECONDS", 0.05)
@@ -336,7 +374,7 @@ def test_a_full_disk_loses_nothing(used: Path) -> None:
         progress._database.execute("PRAGMA max_page_count = 100000")
         progress.record(result())
         assert progress.attempts("18-publisher") == before + 1
-        assert len(progress.passed_ids()) == 40
+        assert len(progress.passed_ids()) == 8
 
 
 def test_a_read_only_home_is_told(
@@ -395,7 +433,7 @@ def test_a_home_moved_to_such_a_disk_is_converted(used: Path, request: pytest.Fi
     request.getfixturevalue("no_shared_memory")
     with Progress.open(used.parent) as progress:
         assert progress.notices == ()
-        assert len(progress.passed_ids()) == 40
+        assert len(progress.passed_ids()) == 8
         progress.record(result())
         assert journal_mode(progress) == "delete"
     with Progress.open(used.parent) as progress:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import os
+from collections.abc import Collection, Iterator
 
 import psutil
 
@@ -12,22 +13,35 @@ _PR_SET_CHILD_SUBREAPER = 36
 _ROUNDS = 50
 
 
-def adopt_orphans() -> None:
-    """From now on, processes whose parent dies become children of this process.
+def adopt_orphans(adopt: bool = True) -> None:
+    """From now on, processes whose parent dies become children of this process (or no longer).
 
     So a daemon that a learner's node forked off cannot get out of sight. Source: prctl(2).
     """
-    ctypes.CDLL(None, use_errno=True).prctl(_PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    ctypes.CDLL(None, use_errno=True).prctl(_PR_SET_CHILD_SUBREAPER, int(adopt), 0, 0, 0)
 
 
-def end_descendants() -> int:
+@contextlib.contextmanager
+def nothing_left() -> Iterator[None]:
+    """Whatever starts below this process in the meantime, orphans included, ends with the context."""
+    spared = frozenset(psutil.Process().children())
+    adopt_orphans()
+    try:
+        yield
+    finally:
+        end_descendants(spared)
+        adopt_orphans(False)
+
+
+def end_descendants(spared: Collection[psutil.Process] = ()) -> int:
     """Kill every process below this one, again and again until none is left.
 
+    spared: children that are left alone, with all below them.
     Returns how many were still there (0 when everyone had ended in order).
     """
     found: set[int] = set()
     for _ in range(_ROUNDS):
-        left = psutil.Process().children(recursive=True)
+        left = _descendants(spared)
         if not left:
             break
         found |= {child.pid for child in left}
@@ -38,6 +52,16 @@ def end_descendants() -> int:
         for child in left:
             _reap(child.pid)
     return len(found)
+
+
+def _descendants(spared: Collection[psutil.Process]) -> list[psutil.Process]:
+    found: list[psutil.Process] = []
+    for child in psutil.Process().children():
+        if child not in spared:
+            with contextlib.suppress(psutil.NoSuchProcess):
+                found += child.children(recursive=True)
+            found.append(child)
+    return found
 
 
 def _reap(pid: int) -> None:

@@ -67,7 +67,7 @@ def _begin(console: Console, desk: Desk, exercise: Exercise, *, lesson: bool) ->
     new = begin(desk.home, exercise)
     desk.progress.set_current(exercise.id)
     if lesson or not desk.progress.chapter_shown(exercise.chapter.slug):
-        render_lesson(console, exercise.chapter, chapter_text(desk.course, exercise))
+        render_lesson(console, exercise.chapter, chapter_text(exercise))
         desk.progress.mark_chapter_shown(exercise.chapter.slug)
     render_exercise(console, exercise, desk.home.path, desk.progress.state(exercise.id))
     render_new_files(console, desk.home.path, new)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from course.cli.desk import Desk
-from course.content import Course, Exercise
+from course.content import Exercise
+from course.content.chapter import read_text
+from course.content.layout import LESSON_TEXT
 from course.errors import UsageError
 
 
@@ -25,9 +27,9 @@ def not_passed_yet(desk: Desk, exercise: Exercise) -> tuple[str, ...]:
     return tuple(needed for needed in exercise.requires if needed not in passed)
 
 
-def chapter_text(course: Course, exercise: Exercise) -> str:
-    """The lesson of the exercise's chapter."""
-    return next(one.text for one in course.chapters() if one.slug == exercise.chapter.slug)
+def chapter_text(exercise: Exercise) -> str:
+    """The lesson of the exercise's chapter; no other chapter is read for it."""
+    return read_text(exercise.folder / LESSON_TEXT)
 
 
 def _current(desk: Desk) -> Exercise | None:

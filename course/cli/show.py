@@ -35,5 +35,5 @@ def show(
         state = desk.progress.state(shown.id)
         with paged(console) if pager else nullcontext():
             if lesson:
-                render_lesson(console, shown.chapter, chapter_text(desk.course, shown))
+                render_lesson(console, shown.chapter, chapter_text(shown))
             render_exercise(console, shown, desk.home.path, state)

@@ -1,8 +1,8 @@
 """The grading process: runs one scenario and its checks, apart from everything else.
 
-Started by `grading.check` with the descriptor of the result pipe as its argument. The job
-comes as one line on standard input, which stays open: when it closes, the parent is gone,
-and this process ends all that it started and itself.
+Started by `grading.supervisor` with two arguments: the descriptor of the result pipe, and a
+folder for scratch files. The job comes as one line on standard input, which stays open: when
+it closes, the parent is gone, and this process ends all that it started and itself.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from __future__ import annotations
 import os
 import shutil
 import sys
-import tempfile
 import threading
 import time
 from pathlib import Path
@@ -51,7 +50,7 @@ def main() -> int:
     if not line:
         return 0  # the parent changed its mind
     job = from_line(line)
-    folder = Path(tempfile.mkdtemp(prefix="ros2course-", dir=_scratch_root()))
+    folder = Path(sys.argv[2]) / "arena"
     threading.Thread(target=_end_with_parent, args=(folder,), daemon=True).start()
     try:
         channel.judgement(_judge(job, channel, folder))
@@ -61,11 +60,6 @@ def main() -> int:
     sys.stdout.flush()
     # Threads of the middleware may take their time to end; there is nothing left to wait for.
     os._exit(0)  # noqa: TID251 - see above; everything has been cleaned up
-
-
-def _scratch_root() -> str | None:
-    """In a namespace of our own /dev/shm is private memory that vanishes with us."""
-    return "/dev/shm" if os.environ.get("ROS2COURSE_ENCLOSURE") == "namespaces" else None
 
 
 def _end_with_parent(folder: Path) -> None:

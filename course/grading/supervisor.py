@@ -13,12 +13,13 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from types import TracebackType
 
 import course
 from course.arena.enclosure import Enclosure
+from course.arena.leftovers import nothing_left
 from course.feedback import Feedback
 from course.grading.channel import Judgement, read_message
 from course.grading.job import Job, to_line
@@ -26,6 +27,7 @@ from course.grading.job import Job, to_line
 _CLOSE_GRACE = 3.0
 _START_TIME = 30.0
 _LOG_LINES = 15
+_PROCESS = "course.grading.process"
 
 
 class Supervisor:
@@ -36,31 +38,57 @@ class Supervisor:
         self._environment = environment
         self._process: subprocess.Popen[str]
         self._results: int
+        self._folder: str
+        self._stack: contextlib.ExitStack
 
     def __enter__(self) -> Supervisor:
-        self._results, write_end = os.pipe()
-        # Unlinked at once, so it is gone however we end.
-        self._log = tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace")
-        try:
-            self._process = subprocess.Popen(
-                [*self._where.prefix, sys.executable, "-m", "course.grading.process", str(write_end)],
-                stdin=subprocess.PIPE,
-                stdout=self._log,
-                stderr=self._log,
-                env=self._own_environment(),
-                cwd="/",
-                pass_fds=(write_end,),
-                # Ctrl+C at the terminal is for us alone; we end the process in order.
-                start_new_session=True,
-                text=True,
-            )
-        finally:
-            os.close(write_end)
+        with contextlib.ExitStack() as stack:
+            self._folder = stack.enter_context(self._scratch())
+            # Unlinked at once, so it is gone however we end.
+            self._log = stack.enter_context(tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace"))
+            self._results, write_end = os.pipe()
+            stack.callback(os.close, self._results)
+            try:
+                self._process = self._start(write_end)
+            finally:
+                os.close(write_end)
+            stack.callback(self._end)
+            self._stack = stack.pop_all()
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        self._stack.close()
+
+    @contextlib.contextmanager
+    def _scratch(self) -> Iterator[str]:
+        """The folder for the learner's programs, and the end of all that was started for it.
+
+        In namespaces of its own the kernel does both, whatever happens to us.
+        """
+        if self._where.kind == "namespaces":
+            yield "/dev/shm"
+            return
+        scratch = tempfile.TemporaryDirectory(prefix="ros2course-", ignore_cleanup_errors=True)
+        with scratch as folder, nothing_left():
+            yield folder
+
+    def _start(self, write_end: int) -> subprocess.Popen[str]:
+        return subprocess.Popen(
+            [*self._where.prefix, sys.executable, "-m", _PROCESS, str(write_end), self._folder],
+            stdin=subprocess.PIPE,
+            stdout=self._log,
+            stderr=self._log,
+            env=self._own_environment(),
+            cwd="/",
+            pass_fds=(write_end,),
+            # Ctrl+C at the terminal is for us alone; we end the process in order.
+            start_new_session=True,
+            text=True,
+        )
+
+    def _end(self) -> None:
         with contextlib.suppress(OSError):
             if self._process.stdin:
                 self._process.stdin.close()  # tells it that we are gone
@@ -69,8 +97,6 @@ class Supervisor:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
-        os.close(self._results)
-        self._log.close()
 
     def grade(self, job: Job, time_limit: float, on_progress: Callable[[str], None]) -> Judgement:
         """Send the job and read until the judgement; faults of the process become one."""
@@ -116,7 +142,6 @@ class Supervisor:
         return {
             **self._environment,
             **self._where.environment,
-            "ROS2COURSE_ENCLOSURE": self._where.kind,
             "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
             "PYTHONPATH": os.pathsep.join(
                 part

@@ -66,7 +66,7 @@ def render_new_files(console: Console, home: Path, files: Sequence[Path]) -> Non
     """Which files were laid into the course home just now, after `render_exercise`; nothing for none."""
     if not files:
         return
-    put(console, "New among them, laid just now:", "bold")
+    put(console, "New files, laid just now:", "bold")
     for file in files:
         put(console, f"  + {safe.one_line(_relative(file, home))}")
     put(console)

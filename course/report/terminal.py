@@ -56,14 +56,14 @@ def render_result(console: Console, result: Result, exercise: Titled, previous: 
     if result.fault:
         put_feedback(console, result.fault)
     for note in result.notes:
-        put_prose(console, Text(safe.paragraph(note), "dim"), first="  Note: ")
+        put_prose(console, with_code(console, safe.paragraph(note), "dim"), first="  Note: ")
 
 
 def put_feedback(console: Console, feedback: Feedback) -> None:
     """Why something did not pass: the cause, expected against seen, where, what to do, evidence."""
     put_prose(console, with_code(console, safe.paragraph(feedback.summary)), first=INDENT)
     for label, text in _comparison(feedback):
-        _put_labelled(console, label, Text(text))
+        _put_labelled(console, label, with_code(console, text))
     for place in feedback.where[:PLACES]:
         line = Text.assemble(INDENT, ("in".ljust(LABEL_WIDTH), "dim"), (safe.one_line(str(place)), "bold"))
         put(console, line)
@@ -77,7 +77,7 @@ def _put_check(console: Console, check: CheckResult, before: Outcome | None) -> 
     mark, style = MARKS[check.outcome]
     points = _points(check)
     room = max(console.width - len(INDENT) - len(points) - 2, 20)
-    title = Text(safe.paragraph(check.title)).wrap(console, room)
+    title = with_code(console, safe.paragraph(check.title)).wrap(console, room)
     for row, line in enumerate(title):
         line.rstrip()
         head = Text.assemble("  ", (mark, style), "  ") if row == 0 else Text(INDENT)
@@ -89,7 +89,7 @@ def _put_check(console: Console, check: CheckResult, before: Outcome | None) -> 
         put_feedback(console, check.feedback)
     if check.outcome is Outcome.SKIPPED:
         cause = safe.paragraph(check.skipped_because or "the cause is not known")
-        put_prose(console, Text(f"Not judged: {cause}", "dim"), first=INDENT)
+        put_prose(console, with_code(console, f"Not judged: {cause}", "dim"), first=INDENT)
 
 
 def _points(check: CheckResult) -> str:

@@ -44,7 +44,7 @@ def test_nothing_of_the_learner_is_overwritten(ros2course: Ros2course, home: Pat
     (home / LIGHT).write_text("mine")
     run = ros2course("next")
     assert (home / LIGHT).read_text() == "mine"
-    assert "New among them" not in run.out
+    assert "New files" not in run.out
 
 
 def test_it_stays_until_passed_and_then_goes_on(ros2course: Ros2course, home: Path, checker: Checker) -> None:

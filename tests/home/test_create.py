@@ -119,11 +119,13 @@ def test_a_damaged_marker_is_told_and_made_anew(home: CourseHome, content: str) 
 def test_a_home_of_a_newer_version_is_left_alone(home: CourseHome) -> None:
     marker = home.state / "home.json"
     marker.write_text(json.dumps({"schema": 99, "seed": 5}))
+    (home.path / "cmake_tutorial").rmdir()
     for attempt in (home.seed, lambda: create_home(home.path)):
         with pytest.raises(UsageError, match="newer") as caught:
             attempt()
         assert "upgrade" in (caught.value.next_step or "")
     assert json.loads(marker.read_text())["seed"] == 5
+    assert not (home.path / "cmake_tutorial").exists()
 
 
 def test_a_folder_where_a_file_stands_is_told(tmp_path: Path) -> None:

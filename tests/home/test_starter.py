@@ -8,6 +8,7 @@ import signal
 import stat
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from pathlib import Path
@@ -16,7 +17,7 @@ import pytest
 
 from course.content import Exercise, open_course
 from course.errors import StorageError, UsageError
-from course.home import CourseHome, begin, create_home, storage
+from course.home import CourseHome, begin, create_home, reset, storage
 
 PACKAGE = "ros2_tutorial_workspace/src/lanterns"
 LIGHT = f"{PACKAGE}/lanterns/light.py"
@@ -119,19 +120,21 @@ def test_a_full_disk_leaves_nothing_half_made(
     assert len(begin(home, light)) == 3
 
 
+def no_links(*_arguments: object, **_options: object) -> None:
+    raise OSError(errno.EPERM, os.strerror(errno.EPERM))
+
+
 def test_a_disk_without_hard_links_will_do(
     home: CourseHome, light: Exercise, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def no_links(*_arguments: object, **_options: object) -> None:
-        raise OSError(errno.EPERM, os.strerror(errno.EPERM))
-
     monkeypatch.setattr(storage.os, "link", no_links)
     assert len(begin(home, light)) == 3
     assert files_in(home) == STARTER
 
 
+@pytest.mark.parametrize("links", [True, False])
 def test_a_file_that_appears_meanwhile_is_not_overwritten(
-    home: CourseHome, light: Exercise, monkeypatch: pytest.MonkeyPatch
+    home: CourseHome, light: Exercise, monkeypatch: pytest.MonkeyPatch, links: bool
 ) -> None:
     target = home.path / LIGHT
     copy = storage.copy_into
@@ -142,8 +145,24 @@ def test_a_file_that_appears_meanwhile_is_not_overwritten(
             target.write_text("mine")
 
     monkeypatch.setattr(storage, "copy_into", slow)
+    if not links:
+        monkeypatch.setattr(storage.os, "link", no_links)
     assert target not in begin(home, light)
     assert target.read_text() == "mine"
+
+
+@pytest.mark.parametrize("command", [begin, reset])
+def test_while_one_command_changes_the_home_another_waits(
+    home: CourseHome, light: Exercise, command: Callable[[CourseHome, Exercise], object]
+) -> None:
+    other = threading.Thread(target=command, args=(home, light))
+    with home.lock():
+        other.start()
+        other.join(0.2)
+        assert other.is_alive()
+        assert files_in(home) == []
+    other.join(10)
+    assert files_in(home) == STARTER
 
 
 def test_a_killed_command_leaves_whole_files_and_the_next_one_the_rest(

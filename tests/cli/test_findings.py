@@ -1,0 +1,123 @@
+"""`doctor`: what is missing gets an exact next step."""
+
+from __future__ import annotations
+
+import shutil
+import time
+from collections import namedtuple
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from course.cli import findings
+from course.errors import MissingHere
+from course.report.machine import Finding, State
+
+if TYPE_CHECKING:
+    from tests.cli.conftest import Ros2course
+
+Usage = namedtuple("Usage", "total used free")
+ROS = Finding("ROS 2", State.OK, "jazzy")
+
+
+@pytest.fixture
+def only(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
+    """A PATH on which nothing is found but what a test puts there."""
+    folder = tmp_path / "only"
+    folder.mkdir()
+    monkeypatch.setenv("PATH", str(folder))
+    return folder
+
+
+def put_program(folder: Path, name: str, says: str = "1.0") -> None:
+    (folder / name).write_text(f"#!/bin/sh\necho {says}\n")
+    (folder / name).chmod(0o755)
+
+
+def test_a_missing_program_is_named_with_its_command(only: Path) -> None:
+    put_program(only, "apt-get")
+    found = findings.program("g++", "g++")
+    assert (found.state, found.next_step) == (State.MISSING, "Install it: `sudo apt install g++`")
+
+
+def test_without_apt_the_package_is_named(only: Path) -> None:
+    assert "system's package manager" in (findings.program("g++", "g++").next_step or "")
+
+
+def test_a_program_that_is_there_says_its_version(only: Path) -> None:
+    put_program(only, "g++", "g++ 12.2")
+    assert findings.program("g++", "g++") == Finding("g++", State.OK, f"g++ 12.2, {only / 'g++'}")
+
+
+def test_a_program_that_does_not_start_is_no_crash(only: Path) -> None:
+    (only / "g++").write_bytes(b"\x7fELF nonsense")
+    (only / "g++").chmod(0o755)
+    assert "does not start" in findings.program("g++", "g++").found
+
+
+def test_no_ros_says_what_its_error_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing() -> None:
+        raise MissingHere("There is no ROS 2.", "source it")
+
+    monkeypatch.setattr("course.rosenv.find_ros", missing)
+    assert findings.ros() == Finding("ROS 2", State.MISSING, "There is no ROS 2.", "source it")
+
+
+def test_no_bubblewrap_is_no_obstacle(only: Path) -> None:
+    found = findings.namespaces()
+    assert found.state is State.LESS
+    assert "bubblewrap" in found.found
+
+
+@pytest.mark.parametrize(("free", "state"), [(5.0, State.OK), (1.0, State.LESS), (0.1, State.MISSING)])
+def test_a_full_disk_is_seen(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, free: float, state: State
+) -> None:
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: Usage(0, 0, free * 2**30))
+    assert findings.storage("cache", tmp_path).state is state
+
+
+def test_a_folder_that_cannot_be_written_is_seen() -> None:
+    found = findings.storage("cache", Path("/dev/null/cache"))
+    assert found.state is State.MISSING
+    assert "ls -ld /dev/null/cache" in (found.next_step or "")
+
+
+def test_a_clock_of_the_past_is_seen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(time, "time", lambda: 1_000_000.0)
+    found = findings.clock(tmp_path)
+    assert found.state is State.MISSING
+    assert "date -s" in (found.next_step or "")
+
+
+def test_a_disk_with_another_clock_is_seen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    now = time.time()
+    monkeypatch.setattr(time, "time", lambda: now + 3600)
+    found = findings.clock(tmp_path)
+    assert found.state is State.LESS
+    assert "3600 s off" in found.found
+
+
+def test_doctor_ends_with_4_only_when_something_needed_is_missing(
+    ros2course: Ros2course, home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("ros", "colcon", "namespaces"):
+        monkeypatch.setattr(findings, name, lambda: ROS)
+    monkeypatch.setattr(findings, "program", lambda name, package: Finding(name, State.OK, "here"))
+    without_home = ros2course("doctor")
+    assert without_home.code == 0
+    assert "-> `ros2course next` makes one." in without_home.out
+    monkeypatch.setattr(findings, "ros", lambda: Finding("ROS 2", State.MISSING, "none", "install it"))
+    run = ros2course("doctor")
+    assert run.code == 4
+    assert "Something that is needed is missing: ROS 2." in run.out
+
+
+@pytest.mark.slow
+def test_this_very_machine_is_described(ros2course: Ros2course, home: Path) -> None:
+    ros2course("init")
+    run = ros2course("doctor")
+    for name in ("ROS 2", "Python", "colcon", "g++", "cmake", "bubblewrap", "course home", "cache", "clock"):
+        assert f"  {name} " in run.out
+    assert home.name in run.out

@@ -1,0 +1,55 @@
+"""Whatever goes wrong on our side is our error, said as such, and never the learner's failure."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.grading.result import Outcome
+
+from .conftest import GRADER, Grade
+
+pytestmark = pytest.mark.slow
+
+LOOP = "import time\nprint('go', flush=True)\nwhile True: time.sleep(1)"
+
+
+def test_a_grader_with_a_syntax_error(grade: Grade) -> None:
+    judgement = grade("pass", "def broken(:\n")
+    assert judgement.fault is not None
+    assert "cannot be loaded" in judgement.fault.summary
+    assert any("toy_grader.py" in line for line in judgement.fault.details)
+
+
+def test_a_scenario_that_raises(grade: Grade) -> None:
+    judgement = grade(LOOP, GRADER.replace("arena.until(", "arena.unheard_of("))
+    assert judgement.fault is not None
+    assert "unheard_of" in judgement.fault.summary
+    assert judgement.checks == ()
+
+
+def test_a_check_that_raises(grade: Grade) -> None:
+    broken = GRADER.replace('expect_running(recording, "program")', "raise KeyError('ours')")
+    outcomes = {check.id: check.outcome for check in grade(LOOP, broken).checks}
+    assert outcomes["starts"] is Outcome.ERROR
+    assert outcomes["interrupt"] is Outcome.SKIPPED
+
+
+def test_a_plain_assertion_blames_nobody(grade: Grade) -> None:
+    broken = GRADER.replace('expect_running(recording, "program")', "assert False")
+    assert next(c.outcome for c in grade(LOOP, broken).checks if c.id == "starts") is Outcome.ERROR
+
+
+def test_a_grading_process_that_crashes(grade: Grade) -> None:
+    broken = GRADER.replace("def run_it(arena):", "def run_it(arena):\n    import os; os.abort()")
+    judgement = grade(LOOP, broken)
+    assert judgement.fault is not None
+    assert "ended without a verdict" in judgement.fault.summary
+    assert "does not count" in (judgement.fault.advice or "")
+
+
+def test_a_grading_process_that_hangs(grade: Grade, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("course.grading.supervisor._START_TIME", 3.0)
+    broken = GRADER.replace("def run_it(arena):", "def run_it(arena):\n    import time; time.sleep(600)")
+    judgement = grade(LOOP, broken, time_limit=1.0)
+    assert judgement.fault is not None
+    assert "did not finish within 1 s" in judgement.fault.summary
