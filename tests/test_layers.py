@@ -32,7 +32,7 @@ NEIGHBOURS = {("report", "grading"), ("progress", "grading"), ("arena", "evidenc
 # Libraries that only these modules may import: a module itself, or a room with all that is in it.
 # Others may name a type of theirs under TYPE_CHECKING.
 HOMES = {
-    "rclpy": ("course.evidence.recorder",),
+    "rclpy": ("course.evidence.recorder", "course.arena.type_probe"),
     "rich": ("course.report", "course.watch"),
     "typer": ("course.cli",),
     "sqlite3": ("course.progress", "course.batch"),

@@ -24,6 +24,8 @@ _BWRAP = (
 _PROBE_TIMEOUT = 10.0
 # The port numbers of higher domains meet the range that Linux gives to outgoing connections.
 _DOMAINS = range(1, 102)
+# As many programs in one domain as may be left over when the first has ended.
+_PARTICIPANTS = 32
 
 
 @dataclass(frozen=True)
@@ -61,13 +63,15 @@ def namespace_obstacle() -> str | None:
         return "bubblewrap is not installed: `sudo apt install bubblewrap`"
     try:
         done = subprocess.run(
-            [_bwrap(), *_BWRAP, "true"], capture_output=True, text=True, timeout=_PROBE_TIMEOUT, check=False
+            [_bwrap(), *_BWRAP, "true"], capture_output=True, timeout=_PROBE_TIMEOUT, check=False
         )
-    except (OSError, subprocess.TimeoutExpired) as error:
+    except subprocess.TimeoutExpired:
+        return f"bubblewrap does not start here: it hung for {_PROBE_TIMEOUT:.0f} s"
+    except OSError as error:
         return f"bubblewrap does not start here: {error}"
     if done.returncode == 0:
         return None
-    reason = done.stderr.strip().splitlines()
+    reason = done.stderr.decode("utf-8", errors="replace").strip().splitlines()
     return f"this system does not allow namespaces ({reason[-1] if reason else done.returncode})"
 
 
@@ -100,13 +104,19 @@ def _free_domain() -> Iterator[int]:
 
 
 def _in_use(domain: int) -> bool:
-    """Whether a participant listens at the domain's first unicast port.
+    """Whether a participant listens at one of the domain's ports.
 
-    Source: DDS-RTPS specification, 9.6.1.1: 7400 + 250 * domain + 10 for metatraffic.
+    Source: DDS-RTPS specification, 9.6.1.1: 7400 + 250 * domain, plus 0 for discovery by
+    multicast, plus 10 + 2 * n for that of the n-th participant.
     """
+    offsets = (0, *(10 + 2 * n for n in range(_PARTICIPANTS)))
+    return any(_is_taken(7400 + 250 * domain + offset) for offset in offsets)
+
+
+def _is_taken(port: int) -> bool:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
-            probe.bind(("", 7400 + 250 * domain + 10))
+            probe.bind(("", port))
         except OSError:
             return True
     return False

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 
-_PYTHON = ("python", "python3")
+_PYTHON = re.compile(r"python[\d.]*")
+# What installers write when a first line with the interpreter's path would be too long, or hold spaces.
+_LONG_PATH = re.compile(rb"#!/bin/sh\n'''exec' [^\n]*python[\d.]*\"? ")
 
 
 def installed_executables(prefix: Path, package: str) -> tuple[str, ...]:
@@ -28,8 +31,10 @@ def command_for(prefix: Path, package: str, executable: str, python: str) -> tup
 
 def _is_python_script(file: Path) -> bool:
     with file.open("rb") as stream:
-        first = stream.readline(512)
-    if not first.startswith(b"#!"):
+        head = stream.read(4096)
+    if _LONG_PATH.match(head):
+        return True
+    if not head.startswith(b"#!"):
         return False
-    words = first[2:].decode("utf-8", errors="replace").split()
-    return any(Path(word).name.rstrip("0123456789.").startswith(_PYTHON) for word in words[:2])
+    words = head[2:].partition(b"\n")[0].decode("utf-8", errors="replace").split()
+    return any(_PYTHON.fullmatch(Path(word.strip("\"'")).name) for word in words)

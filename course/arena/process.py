@@ -39,16 +39,10 @@ class Process:
         self._terminal, program_side = _open_terminal()
         timeline.add(ProcessStarted(timeline.now(), name, tuple(command)))
         try:
-            # setsid runs in the child itself: no Python between fork and exec, although
-            # this process has threads.
-            self._child = subprocess.Popen(
-                ["setsid", "--ctty", *command],
-                stdin=program_side,
-                stdout=program_side,
-                stderr=program_side,
-                env=dict(env),
-                cwd=cwd,
-            )
+            self._child = _start(command, program_side, env, cwd)
+        except OSError:
+            os.close(self._terminal)
+            raise
         finally:
             os.close(program_side)
         self._ended = threading.Event()
@@ -72,22 +66,33 @@ class Process:
         if not self.running:
             return
         self._timeline.add(SignalSent(self._timeline.now(), self.name, int(number)))
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(self._child.pid, number)
+        self._signal(number)
 
     def type(self, text: str) -> None:
-        """Type on its terminal."""
-        os.write(self._terminal, text.encode())
+        """Type on its terminal. Nothing if it has ended."""
+        if self.running:
+            with contextlib.suppress(OSError):  # it may end, and its terminal with it, at any moment
+                os.write(self._terminal, text.encode())
 
     def wait(self, timeout: float) -> bool:
-        """Wait for its end; False when it still runs after `timeout` seconds."""
-        return self._ended.wait(timeout)
+        """Wait for its end; False when it still runs after `timeout` seconds.
+
+        True also means that all it wrote, and its end, are on the time line.
+        """
+        self._thread.join(timeout)
+        return not self._thread.is_alive()
 
     def close(self) -> None:
         """End what is left of it, unrecorded, and stop listening."""
-        with contextlib.suppress(ProcessLookupError, PermissionError):
-            os.killpg(self._child.pid, signal.SIGKILL)
-        self._ended.wait(2.0)
+        self._signal(signal.SIGKILL)
+        self.wait(2.0)
+
+    def _signal(self, number: signal.Signals) -> None:
+        """To the whole group; to the program alone in its first moment, before it leads one."""
+        try:
+            os.killpg(self._child.pid, number)
+        except ProcessLookupError:
+            self._child.send_signal(number)
 
     def _follow(self) -> None:
         watch = os.pidfd_open(self._child.pid)
@@ -137,6 +142,20 @@ class Process:
         code, number = (status, None) if status >= 0 else (None, -status)
         self._ended.set()
         self._timeline.add(ProcessExited(moment, self.name, code, number))
+
+
+def _start(
+    command: Sequence[str], terminal: int, env: Mapping[str, str], cwd: Path
+) -> subprocess.Popen[bytes]:
+    # setsid runs in the child itself: no Python between fork and exec, although this process has threads.
+    return subprocess.Popen(
+        ["setsid", "--ctty", *command],
+        stdin=terminal,
+        stdout=terminal,
+        stderr=terminal,
+        env=dict(env),
+        cwd=cwd,
+    )
 
 
 def _open_terminal() -> tuple[int, int]:

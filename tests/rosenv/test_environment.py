@@ -136,6 +136,15 @@ def test_a_sourced_ros_is_found_again_from_an_environment_without_it(tmp_path: P
     assert node_environment(ros, environ=outer(tmp_path))["AMENT_PREFIX_PATH"] == str(tmp_path / "own")
 
 
+def test_a_sourced_ros_is_not_mixed_with_one_that_is_sourced_elsewhere(tmp_path: Path) -> None:
+    for name in ("own", "other"):
+        installed(tmp_path / name)
+    environ = outer(tmp_path, ROS_DISTRO="jazzy", AMENT_PREFIX_PATH=str(tmp_path / "own"))
+    ros = find_ros(environ, no_wheels(tmp_path))
+    environ["AMENT_PREFIX_PATH"] = str(tmp_path / "other")
+    assert node_environment(ros, environ=environ)["AMENT_PREFIX_PATH"] == str(tmp_path / "own")
+
+
 @pytest.mark.parametrize("kind", ["pip", "installed"])
 def test_a_process_in_that_environment_finds_the_same_ros(tmp_path: Path, kind: str) -> None:
     host = wheels(tmp_path / "venv")

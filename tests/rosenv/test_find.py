@@ -35,6 +35,13 @@ def test_the_wheels_are_found_where_nothing_else_is(tmp_path: Path) -> None:
     assert ros.python == tmp_path / "venv/bin/python3"
 
 
+def test_the_python_of_the_wheels_has_one_name_however_it_was_started(tmp_path: Path) -> None:
+    host = replace(wheels(tmp_path / "venv"), executable=tmp_path / "venv/bin/python")
+    assert pip_ros(host).python == tmp_path / "venv/bin/python3"
+    host.prefix.joinpath("bin/python3").unlink()
+    assert pip_ros(host).python == host.executable
+
+
 def test_our_own_setup_bash_means_the_wheels_even_where_ros_is_installed(tmp_path: Path) -> None:
     host = replace(wheels(tmp_path / "venv"), installed=tmp_path / "opt")
     installed(tmp_path / "opt")

@@ -1,0 +1,98 @@
+"""From a publisher being ready to its first message in the recording, many new publishers in turn.
+
+Ours is the environment of the arena; its peer is the same with Fast DDS's default settings.
+Both run in a network namespace of their own.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from statistics import median
+
+from table import percentile, show
+
+from course.arena.enclosure import enclosure
+from course.rosenv import find_ros, node_environment, prepare
+
+ROOT = Path(__file__).parents[1]
+PUBLISHER = """
+import sys, time
+import rclpy
+from std_msgs.msg import String
+rclpy.init()
+node = rclpy.create_node("talker", start_parameter_services=False)
+publisher = node.create_publisher(String, sys.argv[1], 10)
+print("ready", time.monotonic(), flush=True)
+for _ in range(4000):
+    publisher.publish(String(data="here"))
+    time.sleep(0.001)
+"""
+OURS = ("FASTDDS_BUILTIN_TRANSPORTS", "FASTRTPS_DEFAULT_PROFILES_FILE")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--tries", type=int, default=200, help="of ours; the peer gets a fifth")
+    parser.add_argument("--inside", type=int, help=argparse.SUPPRESS)
+    parser.add_argument("--domain", action="store_true", help="without namespaces")
+    options = parser.parse_args()
+    if options.inside:
+        print(json.dumps(first_messages(options.inside)))
+        return
+    ours = measured(options.tries, default=False, namespaces=not options.domain)
+    peer = measured(max(1, options.tries // 5), default=True, namespaces=not options.domain)
+    rows = [row("the arena", ours), row("Fast DDS's defaults", peer)]
+    show("First message after the publisher is ready (s)", ("setting", "tries", "median", "90 %", "slowest"), rows)
+
+
+def row(name: str, values: list[float]) -> list[str]:
+    figures = (median(values), percentile(values, 0.9), max(values))
+    return [name, str(len(values)), *(f"{figure:.3f}" for figure in figures)]
+
+
+def measured(tries: int, *, default: bool, namespaces: bool) -> list[float]:
+    ros = find_ros()
+    prepare(ros)
+    with enclosure(namespaces=namespaces) as where:
+        environment = {**node_environment(ros), **where.environment, "PYTHONPATH": str(ROOT)}
+        for name in OURS if default else ():
+            del environment[name]
+        command = [*where.prefix, sys.executable, __file__, "--inside", str(tries)]
+        done = subprocess.run(command, env=environment, stdout=subprocess.PIPE, check=True, text=True)
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def first_messages(tries: int) -> list[float]:
+    """Runs in the enclosure: one recorder, one new publisher process after the other."""
+    from course.evidence.recorder import Recorder
+    from course.evidence.timeline import Timeline
+
+    timeline = Timeline()
+    zero = time.monotonic() - timeline.now()
+    delays = []
+    with tempfile.NamedTemporaryFile("w", suffix=".py") as program, Recorder(timeline) as recorder:
+        program.write(PUBLISHER)
+        program.flush()
+        for number in range(tries):
+            listener = recorder.subscribe(f"/first/t{number}", "std_msgs/msg/String")
+            process = subprocess.Popen(
+                [sys.executable, program.name, listener.topic], stdout=subprocess.PIPE, text=True, env=os.environ
+            )
+            ready = float(process.stdout.readline().split()[1])
+            timeline.wait_until(lambda listener=listener: listener.count > 0, 10)
+            seen = next(e.t for e in timeline.events() if getattr(e, "topic", None) == listener.topic)
+            delays.append(max(0.0, zero + seen - ready))
+            process.kill()
+            process.wait()
+    return delays
+
+
+if __name__ == "__main__":
+    main()

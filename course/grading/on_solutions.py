@@ -1,0 +1,72 @@
+"""`pytest graders/`: every grader judges the course's own reference solutions.
+
+A pytest plugin, loaded by graders/conftest.py. Each exercise is graded once, by the same way as
+`ros2course check`; each of its checks is one test.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from course.content import open_course
+from course.grading import trial
+from course.grading.author import CheckSpec, Grader
+from course.grading.check import check_exercise
+from course.grading.result import Outcome, Result
+from course.rosenv import find_ros
+
+_RESULTS = pytest.StashKey[dict[str, Result]]()
+
+
+class SolutionNode(pytest.Collector):
+    """One exercise: its checks, judged on the reference solution."""
+
+    grader: Grader
+
+    def collect(self) -> Iterator[pytest.Item]:
+        for spec in self.grader.checks.values():
+            item = SolutionItem.from_parent(self, name=spec.id)
+            item.spec = spec
+            yield item
+
+
+class SolutionItem(pytest.Item):
+    """One check, which the reference solution must pass."""
+
+    spec: CheckSpec
+
+    def runtest(self) -> None:
+        result = _result(self)
+        check = next((done for done in result.checks if done.id == self.spec.id), None)
+        if check is None or check.outcome is not Outcome.PASSED:
+            said = check.feedback if check else result.fault
+            pytest.fail(f"{self.spec.exercise}: {self.spec.title}\n{said}", pytrace=False)
+
+    def reportinfo(self) -> tuple[Path, int | None, str]:
+        return self.path, None, f"{self.spec.exercise}: {self.spec.title}"
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_pycollect_makeitem(collector: pytest.Collector, obj: object) -> list[pytest.Collector] | None:
+    if not isinstance(obj, Grader):
+        return None
+    node = SolutionNode.from_parent(collector, name=obj.exercise)
+    node.grader = obj
+    return [node]
+
+
+def _result(item: SolutionItem) -> Result:
+    """Graded once for all checks of the exercise."""
+    results = item.config.stash.setdefault(_RESULTS, {})
+    exercise_id = item.spec.exercise
+    if exercise_id not in results:
+        course = open_course(item.path.parents[1])
+        exercise = course.exercise(exercise_id)
+        with tempfile.TemporaryDirectory(prefix="ros2course-") as home:
+            trial.lay_solution(course, exercise, Path(home))
+            results[exercise_id] = check_exercise(exercise, Path(home), ros=find_ros())
+    return results[exercise_id]
