@@ -44,7 +44,7 @@ def end_descendants(spared: Collection[psutil.Process] = ()) -> int:
         left = _descendants(spared)
         if not left:
             break
-        found |= {child.pid for child in left}
+        found |= {child.pid for child in left if _alive(child)}
         for child in left:
             with contextlib.suppress(psutil.Error):
                 child.kill()
@@ -62,6 +62,13 @@ def _descendants(spared: Collection[psutil.Process]) -> list[psutil.Process]:
                 found += child.children(recursive=True)
             found.append(child)
     return found
+
+
+def _alive(process: psutil.Process) -> bool:
+    try:
+        return process.status() != psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return False
 
 
 def _reap(pid: int) -> None:

@@ -7,6 +7,7 @@ longer than everything else a check with nothing to build does, and it knows no 
 from __future__ import annotations
 
 import re
+import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
 from xml.parsers import expat
@@ -137,10 +138,12 @@ def _holds(attributes: dict[str, str]) -> bool:
     from catkin_pkg.condition import evaluate_condition  # conditions are rare, and its import is slow
 
     context = {"ROS_VERSION": "2", "ROS_DISTRO": "jazzy", "ROS_PYTHON_VERSION": "3"}
-    try:
-        return bool(evaluate_condition(condition, context))
-    except ValueError:
-        return True  # nonsense; catkin_pkg says so before a build
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # it calls pyparsing by its old names
+        try:
+            return bool(evaluate_condition(condition, context))
+        except ValueError:
+            return True  # nonsense; catkin_pkg says so before a build
 
 
 def _not_well_formed(reader: _Reader, error: expat.ExpatError) -> ManifestFault:
@@ -167,6 +170,10 @@ def _name_fault(lines: dict[str, int], count: int) -> ManifestFault:
 def _in_words(message: str, lines: dict[str, int]) -> ManifestFault:
     message = message.removeprefix("Error(s):\n- ")
     first = message.strip().splitlines()[0]
+    if "package.xml format version" in first or "invalid literal for int()" in first:
+        return ManifestFault(
+            "it has a format that does not exist", lines.get("package"), 'Write `<package format="3">`.'
+        )
     if found := re.search(r'exactly one "(\w+)" tag', first):
         return _count_fault(found.group(1), lines)
     if "at least one maintainer" in first:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from course.build.colcon import build_environment, colcon_command, require_tools
-from course.build.digest import Case, explain, not_installed, readable, unreadable
+from course.build.digest import Case, explain, explain_success, readable, unreadable
 from course.build.digest.machine import raise_if_machine
 from course.build.interrupt import Interrupt
 from course.build.key import content_key
@@ -44,7 +44,7 @@ class Job:
 
 
 def build_one(job: Job, stop: Interrupt) -> BuiltPackage | BuildFailure:
-    """Build the package, or find it built by someone else meanwhile. Raises SourcesChanged and Interrupted."""
+    """Build the package, or find that someone else did meanwhile. Raises SourcesChanged and Interrupted."""
     name = job.package.name
 
     def waiting() -> None:
@@ -89,19 +89,13 @@ def _run(job: Job, entry: Entry, stop: Interrupt) -> tuple[Ended, BuildFailure |
     if ended.code != 0:
         raise_if_machine(case.lines, job.store.root, job.ros.python)
         return ended, explain(case)
-    return ended, None if _found_by_ros(job.package, entry) else not_installed(case)
+    return ended, explain_success(case, entry.prefix(job.package.name))
 
 
 def _copy(job: Job, entry: Entry) -> None:
     copy_sources(job.package.folder, job.workspace.home, entry.src)
     if content_key(entry.src, entry.src, job.needed, job.ros.identity) != job.key:
         raise SourcesChanged
-
-
-def _found_by_ros(package: Package, entry: Entry) -> bool:
-    prefix = entry.prefix(package.name)
-    marker = prefix / "share/ament_index/resource_index/packages" / package.name
-    return marker.exists() or (package.build_type == "cmake" and prefix.exists())
 
 
 def _stopped(case: Case, ended: Ended, time_limit: float) -> BuildFailure:
@@ -127,11 +121,5 @@ def _case(job: Job, entry: Entry, env: Mapping[str, str], stop: Interrupt) -> Ca
         run(command, cwd=entry.src, env=env, output=output, time_limit=_ASK_SECONDS, interrupt=stop)
         return lines_of(output)
 
-    def installed() -> frozenset[str]:
-        prefixes = env.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
-        indices = [Path(prefix, "share/ament_index/resource_index/packages") for prefix in prefixes if prefix]
-        return frozenset(file.name for index in indices if index.is_dir() for file in index.iterdir())
-
-    return Case(
-        job.package, job.workspace, entry.src, lines_of(entry.log), entry.log, installed, ask_setup_py
-    )
+    prefixes = tuple(Path(prefix) for prefix in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if prefix)
+    return Case(job.package, job.workspace, entry.src, lines_of(entry.log), entry.log, prefixes, ask_setup_py)

@@ -45,7 +45,16 @@ def course_of(options: Options) -> Course:
 
 
 def home_of(options: Options) -> CourseHome:
-    return find_home(options.home, os.environ, Path.cwd())
+    return find_home(options.home, os.environ, _here())
+
+
+def _here() -> Path:
+    try:
+        return Path.cwd()
+    except FileNotFoundError:
+        raise UsageError(
+            "The folder you are in does not exist any more.", "Go to another one: `cd`"
+        ) from None
 
 
 @contextmanager

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping
+from math import inf
 from typing import Any
 
 from course.evidence import events
@@ -18,8 +19,11 @@ _KINDS: Mapping[str, type[Event]] = {
 
 
 def to_dict(event: Event) -> dict[str, Any]:
-    """The event's fields, and its class's name as `kind`."""
-    return {"kind": type(event).__name__, **dataclasses.asdict(event)}
+    """The event's fields, and its class's name as `kind`.
+
+    JSON knows no infinity: an endless deadline is null.
+    """
+    return {"kind": type(event).__name__, **_finite(dataclasses.asdict(event))}
 
 
 def from_dict(data: Mapping[str, Any]) -> Event:
@@ -31,12 +35,24 @@ def from_dict(data: Mapping[str, Any]) -> Event:
     return kind(**fields)
 
 
+def _finite(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {name: _finite(item) for name, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(item) for item in value]
+    return None if value == inf else value
+
+
 def _frozen(value: Any) -> Any:
     """JSON has lists where events have tuples."""
     return tuple(_frozen(item) for item in value) if isinstance(value, list) else value
 
 
 def _graph(data: Mapping[str, Any]) -> Graph:
-    endpoints = (Endpoint(**{**item, "qos": Qos(**item["qos"])}) for item in data["endpoints"])
+    endpoints = (Endpoint(**{**item, "qos": _qos(item["qos"])}) for item in data["endpoints"])
     services = (Service(**item) for item in data["services"])
     return Graph(tuple(data["nodes"]), tuple(endpoints), tuple(services))
+
+
+def _qos(data: Mapping[str, Any]) -> Qos:
+    return Qos(**{**data, "deadline": inf if data["deadline"] is None else data["deadline"]})

@@ -7,9 +7,10 @@ was built are attachments.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from io import BytesIO
 from pathlib import Path
@@ -18,13 +19,14 @@ from typing import Any
 from course.errors import StorageError
 from course.evidence import event_json
 from course.evidence.events import Event, MessageSeen, MessageSent
-from course.evidence.packages import BuiltPackages, packages_from_dict
+from course.evidence.packages import packages_from_dict
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
 
 EVENTS = "/ros2course/events"
 _NAME = "ros2course"
 _VERSION = "1"
+_ROS = "ros2msg"
 _NANO = 1_000_000_000
 
 
@@ -44,19 +46,21 @@ def save(recording: Recording, file: Path, *, began_ns: int) -> None:
         beside.write_bytes(_packed(recording, began_ns))
         beside.replace(file)
     except OSError as error:
-        beside.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            beside.unlink()
         raise StorageError(f"The recording could not be kept: {error.strerror}.") from error
 
 
 def load(file: Path) -> Recording:
-    """Read a recording back. Raises BadRecording when it is none."""
-    from mcap.exceptions import McapError
-    from mcap.reader import make_reader
-
+    """Read a recording back. Raises BadRecording when it is none, StorageError when it cannot be read."""
     try:
-        with file.open("rb") as stream:
-            return _unpacked(make_reader(stream))
-    except (McapError, KeyError, TypeError, ValueError) as error:
+        data = file.read_bytes()
+    except OSError as error:
+        raise StorageError(f"The recording {file} could not be read: {error.strerror}.") from error
+    try:
+        return _unpacked(tuple(_records(data)))
+    except Exception as error:
+        # The libraries below raise whatever their parsing of a damaged file ran into.
         raise BadRecording(f"{file}: {error}") from error
 
 
@@ -64,7 +68,7 @@ def _packed(recording: Recording, began_ns: int) -> bytes:
     from mcap.writer import Writer
 
     buffer = BytesIO()
-    writer = Writer(buffer)
+    writer = Writer(buffer, enable_data_crcs=True)
     writer.start(profile="ros2", library=_NAME)
     writer.add_metadata(_NAME, {"version": _VERSION, "exercise": recording.exercise, "began": str(began_ns)})
     for name, data in _attachments(recording).items():
@@ -91,7 +95,10 @@ class _Channels:
 
     def __init__(self, writer: Any, recording: Recording) -> None:
         self._writer = writer
-        self._definitions = recording.definitions
+        self._schemas = {
+            name: writer.register_schema(name, _ROS, text.encode())
+            for name, text in recording.definitions.items()
+        }
         self._known: dict[tuple[str, str, bool], int] = {}
         self._events: int | None = None
 
@@ -102,37 +109,58 @@ class _Channels:
         if self._events is None:
             schema = self._writer.register_schema("ros2course.Event", "jsonschema", b'{"type": "object"}')
             self._events = self._writer.register_channel(EVENTS, "json", schema)
-        return self._events, json.dumps(event_json.to_dict(event)).encode()
+        return self._events, json.dumps(event_json.to_dict(event), allow_nan=False).encode()
 
     def _ros(self, topic: str, type_name: str, sent: bool) -> int:
         key = (topic, type_name, sent)
         if key not in self._known:
-            schema = self._writer.register_schema(type_name, "ros2msg", self._definitions[type_name].encode())
             about = {_NAME: "sent" if sent else "seen"}
+            schema = self._schemas[type_name]
             self._known[key] = self._writer.register_channel(topic, "cdr", schema, about)
         return self._known[key]
 
 
-def _unpacked(reader: Any) -> Recording:
-    about = {item.name: item.metadata for item in reader.iter_metadata()}[_NAME]
+def _records(data: bytes) -> Iterator[Any]:
+    """The file's records in their order, all covered by checksums; without the index at its end."""
+    from mcap.records import DataEnd
+    from mcap.stream_reader import StreamReader
+
+    for record in StreamReader(BytesIO(data), validate_crcs=True).records:
+        if isinstance(record, DataEnd):
+            return
+        yield record
+    raise ValueError("the end of the data is missing")
+
+
+def _unpacked(records: tuple[Any, ...]) -> Recording:
+    from mcap.records import Attachment, Metadata, Schema
+
+    about = next(r.metadata for r in records if isinstance(r, Metadata) and r.name == _NAME)
     if about["version"] != _VERSION:
         raise ValueError(f"version {about['version']} of recordings is not known here")
-    parts = {item.name: json.loads(item.data) for item in reader.iter_attachments()}
-    began = int(about["began"])
-    definitions: dict[str, str] = {}
-    events = tuple(_events(reader, began, definitions))
-    sources = Sources(parts["sources.json"]["files"], tuple(parts["sources.json"]["others"]))
-    packages: BuiltPackages = packages_from_dict(parts["packages.json"])
+    parts = {r.name: json.loads(r.data) for r in records if isinstance(r, Attachment)}
+    schemas = [r for r in records if isinstance(r, Schema)]
     return Recording(
-        about["exercise"], events, definitions, sources, packages, parts["recording.json"]["duration"]
+        exercise=about["exercise"],
+        events=tuple(_events(records, {schema.id: schema.name for schema in schemas}, int(about["began"]))),
+        definitions={schema.name: schema.data.decode() for schema in schemas if schema.encoding == _ROS},
+        sources=Sources(parts["sources.json"]["files"], tuple(parts["sources.json"]["others"])),
+        packages=packages_from_dict(parts["packages.json"]),
+        duration=parts["recording.json"]["duration"],
     )
 
 
-def _events(reader: Any, began: int, definitions: dict[str, str]) -> Iterator[Event]:
-    for schema, channel, message in reader.iter_messages():
-        if channel.topic == EVENTS:
-            yield event_json.from_dict(json.loads(message.data))
-            continue
-        definitions[schema.name] = schema.data.decode()
-        kind = MessageSent if channel.metadata.get(_NAME) == "sent" else MessageSeen
-        yield kind((message.log_time - began) / _NANO, channel.topic, schema.name, message.data)
+def _events(records: tuple[Any, ...], types: Mapping[int, str], began: int) -> Iterator[Event]:
+    from mcap.records import Channel, Message
+
+    channels = {record.id: record for record in records if isinstance(record, Channel)}
+    for message in records:
+        if isinstance(message, Message):
+            yield _event(message, channels[message.channel_id], types, began)
+
+
+def _event(message: Any, channel: Any, types: Mapping[int, str], began: int) -> Event:
+    if channel.topic == EVENTS:
+        return event_json.from_dict(json.loads(message.data))
+    kind = MessageSent if channel.metadata.get(_NAME) == "sent" else MessageSeen
+    return kind((message.log_time - began) / _NANO, channel.topic, types[channel.schema_id], message.data)

@@ -13,6 +13,8 @@ from typing import Any
 
 SEPARATOR = "=" * 80
 _FIELD = re.compile(r"^\s*([A-Za-z][\w/]*)")
+# mcap_ros2 reads it as signed; in ROS 2 it is a uint8.
+_CHAR = re.compile(r"^(\s*)char(?=[\s\[])", re.MULTILINE)
 _PRIMITIVES = frozenset(
     "bool byte char float32 float64 int8 uint8 int16 uint16 int32 uint32 int64 uint64 string wstring".split()
 )
@@ -86,9 +88,18 @@ class Decoder:
         if type_name not in self._decoders:
             self._decoders[type_name] = _make_decoder(type_name, self._definitions[type_name])
         try:
-            return self._decoders[type_name](data)
+            return self._decoders[type_name](_Whole(data))
         except Exception as error:  # the library raises whatever its parsing ran into
             raise Undecodable(f"{type_name}: {error}") from error
+
+
+class _Whole(bytes):
+    """Bytes that refuse a slice beyond their end, where a plain slice would quietly give less."""
+
+    def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, slice) and key.stop > len(self):
+            raise IndexError(f"{key.stop} bytes are needed, there are {len(self)}")
+        return super().__getitem__(key)
 
 
 def _make_decoder(type_name: str, definition: str) -> Callable[[bytes], Any]:
@@ -97,7 +108,8 @@ def _make_decoder(type_name: str, definition: str) -> Callable[[bytes], Any]:
     from mcap.well_known import MessageEncoding, SchemaEncoding
     from mcap_ros2.decoder import DecoderFactory
 
-    schema = Schema(id=1, name=type_name, encoding=SchemaEncoding.ROS2, data=definition.encode())
+    plain = _CHAR.sub(r"\1uint8", definition)
+    schema = Schema(id=1, name=type_name, encoding=SchemaEncoding.ROS2, data=plain.encode())
     decoder = DecoderFactory().decoder_for(MessageEncoding.CDR, schema)
     if decoder is None:
         raise UnknownType(type_name)

@@ -166,7 +166,7 @@ class Listener:
         ago = (time.time_ns() - int(info["received_timestamp"])) / 1e9
         now = timeline.now()
         # A step of the wall clock in between must not move the message out of the recording.
-        moment = now - ago if 0.0 <= ago <= now else now
+        moment = round(now - ago, 9) if 0.0 <= ago <= now else now
         self.count += 1
         self._bytes += len(data)
         if self.count > MAX_MESSAGES or self._bytes > MAX_BYTES:

@@ -6,14 +6,17 @@ a file itself is the exercise (a package.xml), to judge it.
 
 from __future__ import annotations
 
+import contextlib
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import islice
 from pathlib import Path
 
 MAX_FILE = 256 * 1024
 MAX_TOTAL = 4 * 1024 * 1024
 MAX_FILES = 500
+MAX_DEPTH = 20
 _LEFT_OUT = frozenset({"__pycache__", "build", "install", "log", ".git", ".pytest_cache"})
 
 
@@ -41,12 +44,18 @@ class Sources:
 
 
 def read_sources(home: Path, roots: Iterable[str]) -> Sources:
-    """Read the files and folders `roots` (relative to `home`), bounded, following no symlink."""
+    """Read the files and folders `roots` (relative to `home`), each file once and not without end.
+
+    As for the build, a link counts as what it leads to if that lies in the course home, and so does
+    a root that is a link itself.
+    """
     files: dict[str, str] = {}
     others: list[str] = []
     total = 0
-    for path in _walk(home, roots):
-        name = path.relative_to(home).as_posix()
+    inside = home.resolve()
+    every = (path for root in roots for path in _at(home / root, inside))
+    for path in islice(dict.fromkeys(islice(every, 2 * MAX_FILES)), MAX_FILES):
+        name = os.fsencode(path.relative_to(home)).decode("utf-8", errors="replace")
         text = _text(path) if total < MAX_TOTAL else None
         if text is None:
             others.append(name)
@@ -56,27 +65,50 @@ def read_sources(home: Path, roots: Iterable[str]) -> Sources:
     return Sources(files, tuple(others))
 
 
-def _walk(home: Path, roots: Iterable[str]) -> list[Path]:
-    found: list[Path] = []
-    for root in roots:
-        start = home / root
-        if start.is_symlink():
-            continue
-        if start.is_file():
-            found.append(start)
-        for folder, folders, names in os.walk(start):
-            folders[:] = sorted(set(folders) - _LEFT_OUT)
-            found += [Path(folder, name) for name in sorted(names)]
-            if len(found) > MAX_FILES:
-                return found[:MAX_FILES]
-    return found
+def _at(root: Path, inside: Path) -> Iterable[Path]:
+    with contextlib.suppress(OSError):
+        if root.is_dir():
+            return _below(root, inside, MAX_DEPTH)
+        if root.is_file():
+            return (root,)
+    return ()
+
+
+def _below(folder: Path, inside: Path, depth: int) -> Iterator[Path]:
+    """Files below a folder, its own before those of folders in it, by name."""
+    found = _entries(folder, inside)
+    yield from (path for path, is_folder in found if not is_folder)
+    for path, is_folder in found:
+        if is_folder and depth > 1 and path.name not in _LEFT_OUT:
+            yield from _below(path, inside, depth - 1)
+
+
+def _entries(folder: Path, inside: Path) -> list[tuple[Path, bool]]:
+    """What lies in a folder, and whether it is one itself; links that lead away are left out."""
+    try:
+        with os.scandir(folder) as entries:
+            few = list(islice(entries, 2 * MAX_FILES))
+        return sorted((Path(e.path), e.is_dir()) for e in few if not _leads_away(Path(e.path), inside))
+    except OSError:
+        return []
+
+
+def _leads_away(path: Path, inside: Path) -> bool:
+    """Whether this is a link out of the course home, or up to a folder that holds it."""
+    if not path.is_symlink():
+        return False
+    try:
+        target = path.resolve()
+    except (OSError, RuntimeError):  # a link to itself
+        return True
+    return not target.is_relative_to(inside) or path.parent.resolve().is_relative_to(target)
 
 
 def _text(path: Path) -> str | None:
-    """The file's text; None for a symlink, a device, something large or not UTF-8."""
+    """The file's text; None for a device, something large or not UTF-8."""
     try:
-        if path.is_symlink() or not path.is_file() or path.stat().st_size > MAX_FILE:
+        if not path.is_file() or path.stat().st_size > MAX_FILE:
             return None
-        return path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError):
         return None

@@ -24,8 +24,8 @@ class Timeline:
         self._events: list[Event] = []
 
     def now(self) -> float:
-        """Seconds since the recording began."""
-        return time.monotonic() - self._zero
+        """Seconds since the recording began, in whole nanoseconds: those are what a file can keep."""
+        return round(time.monotonic() - self._zero, 9)
 
     def add(self, event: Event) -> None:
         with self._changed:

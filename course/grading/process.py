@@ -31,15 +31,10 @@ from course.grading.outcome import our_error
 from course.grading.plugin import JudgePlugin
 
 _PYTEST = (
-    "-q",
-    "-p",
-    "no:cacheprovider",
-    "-p",
-    "no:faulthandler",
-    "--tb=short",
-    "-W",
-    "ignore",
-    "--capture=no",
+    # graders/conftest.py is for `pytest graders/`; no conftest has a say in a grading.
+    "--noconftest",
+    *("-p", "no:cacheprovider", "-p", "no:faulthandler"),
+    *("-q", "--tb=short", "--capture=no", "-W", "ignore"),
 )
 
 

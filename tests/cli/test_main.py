@@ -60,6 +60,17 @@ def test_a_broken_lesson_names_file_line_and_key(
     assert "tiem_limit" in flat and "time_limit" in flat
 
 
+def test_a_folder_that_is_gone_is_no_bug(
+    ros2course: Ros2course, home: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "gone").mkdir()
+    monkeypatch.chdir(tmp_path / "gone")
+    (tmp_path / "gone").rmdir()
+    run = ros2course("list")
+    assert run.code == 2
+    assert "does not exist any more" in run.err
+
+
 def test_no_course_there(ros2course: Ros2course, tmp_path: Path) -> None:
     run = ros2course("list", course=tmp_path)
     assert run.code == 2
@@ -137,6 +148,24 @@ def test_a_reader_that_goes_away_is_no_error(ros2course: Ros2course, home: Path,
     with os.fdopen(writing, "wb") as pipe:
         done = subprocess.run(
             command, stdout=pipe, stderr=subprocess.PIPE, env=environment(home), text=True, check=False
+        )
+    assert done.stderr == ""
+
+
+def test_what_is_left_to_write_for_it_is_no_error_either() -> None:
+    code = (
+        "import sys, course.cli.main as m; m._dispatch = lambda words: print('x') or 0; sys.exit(m.main([]))"
+    )
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "wb") as pipe:
+        done = subprocess.run(
+            [sys.executable, "-c", code],
+            stdout=pipe,
+            stderr=subprocess.PIPE,
+            cwd=REPO,
+            text=True,
+            check=False,
         )
     assert done.stderr == ""
 

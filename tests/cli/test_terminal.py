@@ -157,9 +157,13 @@ def test_a_shell_in_the_course_home_with_ros_ready(start: Start, tmp_path: Path)
     assert ended(child) == 7
 
 
-def test_the_shell_s_cache_is_the_one_outside(start: Start) -> None:
+def test_the_shell_s_cache_is_the_one_outside(
+    start: Start, guarded_home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("ROS2COURSE_CACHE")
+    monkeypatch.delenv("XDG_CACHE_HOME")
     child = start("shell", "-c", 'echo "<$ROS2COURSE_CACHE>"; exit 3')
-    child.expect_exact(f"<{os.environ['ROS2COURSE_CACHE']}>")
+    child.expect_exact(f"<{guarded_home}/.cache/ros2course>")
     assert ended(child) == 3
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from course.report.markdown import put_markdown
@@ -76,6 +77,14 @@ def test_code_in_a_list_is_wrapped_and_not_cut(page: Page) -> None:
     put_markdown(page.console, f"- item\n\n  ```\n  {' '.join(words)}\n  ```\n")
     assert page.text.split()[2:] == words
     assert max(map(len, page.lines)) <= 80
+
+
+def test_coloured_code_in_a_list_is_wrapped_too(colour_page: Page) -> None:
+    words = [f"word{number}" for number in range(40)]
+    put_markdown(colour_page.console, f"- item\n\n  ```bash\n  {' '.join(words)}\n  ```\n")
+    text = re.sub(r"\x1b\[[0-9;]*m", "", colour_page.text)
+    assert text.split()[2:] == words
+    assert max(map(len, text.splitlines())) <= 80
 
 
 def test_controls_in_a_lesson_do_nothing(page: Page) -> None:

@@ -81,6 +81,11 @@ def test_what_changed_since_the_last_time(page: Page) -> None:
     assert "(last time 3.5)" in page.text
 
 
+def test_what_failed_before_is_no_news(page: Page) -> None:
+    render_result(page.console, FAILED, Named(), FAILED)
+    assert "the last time" not in page.text and "last time" not in page.text
+
+
 def test_a_pass_is_said_plainly(page: Page) -> None:
     render_result(page.console, Result("18-publisher", Verdict.PASSED, (BUILDS,)), Named())
     assert "  Passed: 1 of 1 point." in page.lines

@@ -7,13 +7,14 @@ first that says so is believed, so the more particular ones come first.
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 from course.build.digest import cmake, compiler, python, rosidl
 from course.build.digest.case import Case, readable
 from course.build.digest.missing import manifest_place, too_much, unreadable
 from course.build.outcome import BuildFailure
 
-__all__ = ["Case", "explain", "not_installed", "readable", "too_much", "unreadable"]
+__all__ = ["Case", "explain", "explain_success", "readable", "too_much", "unreadable"]
 
 _NOISE = re.compile(
     r"^\s*$|^gmake|^make|^\[ *\d+%\]|^-- |^\[\d+\.\d+s\] WARNING:colcon|^Traceback|^ +\^+ *$|^running "
@@ -29,9 +30,18 @@ def explain(case: Case) -> BuildFailure:
     return _last_lines(case)
 
 
-def not_installed(case: Case) -> BuildFailure:
-    """colcon was content, but ROS will not find the package."""
+def explain_success(case: Case, prefix: Path) -> BuildFailure | None:
+    """What is wrong although colcon is content; None if nothing is."""
+    if failure := rosidl.reserved_word(case):
+        return failure
     name, build_type = case.package.name, case.package.build_type
+    marker = prefix / "share/ament_index/resource_index/packages" / name
+    installed = marker.exists() or (build_type == "cmake" and prefix.exists())
+    return None if installed else _not_installed(case, name, build_type)
+
+
+def _not_installed(case: Case, name: str, build_type: str) -> BuildFailure:
+    """ROS will not find the package."""
     if any("No task extension to 'build'" in line for line in case.lines):
         summary = f"package.xml of `{name}` has the build type {build_type}, which does not exist."
         advice = "Write ament_python for a Python package, ament_cmake for one with a CMakeLists.txt."

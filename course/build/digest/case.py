@@ -21,7 +21,7 @@ class Case:
     """A build that did not work.
 
     source: the copy that was built; lines: what was printed, with the learner's paths in it.
-    installed: names of the ROS packages that the build could use.
+    prefixes: where the packages lie that the build could use.
     ask_setup_py: runs `setup.py --name` on the copy; what it prints, likewise.
     """
 
@@ -30,12 +30,22 @@ class Case:
     source: Path
     lines: tuple[str, ...]
     log: Path
-    installed: Callable[[], frozenset[str]]
+    prefixes: tuple[Path, ...]
     ask_setup_py: Callable[[], tuple[str, ...]]
 
     def known_packages(self) -> frozenset[str]:
         """Names of all packages that this one could depend on."""
-        return self.installed() | {package.name for package in self.workspace.packages} - {self.package.name}
+        indices = [prefix / "share/ament_index/resource_index/packages" for prefix in self.prefixes]
+        installed = {file.name for index in indices if index.is_dir() for file in index.iterdir()}
+        return frozenset(installed | {package.name for package in self.workspace.packages}) - {
+            self.package.name
+        }
+
+    def packages_with(self, message: str) -> list[str]:
+        """Names of the packages that have a message of that name."""
+        return sorted(
+            {file.parts[-3] for top in self.prefixes for file in top.glob(f"share/*/msg/{message}.msg")}
+        )
 
     def place(self, file: str, line: int | None = None) -> Location:
         """`file` is relative to the package."""
@@ -49,6 +59,11 @@ class Case:
     def line_of(self, file: str, pattern: str) -> int | None:
         """The first line of `file` that matches the pattern anywhere."""
         return line_matching(self.text(file), pattern)
+
+    def at(self, file: str, line: int | None) -> tuple[str, ...]:
+        """That line of the file, to be shown; nothing without a line."""
+        lines = self.text(file).splitlines()
+        return (lines[line - 1].strip(),) if line and line <= len(lines) else ()
 
     def own_file(self, shown: str) -> str | None:
         """A path from the log, relative to the package; None for files of others."""

@@ -11,8 +11,11 @@ from course.build.digest.missing import like, manifest_place
 from course.build.outcome import BuildFailure
 from course.feedback import Location
 
+_LONGEST = 160  # characters of CMake's own words in a summary
+
 _HEAD = re.compile(
-    r"^CMake Error(?: at (?P<file>.+?):(?P<line>\d+)(?: \((?P<command>\w+)\))?| in (?P<list>\S+?))?:\s?(?P<rest>.*)$"
+    r"^CMake Error(?: at (?P<file>.+?):(?P<line>\d+)(?: \((?P<command>\w+)\))?| in (?P<list>\S+?))?:"
+    r"\s?(?P<rest>.*)$"
 )
 _FRAME = re.compile(r"^\s+(?P<file>.+?):(?P<line>\d+) \((?P<command>\w+)\)$")
 
@@ -31,8 +34,9 @@ _BROUGHT_BY = {
 }
 _OWN_COMMANDS = (
     "add_executable", "add_library", "add_subdirectory", "add_compile_options", "cmake_minimum_required",
-    "find_package", "if", "endif", "include_directories", "install", "project", "set", "set_target_properties",
-    "target_compile_features", "target_include_directories", "target_link_libraries", "target_sources",
+    "find_package", "if", "endif", "include_directories", "install", "project", "set",
+    "set_target_properties", "target_compile_features", "target_include_directories",
+    "target_link_libraries", "target_sources",
 )  # fmt: skip
 
 
@@ -47,13 +51,23 @@ class CMakeError:
     command: str | None
 
 
+Explain = Callable[[Case, CMakeError, re.Match[str]], BuildFailure | None]
+
+
 def digest(case: Case) -> BuildFailure | None:
     errors = cmake_errors(case)
-    for error in errors:
-        for pattern, explain in _EXPLANATIONS:
-            if found := re.search(pattern, error.text):
-                return explain(case, error, found)
-    return _as_said(case, errors[0]) if errors else None
+    return explained(case, errors, _EXPLANATIONS) or (_as_said(case, errors[0]) if errors else None)
+
+
+def explained(
+    case: Case, errors: Sequence[CMakeError], explanations: Sequence[tuple[str, Explain]]
+) -> BuildFailure | None:
+    """The first explanation that fits one of the errors: those of causes come before those of effects."""
+    for pattern, explain in explanations:
+        for error in errors:
+            if (found := re.search(pattern, error.text)) and (failure := explain(case, error, found)):
+                return failure
+    return None
 
 
 def cmake_errors(case: Case) -> list[CMakeError]:
@@ -70,7 +84,7 @@ def _read(case: Case, lines: Sequence[str]) -> CMakeError:
     frames = [head, *(found for line in _indented(calls[1:]) if (found := _FRAME.match(line)))]
     own = [frame for frame in frames if case.own_file(frame["file"] or "")]
     text = re.sub(r"\s+", " ", " ".join((head["rest"], *body))).strip()
-    printed = (lines[0].strip(), *(line.strip() for line in body if line.strip()))
+    printed = tuple(line.strip() for line in (head["rest"], *body) if line.strip())
     if own:
         return CMakeError(
             text, printed, case.own_file(own[0]["file"]) or "", int(own[0]["line"]), own[0]["command"]
@@ -92,12 +106,29 @@ def _place(case: Case, error: CMakeError) -> Location:
 
 
 def _as_said(case: Case, error: CMakeError) -> BuildFailure:
-    sentence = re.split(r"(?<=[.!?])\s", error.text, maxsplit=1)[0].rstrip(".")
+    sentence = re.split(r"(?<=[.!?:])\s", error.text, maxsplit=1)[0].rstrip(".:")[:_LONGEST]
     summary = f"CMake cannot configure `{case.package.name}`: {sentence}."
     return case.failure("cmake", summary, where=[_place(case, error)], details=error.printed)
 
 
 # ------------------------------------------------------------------------------------- explanations
+
+
+def _no_minimum(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailure:
+    summary = f"CMakeLists.txt of `{case.package.name}` does not begin with `cmake_minimum_required`."
+    advice = "Add `cmake_minimum_required(VERSION 3.8)` as the first line."
+    return case.failure("cmake-minimum", summary, where=[case.place("CMakeLists.txt", 1)], advice=advice)
+
+
+def _no_braces(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailure:
+    variable = found.group(1)
+    summary = f"CMakeLists.txt of `{case.package.name}` uses the variable {variable} without braces."
+    advice = f"Write `${{{variable}}}`: a variable's name stands within `${{` and `}}`."
+    line = case.line_of("CMakeLists.txt", rf"\${variable}\b") or error.line
+    where = [case.place("CMakeLists.txt", line)]
+    return case.failure(
+        "cmake-variable", summary, where=where, advice=advice, details=case.at("CMakeLists.txt", line)
+    )
 
 
 def _not_closed(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailure:
@@ -110,7 +141,7 @@ def _not_closed(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFai
         summary,
         where=[case.place(error.file, line)],
         advice=advice,
-        details=error.printed[:2],
+        details=case.at(error.file, error.line),
     )
 
 
@@ -138,7 +169,11 @@ def _unknown_command(case: Case, error: CMakeError, found: re.Match[str]) -> Bui
         near = like(command, (*_BROUGHT_BY, *_OWN_COMMANDS))
         advice = f"Did you mean `{near}`?" if near else "Is a `find_package` missing above it?"
     return case.failure(
-        "cmake-command", summary, where=[_place(case, error)], advice=advice, details=error.printed[:2]
+        "cmake-command",
+        summary,
+        where=[_place(case, error)],
+        advice=advice,
+        details=case.at(error.file, error.line),
     )
 
 
@@ -148,13 +183,13 @@ def _package_not_found(case: Case, error: CMakeError, found: re.Match[str]) -> B
     if own and not case.package.depends_on(name):
         return _undeclared(case, error, name)
     where = [_place(case, error)]
-    details = [error.printed[0], f"find_package({name} ...)"]
+    details = case.at(error.file, error.line)
     if own:
         summary = f"`{name}` was built, but CMake cannot use it."
         advice = f"Does {own.source}/CMakeLists.txt end with `ament_package()`?"
         where.append(Location(f"{own.source}/CMakeLists.txt"))
     else:
-        summary = f"{error.file} of `{case.package.name}` looks for the package `{name}`, which does not exist here."
+        summary = f"{error.file} of `{case.package.name}` looks for `{name}`, which does not exist here."
         advice = _where_from(case, name)
     return case.failure("dependency-missing", summary, where=where, advice=advice, details=details)
 
@@ -181,8 +216,16 @@ def after_dependencies(case: Case) -> Location:
 
 
 def _project_name(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailure:
-    name, project = found.group(1), found.group(2)
-    if project == "Project":
+    return _wrong_project(case, found.group(2))
+
+
+def _bad_project(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailure:
+    return _wrong_project(case, found.group(1))
+
+
+def _wrong_project(case: Case, project: str) -> BuildFailure:
+    name = case.package.name
+    if project == "Project":  # what CMake takes when there is no project()
         summary = f"CMakeLists.txt of `{name}` does not call `project({name})`."
         where = [case.place("CMakeLists.txt", 1)]
     else:
@@ -190,7 +233,7 @@ def _project_name(case: Case, error: CMakeError, found: re.Match[str]) -> BuildF
         where = [case.place("CMakeLists.txt", case.line_of("CMakeLists.txt", r"(?i)^\s*project\s*\("))]
     advice = f"Write `project({name})` below `cmake_minimum_required`."
     where.append(manifest_place(case.package, "name"))
-    return case.failure("names-differ", summary, where=where, advice=advice, details=error.printed[1:4])
+    return case.failure("names-differ", summary, where=where, advice=advice)
 
 
 def _no_list(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailure:
@@ -232,15 +275,15 @@ def _files(case: Case) -> list[str]:
     return [path.relative_to(case.source).as_posix() for path in case.source.rglob("*")]
 
 
-Explain = Callable[[Case, CMakeError, re.Match[str]], BuildFailure]
-
-# The first that fits, of the first error that one fits, is the cause.
 _EXPLANATIONS: tuple[tuple[str, Explain], ...] = (
+    (r"No cmake_minimum_required command is present", _no_minimum),
     (r"Parse error\. Function missing ending", _not_closed),
     (r"(Parse error\. .*?[.])(?:\s|$)", _syntax),
     (r'Unknown CMake command "(\w+)"', _unknown_command),
     (r'package configuration file provided by "(\S+?)"', _package_not_found),
     (r"package name '(\S+)' in '\S*' does not match current PROJECT_NAME '(\S+?)'", _project_name),
+    (r"'(\S+)' is an invalid package name", _bad_project),
+    (r'target name "\$(\w+)" is reserved', _no_braces),
     (r"does not appear to contain CMakeLists\.txt", _no_list),
     (r"Cannot find source file: (\S+)", _no_source),
     (r'file INSTALL cannot find "(.+?)"', _nothing_to_install),

@@ -53,7 +53,7 @@ def _linker(case: Case) -> BuildFailure | None:
     for number, line in enumerate(case.lines):
         details = case.lines[max(0, number - 1) : number + 1]
         if found := _UNDEFINED.search(line):
-            summary = f"`{found.group(1)}` is used, but no source file or library of `{case.package.name}` defines it."
+            summary = f"`{found.group(1)}` is used, but nothing in `{case.package.name}` defines it."
             advice = "Is its .cpp file listed in CMakeLists.txt, and are the libraries it comes from linked?"
             return case.failure("linker", summary, where=_lists(case), advice=advice, details=details)
         if found := _LIBRARY.search(line):

@@ -38,7 +38,7 @@ def digest(case: Case) -> BuildFailure | None:
 def _no_setup_py(case: Case) -> BuildFailure:
     name, where = case.package.name, [manifest_place(case.package, "build_type")]
     if case.text("CMakeLists.txt"):
-        summary = f"package.xml of `{name}` says ament_python, but the package has a CMakeLists.txt and no setup.py."
+        summary = f"package.xml of `{name}` says ament_python, but there is a CMakeLists.txt and no setup.py."
         advice = "If it is a CMake package, write `<build_type>ament_cmake</build_type>`."
         return case.failure("build-type", summary, where=where, advice=advice)
     if (case.source / "setup.py").exists():
@@ -55,7 +55,7 @@ def _missing_file(case: Case) -> BuildFailure | None:
     found = _first(_COPY, case.lines)
     if not found:
         return None
-    file, line = found.group(1), found.group(0)
+    file, line = found.group(1), found.string
     if file.startswith("resource/"):
         return _marker(case, PurePosixPath(file).name, line)
     where = [case.place("setup.py", _data_line(case, file))]
@@ -140,10 +140,10 @@ def _exception(case: Case, kind: str, message: str, said: Sequence[str]) -> Buil
     line = next((int(m.group(2)) for text in reversed(said) if (m := _own_frame(text))), None)
     telling = _from_last_frame(said)
     if kind in ("SyntaxError", "IndentationError", "TabError"):
-        summary = f"setup.py of `{case.package.name}` is not Python: {message}."
+        summary = f"setup.py of `{case.package.name}` is not Python: {message.rstrip('?.')}."
         advice = "Look at that line and the one above it for a missing comma, quote or bracket."
     else:
-        summary = f"setup.py of `{case.package.name}` stops with {kind}: {message}."
+        summary = f"setup.py of `{case.package.name}` stops with {kind}: {message.rstrip('.')}."
         advice = _import_advice(message)
     where = [case.place("setup.py", line)]
     return case.failure("setup-py", summary, where=where, advice=advice, details=telling)
@@ -164,14 +164,16 @@ def _import_advice(message: str) -> str:
     found = re.search(r"name '(\w+)' is not defined", message)
     if found and (line := _IMPORTS.get(found.group(1))):
         return f"Add `{line}` at the top of setup.py."
+    if message.startswith(("No module named", "cannot import name")):
+        return "Correct or remove that import: setup.py needs little more than setuptools, os and glob."
     return "Run `python3 setup.py --name` in the package's folder to see it for yourself."
 
 
 def _setup_cfg(case: Case, line: int, said: Sequence[str]) -> BuildFailure:
     summary = f"setup.cfg of `{case.package.name}` cannot be read: line {line} is not right."
-    advice = "It consists of sections such as `[install]` and lines such as `install_scripts=$base/lib/my_package`."
-    text = case.text("setup.cfg").splitlines()
-    details = [*text[line - 1 : line], said[-1]]
+    scripts = f"$base/lib/{case.package.name}"
+    advice = f"It has sections such as `[install]`, and lines such as `install_scripts={scripts}`."
+    details = [*case.at("setup.cfg", line), next(text for text in said if _EXCEPTION.match(text))]
     return case.failure(
         "setup-cfg", summary, where=[case.place("setup.cfg", line)], advice=advice, details=details
     )
@@ -190,9 +192,10 @@ def _comma(case: Case, point: EntryPoint, said: Sequence[str]) -> BuildFailure:
     first, second = point.parts[0], point.parts[1]
     text = case.text("setup.py").splitlines()
     summary = (
-        f"A comma is missing in setup.py of `{case.package.name}`, after the entry point of line {first}."
+        f"A comma is missing in setup.py of `{case.package.name}`, after the entry point in line {first}."
     )
-    advice = f"Put a comma at the end of line {first}: without it, Python joins the strings of lines {first} and {second} to one."
+    advice = f"Put one at the end of line {first}: without it, Python joins the strings of "
+    advice += f"lines {first} and {second} to one."
     details = [text[first - 1], text[second - 1], *(line for line in said if line.startswith("error"))]
     return case.failure(
         "entry-point", summary, where=[case.place("setup.py", first)], advice=advice, details=details

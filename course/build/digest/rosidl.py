@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 
 from course.build.digest.case import Case
-from course.build.digest.cmake import CMakeError, after_dependencies, cmake_errors
+from course.build.digest.cmake import CMakeError, Explain, after_dependencies, cmake_errors, explained
 from course.build.digest.missing import like
 from course.build.outcome import BuildFailure
 from course.feedback import Location
@@ -23,11 +22,7 @@ _FOLDERS = ("msg", "srv", "action")
 
 
 def digest(case: Case) -> BuildFailure | None:
-    for error in cmake_errors(case):
-        for pattern, explain in _EXPLANATIONS:
-            if found := re.search(pattern, error.text):
-                return explain(case, error, found)
-    return _type_not_found(case)
+    return explained(case, cmake_errors(case), _EXPLANATIONS) or _type_not_found(case)
 
 
 # ------------------------------------------------------------------------------- CMakeLists.txt
@@ -69,7 +64,7 @@ def _not_looked_for(case: Case, error: CMakeError, found: re.Match[str]) -> Buil
         advice = f"Correct `find_package` in line {wrong}: it must be `find_package({name} REQUIRED)`."
     where = [case.place("CMakeLists.txt", wrong or error.line)]
     return case.failure(
-        "find-package-missing", summary, where=where, advice=advice, details=error.printed[1:3]
+        "find-package-missing", summary, where=where, advice=advice, details=error.printed[:2]
     )
 
 
@@ -79,7 +74,7 @@ def _no_group(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailu
     advice = f"Add `{line}` below the dependencies."
     wrong = case.line_of("package.xml", r"<member_of_group>")
     where = [case.place("package.xml", wrong) if wrong else after_dependencies(case)]
-    return case.failure("member-of-group", summary, where=where, advice=advice, details=error.printed[1:3])
+    return case.failure("member-of-group", summary, where=where, advice=advice, details=error.printed[:2])
 
 
 def _too_late(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailure:
@@ -97,14 +92,14 @@ def _bad_definition(case: Case, error: CMakeError, found: re.Match[str]) -> Buil
     line, problem = found.group(1), found.group(3)
     where = [_definition(case, line, found.group(2))]
     type_, _, rest = line.partition(" ")
-    if bad := re.search(r"'(\S+)' is an invalid field name", problem):
+    if bad := re.search(r"'([^\s']+)' is an invalid field name", problem):
         return _bad_field(case, bad.group(1), line, where)
     return _bad_type(case, type_, rest.strip(), line, where)
 
 
 def _bad_field(case: Case, name: str, line: str, where: list[Location]) -> BuildFailure:
     right = snake_case(name)
-    summary = f"A field cannot be called `{name}`: {where[0]} must follow the rules for names."
+    summary = f"A field cannot be called `{name}`, as {_shown(where)} has it."
     advice = "Names of fields are in lower case, with underscores between words"
     advice += f": `{right}`." if right != name else ", and begin with a letter."
     if name.endswith(";"):
@@ -123,13 +118,17 @@ def _bad_type(case: Case, type_: str, name: str, line: str, where: list[Location
         advice = f"`{bare}` alone would be right: is a bracket or a colon too many?"
     else:
         advice = _type_advice(case, bare)
-    summary = f"There is no type `{type_}`: {where[0]} uses it."
+    summary = f"There is no type `{type_}`, which {_shown(where)} uses."
     return case.failure("field-type", summary, where=where, advice=advice, details=[line])
 
 
 def _type_advice(case: Case, type_: str) -> str:
     own = [PurePosixPath(file).stem for file in interface_files(case) if file.startswith("msg/")]
     near = _ELSEWHERE.get(type_.lower()) or like(type_.lower(), PRIMITIVES) or like(type_, own)
+    if packages := case.packages_with(type_):
+        return (
+            f"Did you mean `{packages[0]}/{type_}`? A message of another package is written with its package."
+        )
     if near and near != type_:
         return f"Did you mean `{near}`?"
     return (
@@ -152,7 +151,7 @@ def _bad_file_name(case: Case, error: CMakeError, found: re.Match[str]) -> Build
 def _not_a_field(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailure:
     line = found.group(1).strip()
     where = [_definition(case, line, "")]
-    summary = f"`{line}` is not a field of an interface ({where[0]})."
+    summary = f"`{line}` in {_shown(where)} is not a field of an interface."
     advice = "A field is a type, a space and a name, on a line of its own: `int32 id`."
     return case.failure("field", summary, where=where, advice=advice, details=[line])
 
@@ -196,7 +195,8 @@ def _bad_constant(case: Case, error: CMakeError, found: re.Match[str]) -> BuildF
     name = found.group(1)
     where = _where_matching(case, rf"\b{re.escape(name)}\s*=")
     summary = f"`{name}` cannot be the name of a constant."
-    advice = f"A line with `=` defines a constant, which is written in capitals: `{name.upper()}`. A field has no `=`."
+    advice = "A field has no `=`; a line with one defines a constant, which is written in capitals: "
+    advice += f"`{name.upper()}`."
     return case.failure("field-name", summary, where=where, advice=advice)
 
 
@@ -216,6 +216,17 @@ def _bad_suffix(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFai
     summary = f"CMakeLists.txt lists a file that ends in `{suffix}`, which is no kind of interface."
     advice = "Interface files end in `.msg`, `.srv` or `.action`."
     return case.failure("interface-name", summary, where=[case.place("CMakeLists.txt", line)], advice=advice)
+
+
+def reserved_word(case: Case) -> BuildFailure | None:
+    """A field that Python cannot have: the build goes on without its Python part."""
+    for line in case.lines:
+        if found := re.match(r"Member name '(\w+)' in the \w+ '(\w+)' is a reserved keyword in Python", line):
+            name = found.group(1)
+            where = _where_matching(case, rf"^\s*\S+\s+{name}\b")
+            summary = f"A field cannot be called `{name}`: that is a word of Python's own."
+            return case.failure("field-name", summary, where=where, advice="Give it another name.")
+    return None
 
 
 # -------------------------------------------------------------------------- types of other packages
@@ -240,16 +251,19 @@ def _package_not_listed(case: Case, package: str) -> BuildFailure:
         summary = f"There is no package `{package}`, which {_shown(uses)} takes a type from."
         advice = f"Did you mean `{near}`?" if near else "Is it spelt right, and is it in your workspace?"
         return case.failure("field-type", summary, where=uses, advice=advice)
-    listing = case.line_of("CMakeLists.txt", r"^\s*DEPENDENCIES\b") or case.line_of(
-        "CMakeLists.txt", r"rosidl_generate_interfaces\s*\("
-    )
-    summary = (
-        f"CMakeLists.txt does not name `{package}` in DEPENDENCIES, but {_shown(uses)} uses one of its types."
-    )
+    return _package_not_in_dependencies(case, package, uses)
+
+
+def _package_not_in_dependencies(case: Case, package: str, uses: list[Location]) -> BuildFailure:
+    summary = f"CMakeLists.txt does not name `{package}` in DEPENDENCIES, but {_shown(uses)} needs it."
+    named = case.line_of("CMakeLists.txt", r"^\s*DEPENDENCIES\b")
+    line = named or case.line_of("CMakeLists.txt", r"rosidl_generate_interfaces\s*\(")
     advice = f"Write `DEPENDENCIES {package}` at the end of `rosidl_generate_interfaces(...)`"
+    if named:
+        advice = f"Add `{package}` after `DEPENDENCIES`"
     if not case.line_of("CMakeLists.txt", rf"find_package\s*\(\s*{re.escape(package)}\b"):
         advice += f", and `find_package({package} REQUIRED)` above it"
-    where = [case.place("CMakeLists.txt", listing), *uses]
+    where = [case.place("CMakeLists.txt", line), *uses]
     return case.failure("dependencies", summary, where=where, advice=f"{advice}.")
 
 
@@ -269,8 +283,6 @@ def _no_such_message(case: Case, package: str, message: str, folder: str) -> Bui
 
 
 def _messages(folder: str, package: str) -> list[str]:
-    from pathlib import Path
-
     return [file.stem for file in Path(folder, package, "msg").glob("*.msg")]
 
 
@@ -315,22 +327,23 @@ def _matching(case: Case, file: str, pattern: str) -> list[int]:
 
 
 def _shown(uses: list[Location]) -> str:
-    return PurePosixPath(uses[0].file).name if uses else "an interface"
+    if not uses:
+        return "an interface"
+    name = PurePosixPath(uses[0].file).name
+    return f"line {uses[0].line} of {name}" if uses[0].line else name
 
-
-Explain = Callable[[Case, CMakeError, re.Match[str]], BuildFailure | None]
 
 _EXPLANATIONS: tuple[tuple[str, Explain], ...] = (
     (r"the passed file '(.+?)' doesn't exist", _file_not_there),
     (r"the passed dependency '(\S+)' has not been found", _not_looked_for),
     (r"must include '<member_of_group>", _no_group),
     (r"must be called before ament_package", _too_late),
+    (r"InvalidValue: value '(.*?)' can not be converted to type '(\S+?)'", _bad_value),
     (r"Error processing '(.+?)' of '[^'/]*/(\w+)': (.*?)Traceback", _bad_definition),
     (r"InvalidResourceName: '(\S+)' is an invalid message name", _bad_file_name),
     (r"InvalidFieldDefinition: (.+)$", _not_a_field),
     (r"Could not find (?:unique )?separator", _no_separator),
     (r"duplicate names: (\w+)", _twice),
     (r"'(\S+)' is an invalid constant name", _bad_constant),
-    (r"InvalidValue: value '(.*?)' can not be converted to type '(\S+?)'", _bad_value),
-    (r"Unsupported interface type '(\S+)'", _bad_suffix),
+    (r"AssertionError: Unsupported interface type '(\S+)'", _bad_suffix),
 )

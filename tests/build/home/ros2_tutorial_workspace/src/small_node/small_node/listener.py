@@ -2,4 +2,4 @@
 
 
 def main():
-    print('listener here')
+    print("listener here")

@@ -2,4 +2,4 @@
 
 
 def main():
-    print('talker here')
+    print("talker here")

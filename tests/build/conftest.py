@@ -1,0 +1,72 @@
+"""A course home with two small packages to break, and the ROS they are built with."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from course.build import BuildOutcome, Store, Workspace, build, one
+from course.build.colcon import colcon_command
+from course.rosenv import Ros, find_ros, prepare
+
+HOME = Path(__file__).parent / "home"
+WORKSPACE = "ros2_tutorial_workspace"
+SRC = f"{WORKSPACE}/src"
+
+# Installs what ROS looks for, and counts its runs: a stand-in where colcon itself is not what is tested.
+QUICK_BUILD = """
+import pathlib, sys
+name, source, install, runs = sys.argv[1:5]
+with open(runs, "a") as file:
+    file.write(name + "\\n")
+exec(pathlib.Path(source, "quick.py").read_text() if pathlib.Path(source, "quick.py").exists() else "")
+marker = pathlib.Path(install, name, "share/ament_index/resource_index/packages", name)
+marker.parent.mkdir(parents=True)
+marker.touch()
+"""
+
+
+@pytest.fixture(scope="session")
+def ros() -> Ros:
+    found = find_ros()
+    prepare(found)
+    return found
+
+
+@pytest.fixture
+def home(tmp_path: Path) -> Path:
+    """A course home of one's own, with the packages small_interfaces and small_node."""
+    return shutil.copytree(HOME, tmp_path / "home")
+
+
+@pytest.fixture
+def src(home: Path) -> Path:
+    return home / SRC
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Store:
+    return Store(tmp_path / "store")
+
+
+@pytest.fixture
+def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[str]]:
+    """Replaces colcon by something quick; called, it says which packages were built, in order."""
+    file = tmp_path / "runs"
+
+    def quick(package: object, entry: object, *_: object) -> list[str]:
+        arguments = (package.name, entry.src, entry.install, file)  # type: ignore[attr-defined]
+        return [sys.executable, "-S", "-c", QUICK_BUILD, *map(str, arguments)]
+
+    monkeypatch.setattr(one, colcon_command.__name__, quick)
+    return lambda: file.read_text().split() if file.exists() else []
+
+
+@pytest.fixture
+def built(home: Path, ros: Ros, store: Store) -> Callable[..., BuildOutcome]:
+    """Builds packages of the course home as it stands now."""
+    return lambda *names, **options: build(Workspace.scan(home / WORKSPACE), names, ros, store, **options)
