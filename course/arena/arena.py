@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from course.arena.executables import command_for
 from course.arena.leftovers import end_descendants
@@ -18,9 +18,12 @@ from course.errors import OurFault
 from course.evidence.events import ExecutableMissing, FileKept, Marked, MessageSeen, OutputLine
 from course.evidence.graph import Graph
 from course.evidence.packages import BuiltPackages
-from course.evidence.recorder import Listener, Recorder, Stimulus
 from course.evidence.recording import ROSOUT
+from course.evidence.sources import MAX_FILE
 from course.evidence.timeline import Timeline
+
+if TYPE_CHECKING:
+    from course.evidence.recorder import Listener, Recorder, Stimulus
 
 # The course asks for 3 s; the rest is for a machine that has other things to do.
 INTERRUPT_GRACE = 4.0
@@ -152,7 +155,7 @@ class Arena:
         """Keep an installed text file (relative to the package's prefix) in the recording."""
         built = self._packages.get(package)
         path = Path(built.prefix, file) if built else None
-        text = path.read_text(encoding="utf-8", errors="replace") if path and path.is_file() else None
+        text = _beginning(path) if path and path.is_file() else None
         self.timeline.add(FileKept(self.timeline.now(), file, text))
 
     def probe_types(self, *types: str) -> Process:
@@ -185,11 +188,18 @@ class Arena:
         }
 
 
+def _beginning(file: Path) -> str:
+    with file.open("rb") as stream:
+        return stream.read(MAX_FILE).decode("utf-8", errors="replace")
+
+
 @contextlib.contextmanager
 def open_arena(
     timeline: Timeline, packages: BuiltPackages, environment: Mapping[str, str], python: str, folder: Path
 ) -> Iterator[Arena]:
     """An arena whose recorder listens before anything is started in it."""
+    from course.evidence.recorder import Recorder  # the only thing here that needs ROS
+
     folder.mkdir(parents=True, exist_ok=True)
     with Recorder(timeline) as recorder:
         arena = Arena(recorder, packages, environment, python, folder)

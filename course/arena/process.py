@@ -83,7 +83,8 @@ class Process:
         return not self._thread.is_alive()
 
     def close(self) -> None:
-        """End what is left of it, unrecorded, and stop listening."""
+        """End it and what it left behind, and stop listening."""
+        self.send(signal.SIGKILL)
         self._signal(signal.SIGKILL)
         self.wait(2.0)
 

@@ -24,7 +24,9 @@ def completed(
         monkeypatch.setenv("COMP_WORDS", line)
         monkeypatch.setenv("COMP_CWORD", str(len(line.split(" ")) - 1))
         main([])
-        return capsys.readouterr().out.split()
+        out, err = capsys.readouterr()
+        assert err == "", "a message would end up in the middle of what is being typed"
+        return out.split()
 
     return complete
 

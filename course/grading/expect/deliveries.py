@@ -6,6 +6,7 @@ node logs between two sendings belongs to the first of them, however many lines 
 
 from __future__ import annotations
 
+from course.errors import OurFault
 from course.evidence.recording import Recording
 from course.evidence.topic_view import Message
 from course.feedback import Failure, Feedback
@@ -13,7 +14,12 @@ from course.grading.explain.python_code import calls, text_places
 
 
 def expect_deliveries(recording: Recording, process: str, sent: tuple[Message, ...]) -> None:
-    """The node logs something for each message, before the next one is sent."""
+    """The node logs something for each message, before the next one is sent.
+
+    Raises OurFault when nothing was sent: then nothing can be said of the node.
+    """
+    if not sent:
+        raise OurFault(f"the scenario sent nothing to {process}")
     silent = [message for message, text in _portions(recording, sent) if not text]
     if not silent:
         return

@@ -28,7 +28,7 @@ def expect_node(recording: Recording, name: str) -> None:
             else f"No node `{name}` appeared.",
             expected=name,
             seen=listed(nodes, "no node at all"),
-            where=text_places(recording.sources, close.lstrip("/"))[:3] if close else (),
+            where=_name_places(recording, close) if close else (),
             advice=f"The node's name is what `super().__init__('{plain}')` gets.",
         )
     )

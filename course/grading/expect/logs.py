@@ -59,7 +59,7 @@ def _other_words(recording: Recording, line: LogLine, example: str) -> Feedback:
         summary=f"The node logs other words: `{line.text[:120]}`.",
         expected=example,
         seen=line.text[:200],
-        where=text_places(recording.sources, line.text[:20])[:1],
+        where=text_places(recording.sources, line.text[:20])[:1] if line.text.strip() else (),
         advice=advice,
     )
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import signal
 from math import inf
 
+from course.errors import OurFault
+from course.evidence.events import ProcessExited
 from course.evidence.process_view import ProcessView
 from course.evidence.recording import Recording
 from course.evidence.topic_view import seconds
@@ -21,10 +23,15 @@ _SPINS = ("spin", "spin_once", "spin_until_future_complete")
 
 
 def expect_executable(recording: Recording, process: str) -> None:
-    """The executable that the scenario was to run is installed."""
+    """The executable that the scenario was to run is installed, and was started.
+
+    Raises OurFault when the scenario never came to it: then nothing can be said of the program.
+    """
     missing = recording.missing_executable(process)
     if missing:
         raise Failure(no_executable(missing, recording.packages, recording.sources))
+    if recording.process(process).started is None:
+        raise OurFault(f"the scenario did not run {process}")
 
 
 def expect_running(recording: Recording, process: str, *, until: float = inf) -> None:
@@ -37,20 +44,26 @@ def expect_running(recording: Recording, process: str, *, until: float = inf) ->
     found = crash(view.traceback(), recording.packages, recording.sources)
     if found:
         raise Failure(crash_feedback(found, recording.packages, recording.sources))
-    raise Failure(_ended_early(recording, view, ended.code, ended.signal))
+    raise Failure(_ended_early(recording, view, ended))
 
 
-def _ended_early(recording: Recording, view: ProcessView, code: int | None, number: int | None) -> Feedback:
-    how = f"exit code {code}" if number is None else f"ended by {signal.Signals(number).name}"
+def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
     return Feedback(
         summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; "
         "`rclpy.spin` should keep it running.",
         expected="it runs until Ctrl+C",
-        seen=how,
+        seen=_how(ended),
         where=tuple(call.where for name in _SPINS for call in calls(recording.sources, name))[:2],
         advice=_advice_to_keep_running(recording),
         details=view.text[-_LAST_LINES:],
     )
+
+
+def _how(ended: ProcessExited) -> str:
+    if ended.signal is None:
+        return f"exit code {ended.code}"
+    names = {number.value: number.name for number in signal.Signals}  # signals from 35 to 63 have none
+    return f"ended by {names.get(ended.signal, f'signal {ended.signal}')}"
 
 
 def _advice_to_keep_running(recording: Recording) -> str:
@@ -67,23 +80,25 @@ def expect_clean_end(recording: Recording, process: str) -> None:
     """The program ran and ended by itself with exit code 0."""
     expect_executable(recording, process)
     view = recording.process(process)
-    found = crash(view.traceback(), recording.packages, recording.sources)
+    ended = view.ended_by_itself
+    if ended and ended.code == 0:
+        return
+    found = crash(view.traceback(), recording.packages, recording.sources) if ended else None
     if found:
         raise Failure(crash_feedback(found, recording.packages, recording.sources))
-    if view.ended_by_itself is None or view.ended_by_itself.code != 0:
-        seen = f"exit code {view.exited.code}" if view.exited and view.ended_by_itself else "it still ran"
-        raise Failure(
-            Feedback(
-                summary=f"`{process}` should end by itself with exit code 0.",
-                expected="exit code 0",
-                seen=seen,
-                details=view.text[-_LAST_LINES:],
-            )
+    raise Failure(
+        Feedback(
+            summary=f"`{process}` should end by itself with exit code 0.",
+            expected="exit code 0",
+            seen=_how(ended) if ended else "it still ran",
+            details=view.text[-_LAST_LINES:],
         )
+    )
 
 
 def expect_clean_interrupt(recording: Recording, process: str) -> None:
     """Ctrl+C ended the program within 3 s, with no traceback."""
+    expect_executable(recording, process)
     view = recording.process(process)
     asked = view.interrupted_at
     if asked is None:

@@ -11,6 +11,7 @@ from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
 from course.feedback import Feedback, Location
 from course.grading.explain.names import listed
+from course.grading.explain.python_code import parsed
 from course.grading.explain.setup_py import EntryPoint, entry_points
 from course.grading.explain.timers import called_callback
 from course.grading.explain.tracebacks import Crash
@@ -22,37 +23,48 @@ _NO_NAME = re.compile(
 )
 _INIT = "Call `rclpy.init()` at the beginning of `main()`, before the node is made."
 _SUPER = "Call `super().__init__('name_of_the_node')` first in the class's `__init__`."
+_NO_NODE = "The class must derive from Node: `class ...(Node):`."
+_BRACKETS = "A function is named but not called: `get_logger()` needs its brackets."
 # Words of the exception's line -> what to do. The first that fits is taken.
 _KNOWN = (
     (("rclpy.init() has not been called",), _INIT),
     (("NotInitializedException",), _INIT),
+    (("Context.init() must only be called once",), "Call `rclpy.init()` once only, in `main()`."),
     (("__init__() missing", "node_name"), "A node needs a name: `super().__init__('name_of_the_node')`."),
-    (
-        ("object.__init__() takes exactly one argument",),
-        "The class must derive from Node: `class ...(Node):`.",
-    ),
-    (("has no attribute '_Node__",), _SUPER),
-    (("has no attribute '_clock'",), _SUPER),
-    (
-        ("'function' object has no attribute",),
-        "A function is named but not called: `get_logger()` needs its brackets.",
-    ),
-    (
-        ("'method' object has no attribute",),
-        "A function is named but not called: `get_logger()` needs its brackets.",
-    ),
+    (("missing", "'qos_profile'"), "The depth is missing: end the brackets with `, 10)`."),
+    (("object.__init__() takes exactly one argument",), _NO_NODE),
+    (("'function' object has no attribute",), _BRACKETS),
+    (("'method' object has no attribute",), _BRACKETS),
     (
         ("InvalidNodeName",),
         "A node's name may hold letters, digits and `_`, and does not begin with a digit.",
+    ),
+    (
+        ("InvalidTopicName",),
+        "A topic's name may hold letters, digits, `_` and `/`; no part of it begins with a digit.",
+    ),
+    (
+        ("has no attribute '_TYPE_SUPPORT'",),
+        "Give the type itself, imported from its package and without quotes, not its name.",
+    ),
+    (
+        ("circular import",),
+        "Two files import each other. Move what both need to a third one.",
     ),
     (
         ("SyntaxError",),
         "Python cannot read the file. Look at the line named here, and at the end of the one before.",
     ),
     (("IndentationError",), "Check the spaces at the beginning of this line: four for each level."),
+    (("TabError",), "The line begins with a tab, others with spaces. Use four spaces for each level."),
+)
+# What a node makes in Node.__init__, and misses without it.
+_MADE_BY_SUPER = re.compile(
+    r"'\w+' object has no attribute '_(Node__\w+|allow_undeclared_parameters|clock|context"
+    r"|default_callback_group|descriptors|logger|parameter_overrides|parameters)'"
 )
 _LOST_SUPER = re.compile(
-    r"'\w+' object has no attribute '(create_timer|get_logger|create_publisher|create_subscription)'"
+    r"'\w+' object has no attribute '(create_\w+|declare_parameters?|get_clock|get_logger|get_parameter)'"
 )
 
 
@@ -69,7 +81,7 @@ def crash_feedback(found: Crash, packages: BuiltPackages, sources: Sources) -> F
         summary=f"The program stopped with an error: {found.error}", where=places, details=found.shown
     )
     remedy = _remedy(found, packages, sources)
-    return replace(feedback, advice=remedy.advice, where=(*remedy.where, *places))
+    return replace(feedback, advice=remedy.advice, where=tuple(dict.fromkeys((*remedy.where, *places))))
 
 
 def _remedy(found: Crash, packages: BuiltPackages, sources: Sources) -> _Remedy:
@@ -84,7 +96,9 @@ def _remedy(found: Crash, packages: BuiltPackages, sources: Sources) -> _Remedy:
 
 def _known(error: str) -> _Remedy:
     if _LOST_SUPER.search(error):
-        return _Remedy("The class must derive from Node: `class ...(Node):`. " + _SUPER)
+        return _Remedy(f"{_NO_NODE} {_SUPER}")
+    if _MADE_BY_SUPER.search(error):
+        return _Remedy(_SUPER)
     for words, advice in _KNOWN:
         if all(word in error for word in words):
             return _Remedy(advice)
@@ -98,21 +112,27 @@ def _missing_module(error: str, packages: BuiltPackages, sources: Sources) -> _R
     if not match:
         return None
     name = match["name"]
+    moved = _elsewhere(name, packages, sources)
+    if moved:
+        text = f"The file lies at `{moved[0]}`; it belongs at `{moved[1]}`, in the folder within."
+        return _Remedy(text, (Location(moved[0]),))
     entry = _entry_for(name, packages, sources)
-    wanted = f"{name.replace('.', '/')}.py"
-    lost = [file for file in sources.names if PurePosixPath(file).name == PurePosixPath(wanted).name]
-    if lost and not any(file.endswith(wanted) for file in lost):
-        return _Remedy(
-            f"The file lies at `{lost[0]}`; it belongs in `{wanted}`, in the folder within.",
-            (Location(lost[0]),),
-        )
     if entry:
-        modules = [PurePosixPath(file).stem for file in sources.files if _is_module(file, entry, packages)]
-        return _Remedy(
-            f"The entry point names a module that does not exist. There are {listed(modules)}.",
-            (entry.where,),
-        )
+        modules = [PurePosixPath(file).stem for file in _modules(entry, packages, sources)]
+        text = f"The entry point names a module that does not exist. There are {listed(modules)}."
+        return _Remedy(text, (entry.where,))
     return _Remedy(f"Check the import: is `{name}` spelt right, and does package.xml name its package?")
+
+
+def _elsewhere(module: str, packages: BuiltPackages, sources: Sources) -> tuple[str, str] | None:
+    """Where the module's file is, and where it should be, when it lies in another folder of its package."""
+    package = packages.get(module.split(".")[0])
+    if package is None:
+        return None
+    wanted = f"{package.source}/{module.replace('.', '/')}.py"
+    name = PurePosixPath(wanted).name
+    lost = [file for file in sources.below(package.source).names if PurePosixPath(file).name == name]
+    return (lost[0], wanted) if lost and wanted not in lost else None
 
 
 def _missing_function(error: str, packages: BuiltPackages, sources: Sources) -> _Remedy | None:
@@ -156,15 +176,15 @@ def _entry_for(module: str, packages: BuiltPackages, sources: Sources) -> EntryP
     return next((e for e in _entries(packages, sources) if e.target.split(":")[0].strip() == module), None)
 
 
-def _is_module(file: str, entry: EntryPoint, packages: BuiltPackages) -> bool:
-    folder = entry.target.split(".")[0]
-    path = PurePosixPath(file)
-    return path.suffix == ".py" and path.parent.name == folder and path.name != "__init__.py"
+def _modules(entry: EntryPoint, packages: BuiltPackages, sources: Sources) -> list[str]:
+    """Files of the Python package that the entry point names."""
+    folders = [f"{package.source}/{entry.target.split('.')[0]}" for package in packages.built]
+    found = (file for folder in folders for file in sources.below(folder).files)
+    return [file for file in found if file.endswith(".py") and not file.endswith("/__init__.py")]
 
 
 def _functions(sources: Sources, module: str) -> list[str]:
-    wanted = f"{module.replace('.', '/')}.py"
-    for file, text in sources.files.items():
-        if file.endswith(wanted):
-            return [node.name for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
-    return []
+    wanted = f"/{module.replace('.', '/')}.py"
+    trees = (parsed(text) for file, text in sources.files.items() if file.endswith(wanted))
+    tree = next((tree for tree in trees if tree is not None), None)
+    return [node.name for node in tree.body if isinstance(node, ast.FunctionDef)] if tree else []

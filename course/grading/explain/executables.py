@@ -21,6 +21,8 @@ def no_executable(missing: ExecutableMissing, packages: BuiltPackages, sources: 
     close = nearest(missing.executable, missing.available)
     if joined and missing.executable in joined.text:
         return _comma(joined.text, joined.where)
+    if missing.executable in declared:
+        return _elsewhere(missing.package, missing.executable, declared[missing.executable])
     if close:
         return _misspelt(missing.executable, close, declared.get(close, setup))
     return _undeclared(missing, declared.get(next(iter(declared), ""), setup))
@@ -32,6 +34,16 @@ def _comma(text: str, where: Location) -> Feedback:
         seen=text,
         where=(where,),
         advice="End each entry of `console_scripts` with a comma.",
+    )
+
+
+def _elsewhere(package: str, name: str, where: Location) -> Feedback:
+    return Feedback(
+        summary=f"No executable found: `{name}` is declared, but not installed where ROS looks for it.",
+        expected=f"installed in lib/{package}",
+        where=(where,),
+        advice="`setup.cfg` beside `setup.py` says where it goes. Under `[install]` it needs the line "
+        f"`install_scripts=$base/lib/{package}`.",
     )
 
 

@@ -10,7 +10,7 @@ from course.feedback import Feedback, Location
 from course.grading.explain.names import listed, nearest
 
 Section = tuple[tuple[str, str], ...]
-_FIELD = re.compile(r"^\s*(?P<type>[A-Za-z][\w/]*(?:\[[^\]]*\])?)\s+(?P<name>\w+)\s*(?P<rest>.*)$")
+_FIELD = re.compile(r"^\s*(?P<type>[A-Za-z][\w/]*(?:<=\d+)?(?:\[[^\]]*\])?)\s+(?P<name>\w+)\s*(?P<rest>.*)$")
 _SECTION_NAMES = {1: ("message",), 2: ("request", "response")}
 
 
@@ -87,7 +87,7 @@ def _difference(
     summary, field, advice = _first_difference(what, expected, found, fields)
     return Feedback(
         summary=summary,
-        expected=_written(wanted),
+        expected=_written(expected),
         seen=_written(found) or "no field",
         where=(Location(file, field.line if field else 1),),
         advice=advice,
@@ -110,9 +110,11 @@ def _first_difference(
         )
     if missing:
         return (
-            f"In {what}, the field {listed(missing)} is missing.",
+            f"In {what}, the field {listed(missing)} is missing."
+            if len(missing) == 1
+            else f"In {what}, the fields {listed(missing)} are missing.",
             fields[-1] if fields else None,
-            "Add it.",
+            "Add it." if len(missing) == 1 else "Add them.",
         )
     if extra:
         return f"In {what}, there is a field too many: `{extra[0].name}`.", extra[0], "Remove it."

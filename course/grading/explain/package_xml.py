@@ -26,10 +26,12 @@ class Manifest:
         return name in self.values(*tags)
 
     def place_of(self, text: str) -> Location | None:
-        """The first line of the file that holds this text."""
-        for number, line in enumerate(self.text.splitlines(), start=1):
-            if text in line:
-                return Location(self.where.file, number)
+        """The first line of the file that holds an element with this text, or else the text at all."""
+        lines = self.text.splitlines()
+        for wanted in (f">{text}<", text):
+            for number, line in enumerate(lines, start=1):
+                if wanted in line:
+                    return Location(self.where.file, number)
         return None
 
 
@@ -40,8 +42,8 @@ def manifest(sources: Sources, package_folder: str) -> Manifest | None:
     if text is None:
         return None
     try:
-        root = ElementTree.fromstring(text.encode())
-    except ElementTree.ParseError:
+        root = ElementTree.fromstring(text)
+    except (ElementTree.ParseError, ValueError):
         return None
     return Manifest(Location(file), tuple((child.tag, (child.text or "").strip()) for child in root), text)
 

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import ast
+import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from course.evidence.sources import Sources
 from course.feedback import Location
+
+# No period of time; and a whole number may be too large to become a float.
+_HUGE = 1e18
 
 
 @dataclass(frozen=True)
@@ -23,6 +27,26 @@ class Call:
         if keyword in self.keywords:
             return self.keywords[keyword]
         return self.args[position] if position < len(self.args) else None
+
+
+def parsed(text: str) -> ast.Module | None:
+    """The syntax tree, or None when Python cannot read the file: its own traceback says why."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # an escape such as "\d" is not what is looked for here
+        try:
+            return ast.parse(text)
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return None
+
+
+def functions(sources: Sources, name: str) -> tuple[ast.FunctionDef | ast.AsyncFunctionDef, ...]:
+    """All functions and methods of this name that the learner defines."""
+    return tuple(
+        node
+        for _, tree in _trees(sources)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and node.name == name
+    )
 
 
 def calls(sources: Sources, name: str) -> tuple[Call, ...]:
@@ -45,7 +69,7 @@ def called_name(node: ast.Call) -> str:
 def number(sources: Sources, node: ast.expr | None) -> float | None:
     """The value of a number in the source: a literal, or a name that is given one somewhere."""
     if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
-        return float(node.value)
+        return float(node.value) if abs(node.value) < _HUGE else None
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div | ast.Mult):
         left, right = number(sources, node.left), number(sources, node.right)
         if left is None or not right:
@@ -93,7 +117,6 @@ def text_places(sources: Sources, text: str) -> tuple[Location, ...]:
 def _trees(sources: Sources) -> Iterator[tuple[str, ast.Module]]:
     for file, text in sources.files.items():
         if file.endswith(".py") and "/test/" not in file and not file.endswith("/setup.py"):
-            try:
-                yield file, ast.parse(text)
-            except (SyntaxError, ValueError):  # shown by the traceback of the program itself
-                continue
+            tree = parsed(text)
+            if tree is not None:
+                yield file, tree

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 
 from course.evidence.sources import Sources
 from course.feedback import Location
-from course.grading.explain.python_code import calls, number
+from course.grading.explain.python_code import called_name, calls, functions, number
 
 _LONG = 10.0
+# Where each takes its callback, counted from 0.
+_TAKERS = {"create_timer": 1, "create_subscription": 2, "create_service": 2}
 
 
 @dataclass(frozen=True)
@@ -32,14 +34,15 @@ def timer_cause(sources: Sources) -> Cause | None:
 
 def called_callback(sources: Sources) -> Cause | None:
     """`self.timer_callback()` handed over where `self.timer_callback` belongs."""
-    for timer in calls(sources, "create_timer"):
-        callback = timer.argument(1, "callback")
-        if isinstance(callback, ast.Call) and not _makes_a_callable(callback):
+    takers = ((call, position) for name, position in _TAKERS.items() for call in calls(sources, name))
+    for taker, position in takers:
+        callback = taker.argument(position, "callback")
+        if isinstance(callback, ast.Call) and _gives_nothing(sources, callback):
             written = ast.unparse(callback)
             return Cause(
                 f"`{written}` calls the function at once and hands over its result, `None`. "
                 f"Pass the function itself: `{written.split('(')[0]}`, without brackets.",
-                (timer.where,),
+                (taker.where,),
             )
     return None
 
@@ -62,7 +65,10 @@ def timer_places(sources: Sources) -> tuple[Location, ...]:
     return tuple(timer.where for timer in calls(sources, "create_timer"))
 
 
-def _makes_a_callable(call: ast.Call) -> bool:
-    """`functools.partial(...)` and the like are right."""
-    name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
-    return "callback" not in name and not name.startswith("on_")
+def _gives_nothing(sources: Sources, call: ast.Call) -> bool:
+    """A function of the learner's that returns no value; `functools.partial(...)` and the like are right."""
+    name = called_name(call)
+    own = functions(sources, name)
+    if own:
+        return not any(isinstance(n, ast.Return) and n.value for function in own for n in ast.walk(function))
+    return "callback" in name or name.startswith("on_")

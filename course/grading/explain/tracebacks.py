@@ -11,6 +11,7 @@ from course.evidence.sources import Sources
 from course.feedback import Location
 
 _ERROR_LINES = 2
+_PYTHON_PACKAGES = ("site-packages", "dist-packages")
 _FRAME = re.compile(r'^\s*File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
 
@@ -39,7 +40,8 @@ def crash(traceback: tuple[str, ...], packages: BuiltPackages, sources: Sources)
 def _error_start(traceback: tuple[str, ...]) -> int:
     """Index of the exception's own line: the last that is not indented."""
     flush = [index for index, line in enumerate(traceback) if line and not line.startswith((" ", "\t"))]
-    return flush[-1] if flush else len(traceback) - 1
+    words = [index for index, line in enumerate(traceback) if any(map(str.isalpha, line))]
+    return (flush or words or [0])[-1]  # of a group of exceptions, all lines are indented
 
 
 def _place(line: str, packages: BuiltPackages, sources: Sources) -> Location | None:
@@ -55,11 +57,22 @@ def learners_file(path: str, packages: BuiltPackages, sources: Sources) -> str |
     for package in packages.built:
         prefix = package.prefix.rstrip("/") + "/"
         if path.startswith(prefix):
-            parts = PurePosixPath(path[len(prefix) :]).parts
-            tail = parts[parts.index("site-packages") + 1 :] if "site-packages" in parts else parts[-1:]
-            name = str(PurePosixPath(package.source, *tail))
-            return name if name in sources.files else None
+            return _source_of(PurePosixPath(path[len(prefix) :]).parts, package.source, sources)
     return None
+
+
+def _source_of(installed: tuple[str, ...], folder: str, sources: Sources) -> str | None:
+    """What was installed as lib/python3.12/site-packages/talk/talker.py, or as lib/talk/talker.
+
+    A package may keep its modules in a folder of its own, such as `src`, so the way to the file
+    may be longer than where it is installed.
+    """
+    packages = [index for index, part in enumerate(installed) if part in _PYTHON_PACKAGES]
+    tail = "/".join(installed[packages[0] + 1 :] if packages else installed[-1:])
+    if f"{folder}/{tail}" in sources.files:
+        return f"{folder}/{tail}"
+    found = [name for name in sources.below(folder).files if name.endswith(f"/{tail}")]
+    return found[0] if len(found) == 1 else None
 
 
 def _code_line(where: Location | None, sources: Sources) -> str | None:

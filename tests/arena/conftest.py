@@ -1,0 +1,64 @@
+"""Programs on terminals, and what the time line tells of them."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TypeVar
+
+import pytest
+
+from course.arena.process import Process
+from course.evidence.events import Event, OutputLine, ProcessExited
+from course.evidence.timeline import Timeline
+
+WAIT = 20.0  # for what happens in milliseconds, on a machine that has other things to do
+_E = TypeVar("_E", bound=Event)
+
+
+class Stage:
+    """Starts programs on one time line; whatever is left of them ends with it."""
+
+    def __init__(self, folder: Path, timeline: Timeline | None = None) -> None:
+        self.timeline = timeline or Timeline()
+        self.folder = folder
+        self._processes: list[Process] = []
+
+    def start(self, *command: str, name: str = "program", env: dict[str, str] | None = None) -> Process:
+        environment = {"PATH": os.environ["PATH"]} if env is None else env
+        process = Process(name, command, env=environment, cwd=self.folder, timeline=self.timeline)
+        self._processes.append(process)
+        return process
+
+    def python(self, code: str, name: str = "program") -> Process:
+        """`code` in a Python without site packages, which starts in no time."""
+        return self.start(sys.executable, "-S", "-c", code, name=name)
+
+    def events(self, kind: type[_E]) -> list[_E]:
+        return list(self.timeline.of(kind))
+
+    @property
+    def lines(self) -> list[str]:
+        return [event.text for event in self.events(OutputLine)]
+
+    @property
+    def end(self) -> ProcessExited:
+        """The one end that was recorded."""
+        (exited,) = self.events(ProcessExited)
+        return exited
+
+    def await_line(self, text: str) -> None:
+        assert self.timeline.wait_until(lambda: text in self.lines, WAIT), self.lines
+
+    def close(self) -> None:
+        for process in self._processes:
+            process.close()
+
+
+@pytest.fixture
+def stage(tmp_path: Path) -> Iterator[Stage]:
+    stage = Stage(tmp_path)
+    yield stage
+    stage.close()
