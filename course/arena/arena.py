@@ -183,6 +183,8 @@ class Arena:
             "ROS_LOG_DIR": str(self._folder / "log"),
             "TERM": "xterm",
             "RCUTILS_COLORIZED_OUTPUT": "0",
+            # A field of the wrong type is an exception that says so, and not an abort in C.
+            "ROS_PYTHON_CHECK_FIELDS": "1",
             # Bytecode would be written into the build cache.
             "PYTHONDONTWRITEBYTECODE": "1",
         }

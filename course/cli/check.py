@@ -30,6 +30,14 @@ def check(
     ctx: typer.Context,
     exercise: CurrentExercise = None,
     json: Annotated[bool, typer.Option("--json", help="Print the result as JSON, and nothing else.")] = False,
+    namespaces: Annotated[
+        bool,
+        typer.Option(
+            "--namespaces/--no-namespaces",
+            help="Keep your nodes apart from others by namespaces of the kernel, "
+            "where there are any; else by a ROS domain of their own.",
+        ),
+    ] = True,
 ) -> None:
     """Build and run what you wrote, and judge what it does.
 
@@ -41,7 +49,7 @@ def check(
 
     with open_desk(ctx) as desk:
         chosen = desk.exercise(exercise)
-        result = _judged(desk, chosen, quiet=json)
+        result = _judged(desk, chosen, quiet=json, namespaces=namespaces)
         previous = desk.progress.last_result(chosen.id)
         if json:
             _print_json(result)
@@ -65,7 +73,7 @@ def exit_code(result: Result) -> ExitCode:
     }[result.verdict]
 
 
-def _judged(desk: Desk, exercise: Exercise, *, quiet: bool) -> Result:
+def _judged(desk: Desk, exercise: Exercise, *, quiet: bool, namespaces: bool) -> Result:
     from course.grading.check import check_exercise
     from course.report.activity import activity
     from course.report.console import error_console, put
@@ -74,7 +82,14 @@ def _judged(desk: Desk, exercise: Exercise, *, quiet: bool) -> Result:
     console = error_console()
     try:
         with _ended_cleanly(), activity(console, f"checking {exercise.id}", quiet=quiet) as say:
-            return check_exercise(exercise, desk.home.path, ros=find_ros(), on_progress=say)
+            return check_exercise(
+                exercise,
+                desk.home.path,
+                ros=find_ros(),
+                on_progress=say,
+                namespaces=namespaces,
+                evidence=desk.home.state / "evidence" / f"{exercise.id}.mcap",
+            )
     except KeyboardInterrupt:
         put(console, "Stopped. This attempt does not count.")
         raise

@@ -127,11 +127,11 @@ PYTHON: dict[str, tuple[Break, str, str, str, str]] = {
     ),
     "names differ": (
         replace("setup.py", 'package_name = "small_node"', 'package_name = "smal_node"'),
-        "names-differ", "setup.py:3 package.xml:3", "setup.py calls the package `smal_node`", "the same name",
+        "names-differ", "setup.py:3 package.xml:3", "setup.py calls the package `smal_node`", "same name",
     ),
     "data file": (
         replace("setup.py", '["package.xml"]),', '["package.xml", "launch/small_launch.py"]),'),
-        "data-file", "setup.py:11", "installs launch/small_launch.py, but there is no such file", "data_files",
+        "data-file", "setup.py:11", "installs launch/small_launch.py, but", "data_files",
     ),
     "an import": (
         replace("setup.py", "packages=find", "packages=glob('*') or find"),

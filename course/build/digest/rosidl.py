@@ -48,7 +48,7 @@ def _not_a_file(case: Case, word: str, where: list[Location]) -> BuildFailure:
     )
     if word == ",":
         advice = "Arguments in CMake are separated by spaces or new lines, not by commas."
-    elif like(word.upper(), ["DEPENDENCIES"]):
+    elif word.upper().startswith("DEPEND"):
         advice = "The word before the packages they use is `DEPENDENCIES`, in capitals."
     else:
         advice = "Each interface is a file with its folder, such as `msg/MyMessage.msg`."

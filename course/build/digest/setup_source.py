@@ -9,7 +9,7 @@ import tokenize
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-_ENTRY_POINT = re.compile(r"\s*[\w.-]+\s*=\s*[A-Za-z_][\w.]*\s*:\s*[A-Za-z_][\w.]*\s*")
+_ENTRY_POINT = re.compile(r"\s*[\w.-]+\s*=\s*[^\W\d][\w.]*\s*:\s*[^\W\d][\w.]*\s*")
 
 
 @dataclass(frozen=True)

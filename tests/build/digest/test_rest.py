@@ -1,0 +1,45 @@
+"""Unknown failures, paths, and what is the machine's fault."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from course.build.digest import Case, explain, readable
+from course.build.digest.machine import raise_if_machine
+from course.errors import MissingHere, StorageError
+
+
+def test_an_unknown_failure_shows_its_last_errors(case: Callable[..., Case]) -> None:
+    log = "running x\nfine\nerror: the moon is full\ngmake: *** [all] Error 2\n"
+    failure = explain(case("small_interfaces", log))
+    assert failure.kind == "build"
+    assert failure.feedback.details == ("error: the moon is full",)
+
+
+def test_paths_are_the_learners(tmp_path: Path) -> None:
+    store = tmp_path / "store"
+    copy = store / ("a" * 32) / "src"
+    log = f"\x1b[31m{copy}/main.cpp:3: in {store}/{'b' * 32}/install/other/x.hpp\x1b[0m\r\ncd {copy}\n"
+    found = readable(log, store, copy, "ws/src/mine")
+    assert found == ("ws/src/mine/main.cpp:3: in install/other/x.hpp", "cd ws/src/mine")
+
+
+@pytest.mark.parametrize(
+    ("line", "error", "words"),
+    [
+        ("fatal error: error writing to x: No space left on device", StorageError, "disk is full"),
+        ("OSError: [Errno 122] Disk quota exceeded: 'x'", StorageError, "disk is full"),
+        ("c++: fatal error: Killed signal terminated program cc1plus", MissingHere, "out of memory"),
+        ("  Could NOT find Python3 (missing: Development.Module)", MissingHere, "header files"),
+        ("  No CMAKE_CXX_COMPILER could be found.", MissingHere, "C++ compiler"),
+    ],
+)
+def test_the_machines_faults_are_not_the_learners(
+    tmp_path: Path, line: str, error: type[Exception], words: str
+) -> None:
+    with pytest.raises(error) as caught:
+        raise_if_machine(["fine", line], tmp_path, tmp_path / "python3")
+    assert words in str(caught.value)

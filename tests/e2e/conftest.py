@@ -1,0 +1,70 @@
+"""The real command on the real course, as a learner has it in front of them."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+REPO = Path(__file__).parents[2]
+SOLUTIONS = REPO / "solutions"
+COMMAND = [sys.executable, "-m", "course"]
+
+
+@pytest.fixture(scope="session")
+def builds(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """One cache of builds for all workers of a run."""
+    return tmp_path_factory.getbasetemp().parent / "e2e-cache"
+
+
+@pytest.fixture
+def environment(guarded_home: Path, builds: Path, monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
+    """What a command is run with: a home of its own, the shared builds, 80 columns."""
+    scratch = guarded_home / "scratch"
+    scratch.mkdir()
+    monkeypatch.delenv("ROS2COURSE_HOME")
+    return {
+        **os.environ,
+        "ROS2COURSE_CACHE": str(builds),
+        "TMPDIR": str(scratch),
+        "COLUMNS": "80",
+        "PYTHONPATH": str(REPO),
+        "_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1",
+    }
+
+
+@pytest.fixture
+def course_home(guarded_home: Path) -> Path:
+    return guarded_home / "ros2course"
+
+
+Run = Callable[..., subprocess.CompletedProcess[str]]
+
+
+@pytest.fixture
+def run(environment: dict[str, str], guarded_home: Path) -> Run:
+    """Run a command to its end; the result has its code and output."""
+
+    def call(*words: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [*COMMAND, *words],
+            env=environment,
+            cwd=guarded_home,
+            text=True,
+            capture_output=True,
+            timeout=300,
+            check=False,
+        )
+
+    return call
+
+
+def lay(chapter: str, home: Path) -> None:
+    """Copy a chapter's reference solution over what is in the home."""
+    tree = SOLUTIONS / chapter / "ros2_tutorial_workspace"
+    shutil.copytree(tree, home / "ros2_tutorial_workspace", dirs_exist_ok=True)
