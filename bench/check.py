@@ -27,7 +27,8 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=10)
     rounds = parser.parse_args().rounds
     with solved(EXERCISE) as (_, home):
-        subprocess.run([sys.executable, "-m", "course", "init", str(home)], cwd=ROOT, check=True, capture_output=True)
+        init = [sys.executable, "-m", "course", "init", str(home)]
+        subprocess.run(init, cwd=ROOT, check=True, capture_output=True)
         once(home)  # builds
         taken = [once(home) for _ in range(rounds)]
     total = [wall for wall, _ in taken]

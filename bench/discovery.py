@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import subprocess
 import sys
 import tempfile
@@ -49,7 +48,8 @@ def main() -> None:
     ours = measured(options.tries, default=False, namespaces=not options.domain)
     peer = measured(max(1, options.tries // 5), default=True, namespaces=not options.domain)
     rows = [row("the arena", ours), row("Fast DDS's defaults", peer)]
-    show("First message after the publisher is ready (s)", ("setting", "tries", "median", "90 %", "slowest"), rows)
+    head = ("setting", "tries", "median", "90 %", "slowest")
+    show("First message after the publisher is ready (s)", head, rows)
 
 
 def row(name: str, values: list[float]) -> list[str]:
@@ -82,9 +82,8 @@ def first_messages(tries: int) -> list[float]:
         program.flush()
         for number in range(tries):
             listener = recorder.subscribe(f"/first/t{number}", "std_msgs/msg/String")
-            process = subprocess.Popen(
-                [sys.executable, program.name, listener.topic], stdout=subprocess.PIPE, text=True, env=os.environ
-            )
+            command = [sys.executable, program.name, listener.topic]
+            process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
             ready = float(process.stdout.readline().split()[1])
             timeline.wait_until(lambda listener=listener: listener.count > 0, 10)
             seen = next(e.t for e in timeline.events() if getattr(e, "topic", None) == listener.topic)

@@ -51,7 +51,8 @@ def checked(exercise_id: str, rounds: int, *, namespaces: bool) -> list[str]:
 def explain(number: int, result: Result) -> None:
     for check in result.checks:
         if check.outcome is not Outcome.PASSED:
-            print(f"round {number}: {check.id} {check.outcome.value}: {check.feedback or check.skipped_because}")
+            why = check.feedback or check.skipped_because
+            print(f"round {number}: {check.id} {check.outcome.value}: {why}")
     if result.fault:
         print(f"round {number}: {result.fault}")
 

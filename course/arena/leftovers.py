@@ -55,13 +55,12 @@ def end_descendants(spared: Collection[psutil.Process] = ()) -> int:
 
 
 def _descendants(spared: Collection[psutil.Process]) -> list[psutil.Process]:
-    found: list[psutil.Process] = []
-    for child in psutil.Process().children():
-        if child not in spared:
-            with contextlib.suppress(psutil.NoSuchProcess):
-                found += child.children(recursive=True)
-            found.append(child)
-    return found
+    kept = set(spared)
+    for child in spared:
+        with contextlib.suppress(psutil.NoSuchProcess):
+            kept.update(child.children(recursive=True))
+    # One look at all processes, however many there are: they may be breeding.
+    return [child for child in psutil.Process().children(recursive=True) if child not in kept]
 
 
 def _alive(process: psutil.Process) -> bool:

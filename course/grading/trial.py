@@ -49,6 +49,11 @@ def lay_mistake(course: Course, exercise: Exercise, mistake: Mistake, home: Path
     Raises ContentError when an edit no longer applies to the solution.
     """
     lay_solution(course, exercise, home)
+    apply_mistake(exercise, mistake, home)
+
+
+def apply_mistake(exercise: Exercise, mistake: Mistake, home: Path) -> None:
+    """The mistake, in a home where the reference solution lies."""
     for edit in mistake.edits:
         _apply(edit, mistake, home, exercise.folder / "mistakes.yaml")
 
