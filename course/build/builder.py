@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 
-from course.build.digest import too_much
 from course.build.interrupt import Interrupt
+from course.build.job import Job, SourcesChanged
 from course.build.key import content_key
-from course.build.one import Job, SourcesChanged, build_one
 from course.build.outcome import BuildFailure, BuildOutcome, BuiltPackage
 from course.build.plan import Step, Unbuildable, plan
+from course.build.refusal import too_much
 from course.build.sources import TooMuch
 from course.build.store import Store, storage
 from course.build.workspace import Workspace
@@ -40,7 +40,7 @@ def build(
 
     What was built before from the same content is not built again. What the learner did wrong is in the
     outcome's failure. Raises MissingHere and StorageError for what this machine lacks, and Interrupted
-    when `interrupt` is set from another thread. on_progress is called from any thread, one at a time.
+    when `interrupt` is set from another thread. on_progress may be called from other threads.
     """
     began = time.monotonic()
     names = tuple(names)
@@ -104,6 +104,8 @@ class _Build:
         results: dict[str, BuiltPackage | BuildFailure],
     ) -> None:
         """Fill in `results`: each step as soon as what it needs is built, until one fails."""
+        from course.build.one import build_one  # nothing to build is the usual case, and must be quick
+
         running: dict[Future[BuiltPackage | BuildFailure], str] = {}
         with ThreadPoolExecutor(_WORKERS, "build") as pool:
             try:

@@ -3,44 +3,24 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
 from course.build.colcon import build_environment, colcon_command, require_tools
-from course.build.digest import Case, explain, explain_success, readable, unreadable
+from course.build.digest import Case, explain, explain_success, readable
 from course.build.digest.machine import raise_if_machine
 from course.build.interrupt import Interrupt
+from course.build.job import Job, SourcesChanged
 from course.build.key import content_key
 from course.build.manifest import strict_fault
 from course.build.outcome import BuildFailure, BuiltPackage
 from course.build.process import Ended, Ending, run
+from course.build.refusal import unreadable
 from course.build.sources import copy_sources
-from course.build.store import Entry, Store, storage
-from course.build.workspace import Package, Workspace
-from course.rosenv import Ros
+from course.build.store import Entry, storage
 
 _ASK_SECONDS = 30.0
-
-
-class SourcesChanged(Exception):
-    """What was copied is not what was hashed: someone saved a file in between."""
-
-
-@dataclass(frozen=True)
-class Job:
-    """All that one build needs. `needed` and `overlays`: keys and prefixes of the packages it depends on."""
-
-    package: Package
-    workspace: Workspace
-    key: str
-    needed: tuple[str, ...]
-    overlays: tuple[Path, ...]
-    ros: Ros
-    store: Store
-    time_limit: float
-    on_progress: Callable[[str], None]
 
 
 def build_one(job: Job, stop: Interrupt) -> BuiltPackage | BuildFailure:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from course.build.digest.missing import cycle, duplicate, package_missing, unreadable
 from course.build.outcome import BuildFailure
+from course.build.refusal import cycle, duplicate, package_missing, unreadable
 from course.build.workspace import Package, Workspace
 
 

@@ -120,8 +120,6 @@ def _watch(process: subprocess.Popen[bytes], log: BinaryIO, deadline: float, int
 
 
 def _exited(pipe: int, log: BinaryIO) -> Ending:
-    while log.tell() <= MOST_OUTPUT and _copy(pipe, log):
-        pass
     return Ending.EXITED
 
 

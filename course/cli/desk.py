@@ -17,7 +17,7 @@ from course.errors import UsageError
 from course.home import CourseHome, find_home
 from course.progress import Progress
 from course.report.console import error_console
-from course.report.lesson import put_notice
+from course.report.problem import render_notice
 from course.rosenv.paths import cache_dir
 
 
@@ -65,5 +65,5 @@ def open_desk(ctx: typer.Context, home: CourseHome | None = None) -> Iterator[De
     home = home or home_of(options)
     with Progress.open(home.state) as progress:
         for notice in progress.notices:
-            put_notice(error_console(), notice)
+            render_notice(error_console(), notice)
         yield Desk(course, home, progress)

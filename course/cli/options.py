@@ -21,4 +21,9 @@ def options_of(ctx: typer.Context) -> Options:
     if isinstance(ctx.obj, Options):
         return ctx.obj
     given = ctx.find_root().params
-    return Options(home=given.get("home"), course=given.get("course"))
+    return Options(home=_path(given.get("home")), course=_path(given.get("course")))
+
+
+def _path(value: object) -> Path | None:
+    """While completing, a value may still be the text that was typed."""
+    return Path(str(value)) if value else None

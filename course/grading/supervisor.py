@@ -20,6 +20,7 @@ from types import TracebackType
 import course
 from course.arena.enclosure import Enclosure
 from course.arena.leftovers import nothing_left
+from course.errors import StorageError
 from course.feedback import Feedback
 from course.grading.channel import Judgement, read_message
 from course.grading.job import Job, to_line
@@ -43,9 +44,13 @@ class Supervisor:
 
     def __enter__(self) -> Supervisor:
         with contextlib.ExitStack() as stack:
-            self._folder = stack.enter_context(self._scratch())
-            # Unlinked at once, so it is gone however we end.
-            self._log = stack.enter_context(tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace"))
+            try:
+                self._folder = stack.enter_context(self._scratch())
+                # Unlinked at once, so it is gone however we end.
+                self._log = stack.enter_context(tempfile.TemporaryFile("w+", errors="replace"))
+            except OSError as error:
+                what = f"No temporary file can be made in {tempfile.gettempdir()}: {error.strerror}."
+                raise StorageError(what, "Make room there, or name another folder in TMPDIR.") from error
             self._results, write_end = os.pipe()
             stack.callback(os.close, self._results)
             try:

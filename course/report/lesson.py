@@ -144,11 +144,6 @@ def _put_files(console: Console, mark: str, files: Sequence[str], title: str = "
         put(console, f"  {mark} {safe.one_line(file)}")
 
 
-def put_notice(console: Console, text: str) -> None:
-    """A quiet sentence that is not the command's result."""
-    put_prose(console, Text(safe.paragraph(text), "dim"))
-
-
 def _rule(console: Console, title: str, remark: str = "") -> Text:
     remark = f" ({remark})" if remark else ""
     shown = f"== {safe.paragraph(title)}{remark} "

@@ -33,6 +33,11 @@ def render_our_fault(console: Console, log: Path | None) -> None:
         put(console, f"The details are in {safe.one_line(str(log))}")
 
 
+def render_notice(console: Console, text: str) -> None:
+    """A quiet sentence that is not the command's result."""
+    put_prose(console, Text(safe.paragraph(text), "dim"))
+
+
 def _sentence(text: str) -> str:
     clean = safe.paragraph(text)
     return clean[:1].upper() + clean[1:] if clean[:1].islower() and "/" not in clean.split(" ")[0] else clean

@@ -6,7 +6,6 @@ import pytest
 
 from course.arena.output import MAX_LINE, MAX_TAIL, MAX_TOTAL, LineSplitter
 
-
 LINE = b"x" * 999 + b"\n"
 
 

@@ -74,11 +74,13 @@ class Checker:
     answer: Result | BaseException = PASSED
     calls: list[tuple[str, Path]] = field(default_factory=list)
     says: tuple[str, ...] = ()
+    options: dict[str, object] = field(default_factory=dict)
 
     def check_exercise(
-        self, exercise: object, home: Path, *, ros: object, on_progress: Callable[[str], None]
+        self, exercise: object, home: Path, *, on_progress: Callable[[str], None], **options: object
     ) -> Result:
         self.calls.append((exercise.id, home))  # type: ignore[attr-defined]
+        self.options = options
         for text in self.says:
             on_progress(text)
         if isinstance(self.answer, BaseException):

@@ -49,6 +49,16 @@ def test_it_checks_the_current_exercise_in_the_home(
     assert checker.calls == [("04-light", home), ("04-dim", home)]
 
 
+def test_the_recording_is_kept_and_namespaces_are_optional(
+    ros2course: Ros2course, checker: Checker, home: Path
+) -> None:
+    ros2course("check")
+    assert checker.options["namespaces"] is True
+    assert checker.options["evidence"] == home / ".ros2course/evidence/04-light.mcap"
+    ros2course("check", "--no-namespaces")
+    assert checker.options["namespaces"] is False
+
+
 def test_a_failure_is_explained_and_says_what_to_type(ros2course: Ros2course, checker: Checker) -> None:
     checker.answer = results()["failed"]
     run = ros2course("check")

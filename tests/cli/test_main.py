@@ -137,7 +137,8 @@ def test_an_interrupt_anywhere_is_130(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def environment(home: Path) -> dict[str, str]:
-    return {**os.environ, "PYTHONPATH": str(REPO), "ROS2COURSE_HOME": str(home), "COLUMNS": "80"}
+    path = os.pathsep.join(filter(None, [str(REPO), os.environ.get("PYTHONPATH")]))
+    return {**os.environ, "PYTHONPATH": path, "ROS2COURSE_HOME": str(home), "COLUMNS": "80"}
 
 
 def test_a_reader_that_goes_away_is_no_error(ros2course: Ros2course, home: Path, small_course: Path) -> None:
@@ -190,3 +191,29 @@ def test_python_m_course_is_the_same_program() -> None:
         [sys.executable, "-m", "course", "--version"], capture_output=True, cwd=REPO, text=True, check=False
     )
     assert done.stdout == f"ros2course {__version__}\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "unneeded"),
+    [
+        (["--version"], {"rich", "pydantic", "yaml", "course.content", "sqlite3"}),
+        (["list"], {"pydantic", "yaml", "markdown_it", "course.grading.check"}),
+        (["hint"], {"pydantic", "yaml", "course.grading.check", "pygments.lexers.python"}),
+    ],
+)
+def test_a_quick_command_loads_only_what_it_needs(
+    ros2course: Ros2course, home: Path, small_course: Path, words: list[str], unneeded: set[str]
+) -> None:
+    ros2course("next")  # also makes the content's cache, which is what spares YAML and pydantic
+    code = (
+        "import sys, course.cli.main as m; m.main(sys.argv[1:]);"
+        "print(*sorted(name for name in sys.modules), file=sys.stderr)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, "--course", str(small_course), *words],
+        capture_output=True,
+        env=environment(home),
+        text=True,
+        check=False,
+    )
+    assert unneeded & set(done.stderr.split()) == set()

@@ -24,7 +24,7 @@ from pathlib import Path
 import course.rosenv
 from course.grading.result import CheckResult, Outcome, Result, Verdict
 
-def check_exercise(exercise, home, *, ros, on_progress):
+def check_exercise(exercise, home, *, on_progress, **options):
     on_progress("building lanterns")
     if os.environ["CHECK"] == "waits":
         try:

@@ -21,8 +21,8 @@ OTHER_WAYS = [(exercise, other) for exercise in EXERCISES for other in exercise.
 def complaints(result: Result) -> list[str]:
     """All that kept this result from full points, for the test's own message."""
     fault = [f"our error: {result.fault.summary} {result.fault.details}"] if result.fault else []
-    failed = [f"{c.id}: {c.feedback or c.skipped_because}" for c in result.checks if c.outcome is not Outcome.PASSED]
-    return [*fault, *failed]
+    others = [check for check in result.checks if check.outcome is not Outcome.PASSED]
+    return [*fault, *(f"{check.id}: {check.feedback or check.skipped_because}" for check in others)]
 
 
 @pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.id)

@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+import errno
+import os
+
 import pytest
 
+from course.arena.enclosure import enclosure
+from course.errors import StorageError
 from course.grading.result import Outcome
+from course.grading.supervisor import Supervisor
+from course.rosenv import find_ros, node_environment
 
 from .conftest import GRADER, Grade
 
@@ -53,3 +60,12 @@ def test_a_grading_process_that_hangs(grade: Grade, monkeypatch: pytest.MonkeyPa
     judgement = grade(LOOP, broken, time_limit=1.0)
     assert judgement.fault is not None
     assert "did not finish within 1 s" in judgement.fault.summary
+
+
+def test_no_room_for_temporary_files(monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*args: object, **kwargs: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr("tempfile.TemporaryFile", full)
+    with enclosure() as where, pytest.raises(StorageError, match="No space left on device"):
+        Supervisor(where, node_environment(find_ros())).__enter__()

@@ -11,10 +11,10 @@ from pathlib import Path
 
 from course.build.digest import cmake, compiler, python, rosidl
 from course.build.digest.case import Case, readable
-from course.build.digest.missing import manifest_place, too_much, unreadable
 from course.build.outcome import BuildFailure
+from course.build.refusal import manifest_place
 
-__all__ = ["Case", "explain", "explain_success", "readable", "too_much", "unreadable"]
+__all__ = ["Case", "explain", "explain_success", "readable"]
 
 _NOISE = re.compile(
     r"^\s*$|^gmake|^make|^\[ *\d+%\]|^-- |^\[\d+\.\d+s\] WARNING:colcon|^Traceback|^ +\^+ *$|^running "

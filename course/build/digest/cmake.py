@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from course.build.digest.case import Case
-from course.build.digest.missing import like, manifest_place
 from course.build.outcome import BuildFailure
+from course.build.refusal import like, manifest_place
 from course.feedback import Location
 
 _LONGEST = 160  # characters of CMake's own words in a summary

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from course.build.digest.case import Case
-from course.build.digest.missing import like
 from course.build.outcome import BuildFailure
+from course.build.refusal import like
 from course.feedback import Location
 
 _ERROR = re.compile(r"^(?P<file>[^:\s][^:]*):(?P<line>\d+):(?:\d+:)? (?:fatal )?error: (?P<text>.+)$")

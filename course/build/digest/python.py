@@ -7,15 +7,15 @@ from collections.abc import Sequence
 from pathlib import PurePosixPath
 
 from course.build.digest.case import Case
-from course.build.digest.missing import like, manifest_place
 from course.build.digest.setup_source import EntryPoint, entry_points, name_line
 from course.build.outcome import BuildFailure
+from course.build.refusal import like, manifest_place
 
 _COPY = re.compile(r"error: can't copy '(.+?)': doesn't exist")
 _FOLDER = re.compile(r"error: package directory '(.+?)' does not exist")
 _FRAME = re.compile(r'^\s*File "(.+?)", line (\d+)')
 _EXCEPTION = re.compile(r"^(?:[\w.]+\.)?(\w*(?:Error|Exception|Warning|Exit|Interrupt))(?:: (.*))?$")
-_CONFIG = re.compile(r"file: '.*?setup\.cfg', line: (\d+)|'.*?setup\.cfg' \[line +(\d+)\]")
+_CONFIG = re.compile(r"setup\.cfg'[,:]?\s*\[?line:?\s+(\d+)")
 
 # Names that setup.py of a ROS package uses, and the line that brings each.
 _IMPORTS = {
@@ -126,8 +126,8 @@ def _files(case: Case) -> list[str]:
 def _setup_py(case: Case, said: Sequence[str]) -> BuildFailure | None:
     """`said` is what setup.py prints when it is run alone: colcon swallows or buries it."""
     found = next((m for line in reversed(said) if (m := _EXCEPTION.match(line))), None)
-    if found and (config := _first(_CONFIG, said)):
-        return _setup_cfg(case, int(config.group(1) or config.group(2)), said)
+    if found and (config := _CONFIG.search("\n".join(said))):
+        return _setup_cfg(case, int(config.group(1)), said)
     if found:
         return _exception(case, found.group(1), found.group(2) or "", said)
     refused = next((line for line in said if line.startswith(("error in ", "error: "))), None)

@@ -7,8 +7,8 @@ from pathlib import Path, PurePosixPath
 
 from course.build.digest.case import Case
 from course.build.digest.cmake import CMakeError, Explain, after_dependencies, cmake_errors, explained
-from course.build.digest.missing import like
 from course.build.outcome import BuildFailure
+from course.build.refusal import like
 from course.feedback import Location
 
 PRIMITIVES = (

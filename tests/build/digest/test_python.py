@@ -13,17 +13,40 @@ from tests.build.conftest import SRC
 from tests.build.digest.logs import check
 
 
-def test_a_bad_setup_cfg(case: Callable[..., Case], src: Path) -> None:
+@pytest.mark.parametrize(
+    "where", [["file: 'setup.cfg', line: 1", "'[install\\n'"], ["in 'setup.cfg'", "\t[line  1]: 'x'"]]
+)
+def test_a_bad_setup_cfg(case: Callable[..., Case], src: Path, where: list[str]) -> None:
     (src / "small_node/setup.cfg").write_text("[install\n")
     said = [
         "Traceback (most recent call last):",
         '  File "/python/configparser.py", line 1101, in _read',
         "configparser.MissingSectionHeaderError: File contains no section headers.",
-        "file: 'setup.cfg', line: 1",
-        "'[install\\n'",
+        *where,
     ]
     failure = explain(case("small_node", "", said))
     check(failure, "setup-cfg", f"{SRC}/small_node/setup.cfg:1", "setup.cfg of `small_node`", "`[install]`")
+
+
+@pytest.mark.parametrize(
+    ("error", "advice"),
+    [
+        ("NameError: name 'glob' is not defined", "Add `from glob import glob` at the top"),
+        ("ModuleNotFoundError: No module named 'numpie'", "Correct or remove that import"),
+        ("ValueError: odd", "Run `python3 setup.py --name`"),
+    ],
+)
+def test_an_exception_of_setup_py(case: Callable[..., Case], error: str, advice: str) -> None:
+    said = [
+        "Traceback (most recent call last):",
+        f'  File "{SRC}/small_node/setup.py", line 8, in <module>',
+        "    packages=glob('*'),",
+        "             ^^^^",
+        error,
+    ]
+    failure = explain(case("small_node", "", said))
+    check(failure, "setup-py", f"{SRC}/small_node/setup.py:8", f"stops with {error}.", advice)
+    assert failure.feedback.details[-1] == error
 
 
 def test_a_folder_that_is_not_there(case: Callable[..., Case]) -> None:

@@ -89,6 +89,20 @@ def test_a_message_without_its_package(case: Callable[..., Case], src: Path) -> 
     check(failure, "field-type", place, "no message `Point` in `small_interfaces`", "`geometry_msgs/Point`")
 
 
+def test_a_message_that_another_package_does_not_have(
+    case: Callable[..., Case], src: Path, tmp_path: Path
+) -> None:
+    edit(src / "small_interfaces/msg/Landmark.msg", "geometry_msgs/Point", "geometry_msgs/Pont")
+    missing = tmp_path / "ros/share/geometry_msgs/msg/Pont.json"
+    log = (
+        "rosidl_generator_type_description\n"
+        f"FileNotFoundError: [Errno 2] No such file or directory: '{missing}'\n"
+    )
+    failure = explain(case("small_interfaces", log))
+    place = f"{SRC}/small_interfaces/msg/Landmark.msg:3"
+    check(failure, "field-type", place, "no message `Pont` in `geometry_msgs`", "Did you mean `Point`?")
+
+
 def test_a_message_that_is_there_but_not_listed(case: Callable[..., Case], src: Path) -> None:
     (src / "small_interfaces/msg/Path.msg").write_text("Landmark[] landmarks\nStep step\n")
     (src / "small_interfaces/msg/Step.msg").write_text("int32 length\n")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -72,6 +71,8 @@ def manifest_place(package: Package, tag: str) -> Location:
 
 def like(name: str, known: Iterable[str]) -> str | None:
     """The known name that was probably meant, if one is alike."""
+    import difflib  # only what is wrong needs it
+
     near = difflib.get_close_matches(name, sorted(set(known)), 1, 0.75)
     return near[0] if near else None
 

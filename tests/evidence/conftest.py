@@ -1,0 +1,121 @@
+"""Recordings of every kind of event, and messages as ROS itself serialises them."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from course.evidence import events as kinds
+from course.evidence.events import Event
+from course.evidence.graph import Endpoint, Graph, Qos, Service
+from course.evidence.packages import BuiltPackage, BuiltPackages
+from course.evidence.recording import Recording
+from course.evidence.sources import Sources
+from course.feedback import Feedback, Location
+from course.rosenv import find_ros, node_environment, prepare
+
+STRING = "std_msgs/msg/String"
+HELLO = b"\0\1\0\0\6\0\0\0hello\0"
+GRAPH = Graph(
+    ("/listener", "/talker"),
+    (
+        Endpoint("/talk", "publisher", "/talker", STRING, "RIHS01_1", Qos()),
+        Endpoint("/talk", "subscription", "", STRING, "RIHS01_1", Qos("best_effort", deadline=0.5)),
+    ),
+    (Service("/add", "example_interfaces/srv/AddTwoInts", "RIHS01_2", "RIHS01_3"), Service("/x", "a/srv/B")),
+)
+
+# At least one of each kind; some at the same moment, which must stay in their order.
+EVENTS: tuple[Event, ...] = (
+    kinds.ProcessStarted(0.000000001, "talker", ("python3", "/lib/talker", "häufig")),
+    kinds.ExecutableMissing(0.1, "walker", "talk", "walker", ("listener", "talker")),
+    kinds.ExecutableMissing(0.1, "runner", "run", "runner", ()),
+    kinds.GraphSeen(0.2, Graph()),
+    kinds.GraphSeen(0.25, GRAPH),
+    kinds.MessageSent(0.3, "/talk", STRING, HELLO),
+    kinds.OutputLine(0.3, "talker", 'tab\t, "quotes", çà et là, 日本語 ✓, \ufffd'),
+    kinds.MessageSeen(0.3, "/talk", STRING, HELLO),
+    kinds.OutputLine(0.3, "talker", ""),
+    kinds.MessageSeen(1 / 3 - 1 / 3 % 1e-9, "/other", STRING, b""),
+    kinds.MessagesLost(0.5, "/talk", 3),
+    kinds.MessagesCut(0.6, "/talk"),
+    kinds.OutputCut(0.7, "talker", 10**12),
+    kinds.FileKept(0.8, "notes.txt", "one\ntwo\n"),
+    kinds.FileKept(0.8, "lost.txt", None),
+    kinds.Marked(0.9, "gave up: a message", "details"),
+    kinds.Marked(0.9, "done"),
+    kinds.SignalSent(1.0, "talker", 2),
+    kinds.ProcessExited(1.1, "talker", 1, None),
+    kinds.ProcessExited(1.2, "walker", None, 9),
+)
+
+
+@pytest.fixture
+def recording() -> Recording:
+    events = tuple(
+        kinds.MessageSeen(round(event.t, 9), event.topic, event.type, event.data)
+        if isinstance(event, kinds.MessageSeen)
+        else event
+        for event in EVENTS
+    )
+    feedback = Feedback(
+        "it failed", "a", "b", (Location("src/talk/setup.py", 3), Location("x")), "try", ("1",)
+    )
+    return Recording(
+        "18-publisher",
+        events,
+        {STRING: "string data\n", "a/msg/Unused": "int32 x"},
+        Sources({"src/talk/setup.py": "häufig\n"}, ("picture.png",)),
+        BuiltPackages((BuiltPackage("talk", "src/talk", "/store/talk", ("talker",)),), feedback),
+        1.5,
+    )
+
+
+@dataclass(frozen=True)
+class Sample:
+    """A message as rclpy serialised it, with its text definition and its fields."""
+
+    type: str
+    data: bytes
+    definition: str
+    fields: dict[str, Any]
+
+
+# Runs with ROS: serialises messages, and writes their fields as plain JSON.
+SERIALISE = Path(__file__).with_name("serialise.py")
+
+
+def ros_python(script: Path, *args: str, timeout: float = 60.0) -> str:
+    """What a Python of this machine's ROS prints."""
+    ros = find_ros()
+    prepare(ros)
+    done = subprocess.run(
+        [str(ros.python), str(script), *args],
+        env={**node_environment(ros), "PYTHONPATH": _path(node_environment(ros))},
+        capture_output=True,
+        text=True,
+        timeout=timeout,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def _path(environment: dict[str, str]) -> str:
+    """The engine comes first, ROS after it."""
+    return ":".join([str(Path(__file__).parents[2]), *filter(None, [environment.get("PYTHONPATH")])])
+
+
+@pytest.fixture(scope="session")
+def samples() -> dict[str, Sample]:
+    """By name."""
+    found = json.loads(ros_python(SERIALISE))
+    return {
+        name: Sample(item["type"], bytes.fromhex(item["data"]), item["definition"], item["fields"])
+        for name, item in found.items()
+    }

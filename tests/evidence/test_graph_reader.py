@@ -1,0 +1,160 @@
+"""The graph as read from a node; the node is made up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import inf
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from course.evidence.graph import Endpoint, Qos, Service
+from course.evidence.graph_reader import GraphReader, full_name
+
+STRING = "std_msgs/msg/String"
+FOR_EVER = 9223372036854775807
+UNKNOWN = "_NODE_NAME_UNKNOWN_"
+
+
+def info(node: str, reliability: str = "RELIABLE", deadline: int = FOR_EVER, namespace: str = "/") -> Any:
+    def policy(name: str) -> SimpleNamespace:
+        return SimpleNamespace(name=name)
+
+    profile = SimpleNamespace(
+        reliability=policy(reliability),
+        durability=policy("VOLATILE"),
+        liveliness=policy("AUTOMATIC"),
+        deadline=SimpleNamespace(nanoseconds=deadline),
+    )
+    return SimpleNamespace(
+        node_name=node,
+        node_namespace=namespace,
+        topic_type=STRING,
+        topic_type_hash="RIHS01_1",
+        qos_profile=profile,
+    )
+
+
+@dataclass
+class World:
+    """Answers as an rclpy node does; `reads` counts the expensive questions."""
+
+    nodes: list[tuple[str, str]] = field(default_factory=lambda: [("recorder", "/")])
+    publishers: dict[str, list[Any]] = field(default_factory=dict)
+    subscriptions: dict[str, list[Any]] = field(default_factory=dict)
+    services: list[tuple[str, list[str]]] = field(default_factory=list)
+    reads: int = 0
+
+    def get_fully_qualified_name(self) -> str:
+        return "/recorder"
+
+    def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
+        return list(self.nodes)
+
+    def get_topic_names_and_types(self) -> list[tuple[str, list[str]]]:
+        return [
+            (name, [STRING]) for name in sorted({*self.publishers, *self.subscriptions}) if name[0] == "/"
+        ]
+
+    def count_publishers(self, topic: str) -> int:
+        return len(self.publishers.get(topic, []))
+
+    def count_subscribers(self, topic: str) -> int:
+        return len(self.subscriptions.get(topic, []))
+
+    def get_publishers_info_by_topic(self, topic: str, no_mangle: bool = False) -> list[Any]:
+        self.reads += 1
+        return self.publishers.get(topic, [])
+
+    def get_subscriptions_info_by_topic(self, topic: str, no_mangle: bool = False) -> list[Any]:
+        return self.subscriptions.get(topic, [])
+
+    def get_service_names_and_types(self) -> list[tuple[str, list[str]]]:
+        return self.services
+
+
+def test_the_reading_node_is_left_out() -> None:
+    world = World(nodes=[("recorder", "/"), ("talker", "/robot")])
+    world.publishers["/talk"] = [info("recorder"), info("talker", namespace="/robot")]
+    graph = GraphReader(world).read_if_changed()
+    assert graph is not None
+    assert graph.nodes == ("/robot/talker",)
+    assert graph.endpoints == (Endpoint("/talk", "publisher", "/robot/talker", STRING, "RIHS01_1", Qos()),)
+
+
+def test_nothing_is_read_again_while_nothing_changes() -> None:
+    world = World(publishers={"/talk": [info("talker")]})
+    reader = GraphReader(world)
+    assert reader.read_if_changed() is not None
+    reads = world.reads
+    assert reader.read_if_changed() is None
+    assert world.reads == reads
+
+
+@pytest.mark.parametrize("change", ["node", "publisher", "subscription", "topic", "service"])
+def test_a_change_is_seen(change: str) -> None:
+    world = World(publishers={"/talk": [info("talker")]})
+    reader = GraphReader(world)
+    reader.read_if_changed()
+    if change == "node":
+        world.nodes.append(("listener", "/"))
+    elif change == "publisher":
+        world.publishers["/talk"].append(info("talker"))
+    elif change == "service":
+        world.services.append(("/add", ["example_interfaces/srv/AddTwoInts"]))
+    else:
+        world.subscriptions["/talk" if change == "subscription" else "/other"] = [info("listener")]
+    assert reader.read_if_changed() is not None
+    assert reader.read_if_changed() is None
+
+
+def test_it_looks_again_until_all_nodes_have_names() -> None:
+    world = World(publishers={"/talk": [info(UNKNOWN)]})
+    reader = GraphReader(world)
+    graph = reader.read_if_changed()
+    assert graph is not None
+    assert [endpoint.node for endpoint in graph.endpoints] == [""]
+    world.publishers["/talk"] = [info("talker")]
+    graph = reader.read_if_changed()
+    assert graph is not None
+    assert [endpoint.node for endpoint in graph.endpoints] == ["/talker"]
+    assert reader.read_if_changed() is None
+
+
+@pytest.mark.parametrize(
+    ("nanoseconds", "seconds"),
+    [(FOR_EVER, inf), (0, inf), (500_000_000, 0.5), (9_223_372_036_000_000_000, inf)],
+)
+def test_qos(nanoseconds: int, seconds: float) -> None:
+    world = World(subscriptions={"/talk": [info("listener", "BEST_EFFORT", nanoseconds)]})
+    graph = GraphReader(world).read_if_changed()
+    assert graph is not None
+    assert graph.subscriptions("/talk")[0].qos == Qos("best_effort", "volatile", "automatic", seconds)
+
+
+def test_services_with_the_hashes_of_their_server() -> None:
+    world = World(
+        services=[
+            ("/talker/get_parameters", ["rcl_interfaces/srv/GetParameters"]),
+            ("/talker/get_type_description", ["type_description_interfaces/srv/GetTypeDescription"]),
+            ("/add", ["example_interfaces/srv/AddTwoInts"]),
+            ("/client_only", ["example_interfaces/srv/AddTwoInts"]),
+        ]
+    )
+    world.subscriptions["rq/addRequest"] = [info("adder")]
+    world.publishers["rr/addReply"] = [info("adder")]
+    graph = GraphReader(world).read_if_changed()
+    assert graph is not None
+    assert graph.services == (
+        Service("/add", "example_interfaces/srv/AddTwoInts", "RIHS01_1", "RIHS01_1"),
+        Service("/client_only", "example_interfaces/srv/AddTwoInts"),
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "namespace", "full"),
+    [("talker", "/", "/talker"), ("talker", "/robot", "/robot/talker"), ("talker", "", "/talker")],
+)
+def test_full_names(name: str, namespace: str, full: str) -> None:
+    assert full_name(name, namespace) == full
