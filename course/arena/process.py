@@ -62,8 +62,12 @@ class Process:
         self.send(signal.SIGINT)
 
     def send(self, number: signal.Signals) -> None:
-        """Send a signal to the program's process group; recorded. Nothing if it has ended."""
-        if not self.running:
+        """Send a signal to the program's process group; recorded. Nothing if it has ended.
+
+        Its end counts from the moment it happens, not from when we took note of it: else a
+        program that ended by itself just now would seem to have been ended by this signal.
+        """
+        if not self.running or self._has_ended():
             return
         self._timeline.add(SignalSent(self._timeline.now(), self.name, int(number)))
         self._signal(number)
@@ -87,6 +91,10 @@ class Process:
         self.send(signal.SIGKILL)
         self._signal(signal.SIGKILL)
         self.wait(2.0)
+
+    def _has_ended(self) -> bool:
+        looked = os.waitid(os.P_PID, self._child.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT)
+        return looked is not None
 
     def _signal(self, number: signal.Signals) -> None:
         """To the whole group; to the program alone in its first moment, before it leads one."""

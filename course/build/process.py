@@ -111,22 +111,18 @@ def _watch(process: subprocess.Popen[bytes], log: BinaryIO, deadline: float, int
                     selector.unregister(pipe)
                 if log.tell() > MOST_OUTPUT:
                     return Ending.TOO_MUCH_OUTPUT
-                if ended in ready:
-                    return _exited(pipe, log)
+                if ended in ready:  # and the pipe was, too, if anything was left in it
+                    return Ending.EXITED
                 if time.monotonic() >= deadline:
                     return Ending.TOO_LONG
     finally:
         os.close(ended)
 
 
-def _exited(pipe: int, log: BinaryIO) -> Ending:
-    return Ending.EXITED
-
-
 def _copy(pipe: int, log: BinaryIO) -> bool:
-    """Copy what is there; False when there is nothing (more)."""
+    """Copy all that is there, a pipe's worth at most; False when there is nothing (more)."""
     try:
-        data = os.read(pipe, 1 << 16)
+        data = os.read(pipe, 1 << 20)
     except BlockingIOError:
         return False
     log.write(data)

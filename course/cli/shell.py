@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from course.cli.words import LAUNCHER, PROGRAM, examples, typed
+from course.cli.words import CALLED_AS, LAUNCHER, PROGRAM, examples, typed
 
 if TYPE_CHECKING:
     from course.home import CourseHome
@@ -88,7 +88,7 @@ def _setup_script() -> Path:
 def _environment(home: CourseHome) -> dict[str, str]:
     from course.rosenv import cache_dir
 
-    dropped = (LAUNCHER, "PROMPT_COMMAND")
+    dropped = (LAUNCHER, CALLED_AS, "PROMPT_COMMAND")
     environment = {name: value for name, value in os.environ.items() if name not in dropped}
     # With another HOME, the cache and the course home would be looked for in other places.
     return {

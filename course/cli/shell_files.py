@@ -11,7 +11,7 @@ import shlex
 import sys
 from pathlib import Path
 
-from course.cli.words import LAUNCHER, PROGRAM
+from course.cli.words import CALLED_AS, LAUNCHER, PROGRAM
 from course.home import CourseHome
 from course.home.storage import storing
 from course.rosenv.files import write_atomic
@@ -32,7 +32,7 @@ complete -F _ros2course_first_tab ros2course
 _COMMAND = """\
 #!/bin/sh
 # Written by `ros2course shell`.
-export {launcher}=ros2course _ROS_WHEELS_BOOTSTRAP_COMPLETE=1
+export {called_as}=ros2course _ROS_WHEELS_BOOTSTRAP_COMPLETE=1
 exec {command} "$@"
 """
 
@@ -51,7 +51,7 @@ def write_command(home: CourseHome) -> Path:
     """Write the program that calls this one from anywhere; returns the folder for PATH."""
     file = home.state / "shell" / "bin" / PROGRAM
     with storing(f"{file} cannot be written"):
-        write_atomic(file, _COMMAND.format(launcher=LAUNCHER, command=own_command(file)))
+        write_atomic(file, _COMMAND.format(called_as=CALLED_AS, command=own_command(file)))
         file.chmod(0o755)
     return file.parent
 

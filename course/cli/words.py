@@ -9,12 +9,14 @@ from collections.abc import Sequence
 PROGRAM = "ros2course"
 # Set by the launcher to what was typed (`./ros2course`), so that advice can be typed in turn.
 LAUNCHER = "ROS2COURSE_LAUNCHER"
+# Set by the command in the learner's shell, which calls the launcher under this shorter name.
+CALLED_AS = "ROS2COURSE_CALLED_AS"
 GLOBAL_OPTIONS = ("--home", "--course")
 
 
 def program() -> str:
     """How this command was called: `ros2course`, or `./ros2course` from a fresh clone."""
-    return os.environ.get(LAUNCHER) or PROGRAM
+    return os.environ.get(CALLED_AS) or os.environ.get(LAUNCHER) or PROGRAM
 
 
 def spoken(text: str) -> str:

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from course.build import Interrupt, Interrupted, Store
+from course.build import store as store_module
 from course.build.store import storage
 from course.errors import StorageError
 
@@ -85,24 +86,21 @@ def test_waiting_can_be_called_off(store: Store) -> None:
         pass
 
 
-def test_a_lock_file_pruned_while_waiting_is_not_trusted(store: Store) -> None:
-    make(store, KEY, age=LONG_AGO)
-    waiting = threading.Event()
-    held = threading.Event()
+def test_a_lock_file_that_was_just_pruned_is_not_trusted(
+    store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lock = store.root / f"{KEY}.lock"
+    prunings = iter([lock.unlink])
+    real = store_module._try
 
-    def second() -> None:
-        with Interrupt() as interrupt, store.locked(KEY, interrupt, waiting.set):
-            held.set()
+    def try_late(descriptor: int) -> bool:
+        for prune in prunings:  # the first time, between opening the file and locking it
+            prune()
+        return real(descriptor)
 
-    thread = threading.Thread(target=second)
-    with Interrupt() as interrupt, store.locked(KEY, interrupt, never):
-        thread.start()
-        assert waiting.wait(10)
-        (store.root / f"{KEY}.lock").unlink()
-    assert held.wait(10)
-    thread.join(10)
-    with Interrupt() as interrupt, store.locked(KEY, interrupt, never):
-        assert (store.root / f"{KEY}.lock").exists()
+    monkeypatch.setattr(store_module, "_try", try_late)
+    with Interrupt() as interrupt, store.locked(KEY, interrupt, lambda: None):
+        assert lock.exists()
 
 
 def test_pruning_removes_the_longest_unused(store: Store) -> None:

@@ -33,7 +33,13 @@ def ros2course(
     small_course: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> Ros2course:
     """`ros2course("hint", "04-light")` as typed, at 80 columns, on a copy of the small course."""
-    for name in ("NO_COLOR", "FORCE_COLOR", "ROS2COURSE_LAUNCHER", "ROS2COURSE_DEBUG"):
+    for name in (
+        "NO_COLOR",
+        "FORCE_COLOR",
+        "ROS2COURSE_LAUNCHER",
+        "ROS2COURSE_CALLED_AS",
+        "ROS2COURSE_DEBUG",
+    ):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.chdir(small_course.parent)

@@ -46,7 +46,7 @@ def test_what_env_prints_makes_a_shell_ready(ros2course: Ros2course, tmp_path: P
 def test_the_command_prefers_the_launcher(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     launcher = tmp_path / "a clone" / "ros2course"
     launcher.parent.mkdir()
-    launcher.write_text('#!/bin/sh\necho "launched $ROS2COURSE_LAUNCHER $1"\n')
+    launcher.write_text('#!/bin/sh\necho "launched $ROS2COURSE_CALLED_AS $1"\n')
     launcher.chmod(0o755)
     monkeypatch.chdir(launcher.parent)
     monkeypatch.setenv("ROS2COURSE_LAUNCHER", "./ros2course")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from course.cli.words import examples, global_options_first, spoken
+from course.cli.words import examples, global_options_first, spoken, typed
 
 
 @pytest.mark.parametrize(
@@ -28,6 +28,12 @@ def test_advice_names_the_launcher_as_it_was_typed(monkeypatch: pytest.MonkeyPat
     assert (
         said == "`../x/ros2course init` makes it in ~/ros2course; see /a/ros2course next. ./ros2course next"
     )
+
+
+def test_in_the_learner_s_shell_the_name_alone_is_typed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS2COURSE_LAUNCHER", "/clone/ros2course")
+    monkeypatch.setenv("ROS2COURSE_CALLED_AS", "ros2course")
+    assert typed("next") == "ros2course next"
 
 
 def test_examples_line_up() -> None:

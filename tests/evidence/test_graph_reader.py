@@ -71,7 +71,7 @@ class World:
         return self.subscriptions.get(topic, [])
 
     def get_service_names_and_types(self) -> list[tuple[str, list[str]]]:
-        return self.services
+        return list(self.services)
 
 
 def test_the_reading_node_is_left_out() -> None:

@@ -131,7 +131,7 @@ def test_truncated_messages_are_refused(samples: dict[str, Sample]) -> None:
         decoder = Decoder({sample.type: sample.definition})
         cut = (sample.data[:length] for length in range(len(sample.data)))
         accepted = [data for data in cut if not is_refused(decoder, sample.type, data)]
-        assert min(map(len, accepted)) >= 5, sample.type
+        assert min(map(len, accepted), default=5) >= 5, sample.type
         assert all(plain(decoder.decode(sample.type, data)) == sample.fields for data in accepted)
     assert time.monotonic() - began < SOON
 

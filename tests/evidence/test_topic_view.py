@@ -87,7 +87,7 @@ def test_of_a_topic() -> None:
     messages = tuple(Message(0.5 * n, STRING, None) for n in range(5))
     view = TopicView("/talk", messages, 0, 3.0)
     view.expect_period(0.5)
-    with pytest.raises(Failure, match="messages on /talk come every 0.50 s, not every 1.00 s"):
+    with pytest.raises(Failure, match=r"messages on /talk come every 0\.50 s, not every 1\.00 s"):
         view.expect_period(1.0, advice="slower")
 
 

@@ -116,6 +116,9 @@ def _missing_module(error: str, packages: BuiltPackages, sources: Sources) -> _R
     if moved:
         text = f"The file lies at `{moved[0]}`; it belongs at `{moved[1]}`, in the folder within."
         return _Remedy(text, (Location(moved[0]),))
+    neighbour = _neighbour(name, packages, sources)
+    if neighbour:
+        return _Remedy(f"Name its package too: `{neighbour}` in place of `{name}`.")
     entry = _entry_for(name, packages, sources)
     if entry:
         modules = [PurePosixPath(file).stem for file in _modules(entry, packages, sources)]
@@ -133,6 +136,14 @@ def _elsewhere(module: str, packages: BuiltPackages, sources: Sources) -> tuple[
     name = PurePosixPath(wanted).name
     lost = [file for file in sources.below(package.source).names if PurePosixPath(file).name == name]
     return (lost[0], wanted) if lost and wanted not in lost else None
+
+
+def _neighbour(module: str, packages: BuiltPackages, sources: Sources) -> str | None:
+    """`talk.words`, when the package `talk` has such a module and `words` alone was imported."""
+    for package in packages.built:
+        if f"{package.source}/{package.name}/{module.replace('.', '/')}.py" in sources.files:
+            return f"{package.name}.{module}"
+    return None
 
 
 def _missing_function(error: str, packages: BuiltPackages, sources: Sources) -> _Remedy | None:
@@ -173,7 +184,12 @@ def _entries(packages: BuiltPackages, sources: Sources) -> tuple[EntryPoint, ...
 
 
 def _entry_for(module: str, packages: BuiltPackages, sources: Sources) -> EntryPoint | None:
-    return next((e for e in _entries(packages, sources) if e.target.split(":")[0].strip() == module), None)
+    """The entry point that leads to this module, or to one inside it."""
+    for entry in _entries(packages, sources):
+        target = entry.target.split(":")[0].strip()
+        if f"{target}.".startswith(f"{module}."):
+            return entry
+    return None
 
 
 def _modules(entry: EntryPoint, packages: BuiltPackages, sources: Sources) -> list[str]:

@@ -1,0 +1,118 @@
+"""Questions that checks ask of a recording."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from struct import pack
+
+import pytest
+
+from course.evidence.events import (
+    Event,
+    ExecutableMissing,
+    FileKept,
+    GraphSeen,
+    Marked,
+    MessageSeen,
+    MessageSent,
+    MessagesLost,
+)
+from course.evidence.graph import Endpoint, Graph, Qos, Service
+from course.evidence.recording import ROSOUT, ROSOUT_TYPE, Recording
+
+from .conftest import HELLO, STRING
+
+LOG = "uint32 level\nstring name\nstring msg\n"
+
+
+def string(text: str) -> bytes:
+    data = text.encode() + b"\0"
+    return pack("<I", len(data)) + data + bytes(-len(data) % 4)
+
+
+def log(t: float, name: str, text: str, level: int = 20) -> MessageSeen:
+    return MessageSeen(t, ROSOUT, ROSOUT_TYPE, b"\0\1\0\0" + pack("<I", level) + string(name) + string(text))
+
+
+def record(*events: Event) -> Recording:
+    return Recording("x", events, {STRING: "string data", ROSOUT_TYPE: LOG}, duration=3.0)
+
+
+def test_messages_of_a_topic_in_their_order() -> None:
+    other = HELLO.replace(b"hello", b"other")
+    found = record(
+        MessageSeen(1.0, "/talk", STRING, HELLO),
+        MessageSent(1.1, "/talk", STRING, other),
+        MessageSeen(1.2, "/other", STRING, other),
+        MessageSeen(1.3, "/talk", STRING, b""),
+        MessagesLost(1.4, "/talk", 2),
+        MessagesLost(1.5, "/other", 5),
+        MessagesLost(1.6, "/talk", 1),
+    )
+    assert [(m.t, m.data and m.data.data) for m in found.messages("/talk")] == [(1.0, "hello"), (1.3, None)]
+    assert [m.data.data for m in found.sent("/talk")] == ["other"]
+    assert found.lost("/talk") == 3
+    view = found.topic("/talk")
+    assert (view.times, view.lost, view.watched) == ((1.0, 1.3), 3, 3.0)
+
+
+@pytest.mark.parametrize("node", ["talker", "/talker"])
+def test_the_log_of_a_node(node: str) -> None:
+    found = record(log(1.0, "talker", "one"), log(2.0, "listener", "two"), log(3.0, "talker", "drei", 30))
+    assert [(line.t, line.level, line.text) for line in found.node_log(node)] == [
+        (1.0, "INFO", "one"),
+        (3.0, "WARN", "drei"),
+    ]
+    assert len(found.log) == 3
+
+
+def test_the_logger_of_a_node_in_a_namespace_has_dots() -> None:
+    assert len(record(log(1.0, "robot.arm.talker", "one")).node_log("/robot/arm/talker")) == 1
+
+
+def endpoint(node: str, topic: str = "/talk", qos: Qos | None = None) -> Endpoint:
+    return Endpoint(topic, "publisher", node, STRING, "RIHS01_1", qos or Qos())
+
+
+def test_an_endpoint_without_a_name_is_the_one_that_gets_it() -> None:
+    found = record(
+        GraphSeen(1.0, Graph(endpoints=(endpoint(""),))),
+        GraphSeen(2.0, Graph(("/talker",), (endpoint("/talker"),))),
+        GraphSeen(3.0, Graph()),
+    )
+    assert found.seen_endpoints() == (endpoint("/talker"),)
+    assert found.seen_nodes() == ("/talker",)
+
+
+def test_an_endpoint_that_never_gets_a_name_counts_too() -> None:
+    found = record(GraphSeen(1.0, Graph(endpoints=(endpoint(""), endpoint("/talker", "/other")))))
+    assert found.seen_endpoints() == (endpoint("/talker", "/other"), endpoint(""))
+
+
+def test_endpoints_of_one_topic_are_kept_apart() -> None:
+    two = (endpoint("/a"), endpoint("/b"), endpoint("/b", qos=Qos("best_effort")))
+    assert set(record(GraphSeen(1.0, Graph(endpoints=two))).seen_endpoints()) == set(two)
+
+
+def test_everything_that_was_ever_there_in_one_graph() -> None:
+    first, later = Service("/add", "a/srv/B"), Service("/add", "a/srv/B", "1", "2")
+    found = record(
+        GraphSeen(1.0, Graph(("/b",), (), (first,))), GraphSeen(2.0, Graph(("/a",), (), (later,)))
+    ).seen_graph()
+    assert (found.nodes, found.services) == (("/a", "/b"), (first, later))
+
+
+def test_marks_files_and_missing_executables() -> None:
+    missing = ExecutableMissing(1.0, "it", "talk", "talker", ())
+    found = record(missing, FileKept(1.0, "a", "text"), FileKept(1.0, "b", None), Marked(2.0, "done", "well"))
+    assert found.missing_executable("it") == missing
+    assert found.missing_executable("talker") is None
+    assert (found.kept("a"), found.kept("b"), found.kept("c")) == ("text", None, None)
+    assert found.marked("done") == Marked(2.0, "done", "well")
+    assert found.marked("other") is None
+
+
+def test_recordings_are_equal_by_what_they_hold(recording: Recording) -> None:
+    assert len(recording.log) == 0  # a question asked before changes nothing
+    assert recording == replace(recording)
+    assert recording != replace(recording, duration=9.0)
