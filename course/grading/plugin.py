@@ -7,7 +7,7 @@ fixture `recording` gives a check what its exercise's scenario observed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -16,8 +16,6 @@ from course.evidence.recording import Recording
 from course.grading import outcome
 from course.grading.author import CheckSpec, Grader
 from course.grading.result import CheckResult, Outcome
-
-Provide = Callable[[Grader], Recording]
 
 
 class CheckItem(pytest.Function):
@@ -50,18 +48,16 @@ class GraderNode(pytest.Collector):
 
 
 class JudgePlugin:
-    """Judges the exercise `exercise`; `provide` makes its recording, once.
+    """Judges a recording with the checks of its exercise.
 
     results: filled while pytest runs. faults: what kept it from judging at all.
     """
 
-    def __init__(self, exercise: str, provide: Provide) -> None:
-        self.exercise = exercise
+    def __init__(self, recording: Recording) -> None:
+        self.exercise = recording.exercise
         self.results: dict[str, CheckResult] = {}
         self.faults: list[str] = []
-        self.scenario_error: BaseException | None = None
-        self._provide = provide
-        self._recording: Recording | None = None
+        self._recording = recording
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_pycollect_makeitem(
@@ -77,21 +73,9 @@ class JudgePlugin:
         if report.failed:
             self.faults.append(str(report.longrepr))
 
-    @pytest.hookimpl(tryfirst=True)
-    def pytest_runtestloop(self, session: pytest.Session) -> None:
-        """Run the scenario once, before the first check."""
-        graders = {item.grader.exercise: item.grader for item in session.items if isinstance(item, CheckItem)}
-        for grader in graders.values():
-            try:
-                self._recording = self._provide(grader)
-            except Exception as error:  # noqa: BLE001 - whatever a scenario ran into is our error, kept and shown
-                self.scenario_error = error
-                session.items.clear()
-
     @pytest.fixture
     def recording(self) -> Recording:
         """What the exercise's scenario observed."""
-        assert self._recording is not None
         return self._recording
 
     def pytest_runtest_setup(self, item: pytest.Item) -> None:

@@ -7,14 +7,14 @@ it closes, the parent is gone, and this process ends all that it started and its
 
 from __future__ import annotations
 
+import contextlib
+import importlib
 import os
 import shutil
 import sys
 import threading
 import time
 from pathlib import Path
-
-import pytest
 
 from course.arena.arena import open_arena
 from course.arena.leftovers import adopt_orphans, end_descendants
@@ -24,11 +24,10 @@ from course.evidence.recording import Recording
 from course.evidence.sources import read_sources
 from course.evidence.timeline import Timeline
 from course.feedback import Feedback
-from course.grading.author import Grader
 from course.grading.channel import Channel, Judgement
 from course.grading.job import Job, from_line
+from course.grading.load import load_grader
 from course.grading.outcome import our_error
-from course.grading.plugin import JudgePlugin
 
 _PYTEST = (
     # graders/conftest.py is for `pytest graders/`; no conftest has a say in a grading.
@@ -41,14 +40,17 @@ _PYTEST = (
 def main() -> int:
     channel = Channel(int(sys.argv[1]))
     adopt_orphans()
+    # While the job is still being made. What fails here fails again, and is told, when it is used.
+    with contextlib.suppress(ImportError):
+        importlib.import_module("course.evidence.recorder")
     line = sys.stdin.readline()
     if not line:
         return 0  # the parent changed its mind
     job = from_line(line)
-    folder = Path(sys.argv[2]) / "arena"
+    folder = Path(sys.argv[2])
     threading.Thread(target=_end_with_parent, args=(folder,), daemon=True).start()
     try:
-        channel.judgement(_judge(job, channel, folder))
+        channel.judgement(_grade(job, channel, folder))
     finally:
         end_descendants()
         shutil.rmtree(folder, ignore_errors=True)
@@ -64,18 +66,27 @@ def _end_with_parent(folder: Path) -> None:
     os._exit(1)  # noqa: TID251 - the main thread may be anywhere; nothing is left to clean up
 
 
-def _judge(job: Job, channel: Channel, folder: Path) -> Judgement:
-    took: list[float] = []
+def _grade(job: Job, channel: Channel, folder: Path) -> Judgement:
+    try:
+        recording = _record(job, channel, folder)
+    except Exception as error:  # noqa: BLE001 - whatever a scenario runs into is our error, kept and shown
+        return Judgement((), 0.0, our_error(error))
+    _keep(recording, job, channel)
+    return _judge(recording, job)
 
-    def provide(grader: Grader) -> Recording:
-        recording = _record(job, grader, channel, folder)
-        took.append(recording.duration)
-        _keep(recording, job, channel)
-        return recording
 
-    plugin = JudgePlugin(job.exercise, provide)
+def _judge(recording: Recording, job: Job) -> Judgement:
+    import pytest
+
+    from course.grading.plugin import JudgePlugin
+
+    plugin = JudgePlugin(recording)
     pytest.main([job.grader, f"--rootdir={Path(job.grader).parent}", "-c", os.devnull, *_PYTEST], [plugin])
-    return Judgement(tuple(plugin.results.values()), sum(took), _fault(plugin))
+    fault = None
+    if plugin.faults or not plugin.results:
+        lines = "\n".join(plugin.faults).splitlines()
+        fault = Feedback(summary=f"The grader of {job.exercise} cannot be run.", details=tuple(lines[-12:]))
+    return Judgement(tuple(plugin.results.values()), recording.duration, fault)
 
 
 def _keep(recording: Recording, job: Job, channel: Channel) -> None:
@@ -89,19 +100,9 @@ def _keep(recording: Recording, job: Job, channel: Channel) -> None:
         channel.progress(error.what)
 
 
-def _fault(plugin: JudgePlugin) -> Feedback | None:
-    if plugin.scenario_error is not None:
-        return our_error(plugin.scenario_error)
-    if plugin.faults:
-        lines = plugin.faults[0].splitlines()
-        return Feedback(summary="The grader module cannot be loaded.", details=tuple(lines[-12:]))
-    if not plugin.results:
-        return Feedback(summary=f"No grader judges {plugin.exercise}.")
-    return None
-
-
-def _record(job: Job, grader: Grader, channel: Channel, folder: Path) -> Recording:
+def _record(job: Job, channel: Channel, folder: Path) -> Recording:
     """Run the scenario, unless nothing was built that it could run."""
+    grader = load_grader(Path(job.grader), job.exercise)
     timeline = Timeline()
     sources = read_sources(Path(job.home), job.roots)
     definitions: dict[str, str] = {}
@@ -109,6 +110,8 @@ def _record(job: Job, grader: Grader, channel: Channel, folder: Path) -> Recordi
     if grader.scenario_function is not None and job.packages.failure is None:
         channel.progress("watching your program")
         with open_arena(timeline, job.packages, job.environment, job.python, folder) as arena:
+            # pytest judges afterwards; it loads while the scenario waits for the learner's program.
+            threading.Thread(target=importlib.import_module, args=("pytest",), daemon=True).start()
             grader.scenario_function(arena)
             duration = timeline.now()
             definitions = arena.definitions

@@ -73,7 +73,7 @@ class Supervisor:
         In namespaces of its own the kernel does both, whatever happens to us.
         """
         if self._where.kind == "namespaces":
-            yield "/dev/shm"
+            yield "/dev/shm/ros2course"
             return
         scratch = tempfile.TemporaryDirectory(prefix="ros2course-", ignore_cleanup_errors=True)
         with scratch as folder, nothing_left():

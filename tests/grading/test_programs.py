@@ -117,4 +117,5 @@ for _ in range(40):
 def test_no_program_at_all(grade: Grade) -> None:
     grader_text = "from course.grading.author import Grader\nother = Grader('01-other')\n"
     judgement = grade("pass", grader_text)
-    assert judgement.fault is not None and "No grader judges 01-toy" in judgement.fault.summary
+    assert judgement.fault is not None
+    assert "no grader in toy_grader.py judges 01-toy" in judgement.fault.summary

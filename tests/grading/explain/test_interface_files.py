@@ -1,0 +1,117 @@
+"""How .msg and .srv files differ from what was asked."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.evidence.sources import Sources
+from course.feedback import Feedback
+from course.grading.explain.interface_files import Section, compare, interface_file
+
+PACKAGE = "words"
+MESSAGE: Section = (("int32", "id"), ("string", "text"), ("string", "author"))
+REQUEST: Section = ((f"{PACKAGE}/Quote", "quote"),)
+RESPONSE: Section = (("geometry_msgs/Point", "point"),)
+MSG, SRV = f"src/{PACKAGE}/msg/Quote.msg", f"src/{PACKAGE}/srv/Point.srv"
+
+
+def message(text: str) -> Feedback:
+    file = interface_file(Sources({MSG: text}), PACKAGE, "msg", "Quote")
+    return compare(file, (MESSAGE,), PACKAGE, "Quote")
+
+
+def service(text: str) -> Feedback:
+    file = interface_file(Sources({SRV: text}), PACKAGE, "srv", "Point")
+    return compare(file, (REQUEST, RESPONSE), PACKAGE, "Point")
+
+
+def where(feedback: Feedback) -> list[str]:
+    return [str(place) for place in feedback.where]
+
+
+@pytest.mark.parametrize(
+    ("text", "fields"),
+    [
+        ("int32 id\nstring text", [("int32", "id", 1), ("string", "text", 2)]),
+        ("\n# comment\n  int32   id  # number\n", [("int32", "id", 3)]),
+        ("int32 MOST=5\nint32 LEAST = 1\nint32 id", [("int32", "id", 3)]),
+        ("int32 id 5\nstring text \"a = b\"", [("int32", "id", 1), ("string", "text", 2)]),
+        ("string<=10 text\nint32[] a\nint32[3] b\nint32[<=3] c\nstring<=5[<=2] d", [
+            ("string<=10", "text", 1), ("int32[]", "a", 2), ("int32[3]", "b", 3), ("int32[<=3]", "c", 4),
+            ("string<=5[<=2]", "d", 5)]),
+        ("geometry_msgs/Point p\ngeometry_msgs/msg/Point[] q", [
+            ("geometry_msgs/Point", "p", 1), ("geometry_msgs/msg/Point[]", "q", 2)]),
+        ("", []),
+    ],
+)  # fmt: skip
+def test_fields(text: str, fields: list[tuple[str, str, int]]) -> None:
+    file = interface_file(Sources({MSG: text}), PACKAGE, "msg", "Quote")
+    assert file is not None
+    assert [(field.type, field.name, field.line) for field in file.sections[0]] == fields
+
+
+def test_sections_of_a_service() -> None:
+    file = interface_file(Sources({SRV: "int32 a\n --- \nint32 b"}), PACKAGE, "srv", "Point")
+    assert file is not None
+    assert [[field.name for field in section] for section in file.sections] == [["a"], ["b"]]
+
+
+def test_a_file_that_is_not_there() -> None:
+    assert interface_file(Sources({MSG: ""}), PACKAGE, "msg", "Other") is None
+    found = compare(None, (MESSAGE,), PACKAGE, "Quote")
+    assert found.summary == "`Quote` has other fields than the task asks for, and its file was not found."
+
+
+@pytest.mark.parametrize(
+    ("text", "summary", "line"),
+    [
+        ("int32 id\nstring tekst\nstring author", "the field `tekst` should be called `text`", 2),
+        ("int32 id\nstring other\nstring author", "the field `other` should be called `text`", 2),
+        ("int32 id\nstring text", "the field `author` is missing", 2),
+        ("int32 id", "the fields `text` and `author` are missing", 1),
+        ("", "the fields `id`, `text` and `author` are missing", 1),
+        ("int32 id\nstring text\nstring author\nbool more", "there is a field too many: `more`", 4),
+        ("int64 id\nstring text\nstring author", "`id` is of type `int64`, not `int32`", 1),
+        ("int32 id\nstring<=9 text\nstring author", "`text` is of type `string<=9`, not `string`", 2),
+        ("int32 id\nstring text\nstring[] author", "`author` is of type `string[]`, not `string`", 3),
+        ("string text\nint32 id\nstring author", "the fields stand in another order", 1),
+    ],
+)
+def test_the_first_difference_of_a_message(text: str, summary: str, line: int) -> None:
+    found = message(text)
+    assert found.summary == f"In `Quote`, {summary}."
+    assert where(found) == [f"{MSG}:{line}"]
+    assert found.expected == "int32 id, string text, string author"
+    assert found.advice
+
+
+def test_what_was_seen_is_written_as_what_was_expected() -> None:
+    found = service("words/msg/Quote quotes\n---\ngeometry_msgs/Point point")
+    assert (found.expected, found.seen) == ("Quote quote", "Quote quotes")
+    assert message("").seen == "no field"
+
+
+@pytest.mark.parametrize(
+    ("text", "summary", "line"),
+    [
+        (
+            "Quote quotation\n---\ngeometry_msgs/Point point",
+            "In the request of `Point`, the field `quotation` should",
+            1,
+        ),
+        (
+            "words/msg/Quote quote\n---\ngeometry_msgs/Pose point",
+            "In the response of `Point`, `point` is of type",
+            3,
+        ),
+        ("Quote quote\n---\n", "In the response of `Point`, the field `point` is missing", 1),
+        ("geometry_msgs/Point point\n---\nQuote quote", "In `Point`, request and response are exchanged", 1),
+        ("Quote quote\n---\ngeometry_msgs/Point point", "`Point` is not the type that the task asks for", 1),
+        ("words/Quote quote\n---\ngeometry_msgs/msg/Point point", "`Point` is not the type", 1),
+        ("Quote quote", "`Point` is not the type that the task asks for", 1),
+    ],
+)
+def test_the_first_difference_of_a_service(text: str, summary: str, line: int) -> None:
+    found = service(text)
+    assert found.summary.startswith(summary)
+    assert where(found) == [f"{SRV}:{line}"]

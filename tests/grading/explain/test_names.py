@@ -1,0 +1,38 @@
+"""Near misses, and names in a row."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.grading.explain.names import listed, nearest
+
+
+@pytest.mark.parametrize(
+    ("wanted", "candidates", "found"),
+    [
+        ("/amazing_quote", ["/amazing_qoute", "/chatter"], "/amazing_qoute"),
+        ("/amazing_quote", ["amazing_quote"], "amazing_quote"),
+        ("/amazing_quote", ["/Amazing_Quote"], "/Amazing_Quote"),
+        ("/amazing_quote", ["/amazing_quotes", "/amazing_quot"], "/amazing_quotes"),
+        ("/amazing_quote", ["/chatter"], None),
+        ("/amazing_quote", [], None),
+        # Two different things, not a slip.
+        ("amazing_quote_publisher_node", ["amazing_quote_subscriber_node"], None),
+        ("rclpy", ["rcl_py"], "rcl_py"),
+        ("", ["a"], None),
+    ],
+)
+def test_nearest(wanted: str, candidates: list[str], found: str | None) -> None:
+    assert nearest(wanted, candidates) == found
+
+
+@pytest.mark.parametrize(
+    ("names", "text"),
+    [([], "none"), (["a"], "`a`"), (["a", "b"], "`a` and `b`"), (["a", "b", "c"], "`a`, `b` and `c`")],
+)
+def test_listed(names: list[str], text: str) -> None:
+    assert listed(names) == text
+
+
+def test_listed_nothing_in_other_words() -> None:
+    assert listed([], "no node at all") == "no node at all"
