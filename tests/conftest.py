@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import shutil
+import signal
 import stat
 import tempfile
 from collections.abc import Callable, Iterator
@@ -24,6 +25,11 @@ GUARDED = {
     "ROS2COURSE_CACHE": "course-cache",
     "ROS2COURSE_HOME": "course-home",  # not made: a test that needs a course home makes one
 }
+
+
+def pytest_configure() -> None:
+    """Ctrl+C works in the programs that tests start, even where pytest itself runs in the background."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def _guard(monkeypatch: pytest.MonkeyPatch, root: Path) -> None:

@@ -93,7 +93,10 @@ class Process:
         self.wait(2.0)
 
     def _has_ended(self) -> bool:
-        looked = os.waitid(os.P_PID, self._child.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT)
+        try:
+            looked = os.waitid(os.P_PID, self._child.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT)
+        except ChildProcessError:  # its end has just been taken note of
+            return True
         return looked is not None
 
     def _signal(self, number: signal.Signals) -> None:

@@ -28,7 +28,7 @@ def build_one(job: Job, stop: Interrupt) -> BuiltPackage | BuildFailure:
     name = job.package.name
 
     def waiting() -> None:
-        job.on_progress(f"Waiting for another check that is building {name}")
+        job.on_progress(f"Waiting for {name}, which is being built already")
 
     with job.store.locked(job.key, stop, waiting) as entry, storage(job.store.root):
         prefix = entry.prefix(name)

@@ -39,9 +39,12 @@ class Channel:
 
 
 def read_message(line: str) -> str | Judgement:
-    """A line of the channel: a progress text, or the judgement. Raises ValueError or KeyError."""
-    data = json.loads(line)
-    if data["kind"] == "progress":
-        return str(data["text"])
-    checks = tuple(check_from_dict(item) for item in data["checks"])
-    return Judgement(checks, data["evidence"], feedback_from_dict(data["fault"]))
+    """A line of the channel: a progress text, or the judgement. Raises ValueError on anything else."""
+    try:
+        data = json.loads(line)
+        if data["kind"] == "progress":
+            return str(data["text"])
+        checks = tuple(check_from_dict(item) for item in data["checks"])
+        return Judgement(checks, data["evidence"], feedback_from_dict(data["fault"]))
+    except (KeyError, TypeError) as error:
+        raise ValueError(f"this is no message of the grading process: {error}") from error

@@ -11,6 +11,7 @@ import contextlib
 import importlib
 import os
 import shutil
+import signal
 import sys
 import threading
 import time
@@ -39,6 +40,7 @@ _PYTEST = (
 
 def main() -> int:
     channel = Channel(int(sys.argv[1]))
+    _listen_to_signals()
     adopt_orphans()
     # While the job is still being made. What fails here fails again, and is told, when it is used.
     with contextlib.suppress(ImportError):
@@ -57,6 +59,16 @@ def main() -> int:
     sys.stdout.flush()
     # Threads of the middleware may take their time to end; there is nothing left to wait for.
     os._exit(0)  # noqa: TID251 - see above; everything has been cleaned up
+
+
+def _listen_to_signals() -> None:
+    """As in front of a terminal, for us and all that we start.
+
+    Who was started in the background has inherited to ignore SIGINT, and would hand that on
+    to the learner's programs: none of them would hear Ctrl+C.
+    """
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
 
 
 def _end_with_parent(folder: Path) -> None:

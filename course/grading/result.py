@@ -135,8 +135,16 @@ def to_json(result: Result, *, indent: int | None = None) -> str:
 def from_json(text: str) -> Result:
     """Read what `to_json` wrote. Raises ValueError or KeyError on anything else."""
     data = json.loads(text)
-    if data.get("schema") != SCHEMA_VERSION:
-        raise ValueError(f"result schema {data.get('schema')!r} is not {SCHEMA_VERSION}")
+    schema = data.get("schema") if isinstance(data, dict) else None
+    if schema != SCHEMA_VERSION:
+        raise ValueError(f"result schema {schema!r} is not {SCHEMA_VERSION}")
+    try:
+        return _from_dict(data)
+    except (TypeError, AttributeError) as error:  # a list for an object, an unknown field
+        raise ValueError(f"this is no result: {error}") from error
+
+
+def _from_dict(data: dict[str, Any]) -> Result:
     return Result(
         exercise=data["exercise"],
         verdict=Verdict(data["verdict"]),

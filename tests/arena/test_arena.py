@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import sys
+import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -125,7 +126,9 @@ def test_until_ends_as_soon_as_the_condition_holds(play: Play) -> None:
 
 def test_until_ends_with_the_program(play: Play) -> None:
     program = play.arena.start("true", name="it")
+    began = time.monotonic()
     assert not play.arena.until(lambda: False, timeout=WAIT, while_running=program, name="a message")
+    assert time.monotonic() - began < WAIT / 2
     assert [mark.name for mark in play.events(Marked)] == ["gave up: a message"]
 
 

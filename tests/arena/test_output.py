@@ -85,6 +85,15 @@ def test_the_line_that_the_limit_cuts_in_two_is_whole() -> None:
     assert splitter.rest() == ["begun", "next"]
 
 
+def test_a_line_that_the_flood_begins_in_is_dropped_with_it() -> None:
+    splitter = LineSplitter()
+    splitter.feed(LINE * (MAX_TOTAL // len(LINE) + 1) + b"be")
+    splitter.feed(b"noise\n" * 10_000)
+    kept = splitter.rest()
+    assert set(kept) == {"noise"}
+    assert splitter.dropped == 2 + 60_000 - 6 * len(kept)
+
+
 def test_a_flood_is_never_held_in_memory() -> None:
     splitter = flooded()
     for _ in range(100):

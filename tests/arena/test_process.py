@@ -206,7 +206,9 @@ def test_it_has_not_ended_before_its_end_is_on_the_time_line(tmp_path: Path) -> 
 
 def test_no_longer_running_is_known_when_its_end_is_announced(stage: Stage) -> None:
     program = stage.start("true")
+    began = time.monotonic()
     assert stage.timeline.wait_until(lambda: not program.running, WAIT)
+    assert time.monotonic() - began < WAIT / 2  # by the event, not by the time-out
 
 
 # signals
@@ -217,7 +219,7 @@ reader, writer = os.pipe()
 child = os.fork()
 name = "parent" if child else "child"
 def hear(number, frame):
-    print(name, "heard", flush=True)
+    os.write(1, f"{name} heard\\n".encode())  # print may have been interrupted itself
     if child:
         os.waitpid(child, 0)
     os._exit(0)
@@ -245,6 +247,47 @@ def test_signals_after_its_end_are_not_sent(stage: Stage) -> None:
     program = stage.start("true")
     assert program.wait(WAIT)
     program.interrupt()
+    assert stage.events(SignalSent) == []
+
+
+def test_a_signal_that_comes_just_after_its_end_is_not_sent(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its end counts from the moment it happens, although nobody has taken note of it."""
+    program = stage.python("import sys; sys.stdin.readline()")
+    reached, gate = threading.Event(), threading.Event()
+
+    def held_up(process: Process) -> None:
+        reached.set()
+        assert gate.wait(WAIT)
+
+    monkeypatch.setattr(Process, "_read_rest", held_up)
+    program.type("\n")
+    assert reached.wait(WAIT)
+    assert program.running
+    program.interrupt()
+    gate.set()
+    assert program.wait(WAIT)
+    assert (stage.events(SignalSent), stage.end.code) == ([], 0)
+
+
+def test_a_signal_that_comes_while_its_end_is_taken_note_of_is_not_sent(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program = stage.python("import sys; sys.stdin.readline()")
+    reached, gate = threading.Event(), threading.Event()
+
+    def held_up() -> None:
+        reached.set()
+        assert gate.wait(WAIT)
+
+    monkeypatch.setattr(program._ended, "set", held_up)
+    program.type("\n")
+    assert reached.wait(WAIT)
+    program.interrupt()
+    monkeypatch.undo()
+    gate.set()
+    assert program.wait(WAIT)
     assert stage.events(SignalSent) == []
 
 
@@ -281,15 +324,16 @@ def test_a_program_can_be_closed_at_once(tmp_path: Path) -> None:
 # what it leaves behind
 
 CHILD = """
-import os, signal
+import fcntl, os, signal, termios
 signal.signal(signal.SIGHUP, signal.SIG_IGN)
 reader, writer = os.pipe()
 child = os.fork()
 if child:
     os.read(reader, 1)
     print("child", child, flush=True)
+    {parent}
     os._exit(5)
-{first}
+{child}
 os.write(writer, b".")
 while True:
     try:
@@ -299,19 +343,28 @@ while True:
 """
 
 
-@pytest.mark.parametrize("first", ["", "os.setsid()"], ids=["in its group", "in a session of its own"])
-def test_a_child_that_goes_on_writing_does_not_keep_it_running(stage: Stage, first: str) -> None:
-    program = stage.python(CHILD.format(first=first))
+@pytest.mark.parametrize(
+    ("parent", "child"),
+    [("", ""), ("", "os.setsid()"), ("fcntl.ioctl(0, termios.TIOCNOTTY)", "")],
+    ids=["in its group", "in a session of its own", "on a terminal that does not hang up"],
+)
+def test_a_child_that_goes_on_writing_does_not_keep_it_running(stage: Stage, parent: str, child: str) -> None:
+    program = stage.python(CHILD.format(parent=parent or "pass", child=child))
     assert program.wait(WAIT)
     assert stage.end.code == 5
-    child = next(int(line.split()[1]) for line in stage.lines if line.startswith("child"))
-    try:
-        program.close()
-        if not first:
-            assert ended(child)
-    finally:
-        if first:
-            os.kill(child, signal.SIGKILL)  # what `leftovers` is for
+    left = next(int(line.split()[1]) for line in stage.lines if line.startswith("child"))
+    program.close()
+    if child:
+        os.kill(left, signal.SIGKILL)  # what `leftovers` is for
+    assert ended(left)
+
+
+def test_what_is_left_in_the_terminal_is_not_read_for_ever(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As if somebody wrote as quickly as we read."""
+    monkeypatch.setattr(Process, "_read_once", lambda self: True)
+    assert stage.start("echo", "hello").wait(WAIT)
 
 
 def silent(stage: Stage, rest: str) -> Process:
@@ -320,8 +373,8 @@ def silent(stage: Stage, rest: str) -> Process:
     os.mkfifo(pipe)
     code = f"import os, signal\nfor f in (0, 1, 2): os.close(f)\nopen({str(pipe)!r}, 'w').close()\n{rest}"
     program = stage.python(code)
-    with pipe.open():  # until the other side opens it too
-        return program
+    pipe.open().close()  # waits until the other side opens it too
+    return program
 
 
 def test_closing_its_terminal_is_not_its_end(stage: Stage) -> None:
@@ -335,8 +388,13 @@ def test_closing_its_terminal_is_not_its_end(stage: Stage) -> None:
 
 
 def test_its_end_is_still_seen_when_it_closed_its_terminal(stage: Stage) -> None:
-    assert silent(stage, "raise SystemExit(7)").wait(WAIT)
+    pipe = stage.folder / "pipe"
+    program = silent(stage, f"open({str(pipe)!r}).close()\nraise SystemExit(7)")
+    before = stage.timeline.now()
+    pipe.open("w").close()
+    assert program.wait(WAIT)
     assert stage.end.code == 7
+    assert stage.end.t >= before
 
 
 def test_ctrl_c_reaches_a_program_that_closed_its_terminal(stage: Stage) -> None:

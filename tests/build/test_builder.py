@@ -143,7 +143,7 @@ def test_two_checks_at_once_build_once(built: Built, runs: Runs, src: Path) -> N
         thread.join(30)
     assert runs() == ["small_node"]
     assert sorted(outcome.packages[0].cached for outcome in outcomes) == [False, True]
-    assert sorted(said) == ["Building small_node", "Waiting for another check that is building small_node"]
+    assert sorted(said) == ["Building small_node", "Waiting for small_node, which is being built already"]
 
 
 def test_too_long_says_so(built: Built, runs: Runs, src: Path) -> None:

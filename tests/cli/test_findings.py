@@ -120,4 +120,4 @@ def test_this_very_machine_is_described(ros2course: Ros2course, home: Path) -> N
     run = ros2course("doctor")
     for name in ("ROS 2", "Python", "colcon", "g++", "cmake", "bubblewrap", "course home", "cache", "clock"):
         assert f"  {name} " in run.out
-    assert home.name in run.out
+    assert home.name in "".join(run.out.split())  # a long path is wrapped anywhere

@@ -19,7 +19,9 @@ from course.evidence.sources import Sources
 from course.feedback import Feedback, Location
 from course.rosenv import find_ros, node_environment, prepare
 
+TIMEOUT = 120.0
 STRING = "std_msgs/msg/String"
+NUMBER = "std_msgs/msg/Int32"
 HELLO = b"\0\1\0\0\6\0\0\0hello\0"
 GRAPH = Graph(
     ("/listener", "/talker"),
@@ -41,7 +43,7 @@ EVENTS: tuple[Event, ...] = (
     kinds.OutputLine(0.3, "talker", 'tab\t, "quotes", çà et là, 日本語 ✓, \ufffd'),
     kinds.MessageSeen(0.3, "/talk", STRING, HELLO),
     kinds.OutputLine(0.3, "talker", ""),
-    kinds.MessageSeen(1 / 3 - 1 / 3 % 1e-9, "/other", STRING, b""),
+    kinds.MessageSeen(0.333333333, "/other", NUMBER, b""),
     kinds.MessagesLost(0.5, "/talk", 3),
     kinds.MessagesCut(0.6, "/talk"),
     kinds.OutputCut(0.7, "talker", 10**12),
@@ -57,19 +59,13 @@ EVENTS: tuple[Event, ...] = (
 
 @pytest.fixture
 def recording() -> Recording:
-    events = tuple(
-        kinds.MessageSeen(round(event.t, 9), event.topic, event.type, event.data)
-        if isinstance(event, kinds.MessageSeen)
-        else event
-        for event in EVENTS
-    )
     feedback = Feedback(
         "it failed", "a", "b", (Location("src/talk/setup.py", 3), Location("x")), "try", ("1",)
     )
     return Recording(
         "18-publisher",
-        events,
-        {STRING: "string data\n", "a/msg/Unused": "int32 x"},
+        EVENTS,
+        {STRING: "string data\n", "a/msg/Unused": "int32 x", NUMBER: "int32 data\n"},
         Sources({"src/talk/setup.py": "häufig\n"}, ("picture.png",)),
         BuiltPackages((BuiltPackage("talk", "src/talk", "/store/talk", ("talker",)),), feedback),
         1.5,
@@ -90,16 +86,17 @@ class Sample:
 SERIALISE = Path(__file__).with_name("serialise.py")
 
 
-def ros_python(script: Path, *args: str, timeout: float = 60.0) -> str:
+def ros_python(script: Path, **variables: str) -> str:
     """What a Python of this machine's ROS prints."""
     ros = find_ros()
     prepare(ros)
+    environment = node_environment(ros)
     done = subprocess.run(
-        [str(ros.python), str(script), *args],
-        env={**node_environment(ros), "PYTHONPATH": _path(node_environment(ros))},
+        [str(ros.python), str(script)],
+        env={**environment, **variables, "PYTHONPATH": _path(environment)},
         capture_output=True,
         text=True,
-        timeout=timeout,
+        timeout=TIMEOUT,
         check=False,
     )
     assert done.returncode == 0, done.stderr

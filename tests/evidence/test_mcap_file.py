@@ -16,7 +16,7 @@ from course.evidence.events import MessageSeen, OutputLine
 from course.evidence.mcap_file import EVENTS, BadRecording, load, save
 from course.evidence.recording import Recording
 
-from .conftest import HELLO, STRING
+from .conftest import HELLO, NUMBER, STRING
 
 BEGAN = 1_700_000_000_123_456_789
 
@@ -44,6 +44,7 @@ def test_checks_see_the_same(file: Path, recording: Recording) -> None:
         assert loaded.lost(topic) == recording.lost(topic)
         assert len(loaded.sent(topic)) == len(recording.sent(topic))
     assert loaded.messages("/talk")[0].data.data == "hello"
+    assert loaded.messages("/other")[0].type == NUMBER
     assert loaded.process("talker") == recording.process("talker")
     assert loaded.seen_graph() == recording.seen_graph()
     assert loaded.kept("notes.txt") == "one\ntwo\n"
@@ -81,11 +82,8 @@ def test_the_library_s_own_reader_reads_it(file: Path) -> None:
         ]
     assert header.profile == "ros2"
     assert summary is not None
-    assert {schema.name for schema in summary.schemas.values()} == {
-        STRING,
-        "a/msg/Unused",
-        "ros2course.Event",
-    }
+    names = {schema.name for schema in summary.schemas.values()}
+    assert names == {STRING, NUMBER, "a/msg/Unused", "ros2course.Event"}
     assert decoded == [("/talk", BEGAN + 300_000_000, "hello")] * 2
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 
 from course.evidence.events import Event, Marked, OutputLine
 from course.evidence.timeline import Timeline
@@ -42,7 +43,9 @@ def test_waiting_ends_with_the_event() -> None:
 
     thread = threading.Thread(target=add)
     thread.start()
+    began = time.monotonic()
     assert timeline.wait_until(condition, WAIT)
+    assert time.monotonic() - began < WAIT / 2  # by the event, not by the time-out
     thread.join()
 
 

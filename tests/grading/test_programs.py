@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -119,3 +120,15 @@ def test_no_program_at_all(grade: Grade) -> None:
     judgement = grade("pass", grader_text)
     assert judgement.fault is not None
     assert "no grader in toy_grader.py judges 01-toy" in judgement.fault.summary
+
+
+def test_ctrl_c_reaches_it_although_we_ignore_it(grade: Grade) -> None:
+    """Whoever is started in the background ignores SIGINT, and so do all that it starts."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        program = "import signal\ntry:\n    print('go', flush=True)\n    signal.pause()"
+        program += "\nexcept KeyboardInterrupt: pass"
+        found = outcomes(grade(program))
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert found["interrupt"] is Outcome.PASSED

@@ -74,7 +74,11 @@ def _no_group(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailu
     advice = f"Add `{line}` below the dependencies."
     wrong = case.line_of("package.xml", r"<member_of_group>")
     where = [case.place("package.xml", wrong) if wrong else after_dependencies(case)]
-    return case.failure("member-of-group", summary, where=where, advice=advice, details=error.printed[:2])
+    groups = case.package.manifest.groups if case.package.manifest else ()
+    seen = f"<member_of_group>{groups[0]}</member_of_group>" if groups else None
+    return case.failure(
+        "member-of-group", summary, where=where, advice=advice, seen=seen, details=error.printed[:2]
+    )
 
 
 def _too_late(case: Case, error: CMakeError, found: re.Match[str]) -> BuildFailure:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 from course.evidence.recording import Recording
 from course.evidence.topic_view import LogLine
 from course.feedback import Failure, Feedback
@@ -23,7 +25,9 @@ def expect_logged(
         raise Failure(_level(recording, wrong_level[0], example))
     if lines:
         return
-    printed = [text for text in recording.process(process).text if mark in text]
+    view = recording.process(process)
+    before_the_end = (line.text for line in view.lines if line.t < (view.interrupted_at or inf))
+    printed = [text for text in before_the_end if mark in text]
     if recording.log:
         raise Failure(_other_words(recording, recording.log[0], example))
     if printed:

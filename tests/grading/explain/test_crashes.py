@@ -11,7 +11,7 @@ from course.grading.explain.crashes import crash_feedback
 from course.grading.explain.tracebacks import Crash
 
 from .cases import EXPECTED
-from .conftest import CRASHES, FOLDER, PACKAGES, Case, explained, places, sources_of
+from .conftest import CRASHES, FOLDER, PACKAGES, Case, explained, package, places, sources_of
 
 
 @pytest.mark.parametrize("name", EXPECTED)
@@ -85,6 +85,19 @@ def test_a_module_of_another_package_with_a_similar_name_is_not_taken() -> None:
     assert "There are `ended` and `helper`" in str(found.advice)
 
 
+def test_a_module_that_is_where_it_belongs_is_not_moved() -> None:
+    """It may be the build that left it out."""
+    found = said("ModuleNotFoundError: No module named 'faulty.ended'")
+    assert "belongs" not in str(found.advice)
+
+
+def test_the_entry_point_without_a_function_is_found_among_others() -> None:
+    one, other = Case.named("ended"), Case.named("module_only")
+    files = {f"{FOLDER}/{name}": text for name, text in package(one, other).items()}
+    found = said("TypeError: 'module' object is not callable", Sources(files))
+    assert "`module_only = faulty.helper:main`" in str(found.advice)
+
+
 def test_without_packages_there_is_still_advice() -> None:
     error = "ModuleNotFoundError: No module named 'faulty.x'"
     assert crash_feedback(Crash(error, None, ()), BuiltPackages(), Sources()).advice
@@ -93,7 +106,8 @@ def test_without_packages_there_is_still_advice() -> None:
 @pytest.mark.parametrize(
     ("error", "words"),
     [
-        ("NotInitializedException: ('rclpy.init() has not been called', 'x')", "rclpy.init()"),
+        ("RuntimeError: rclpy.init() has not been called", "Call `rclpy.init()`"),
+        ("rclpy.exceptions.NotInitializedException: cannot create node", "Call `rclpy.init()`"),
         ("AttributeError: 'Talker' object has no attribute '_Node__handle'", "super().__init__"),
         ("AttributeError: 'Talker' object has no attribute '_clock'", "super().__init__"),
         ("AttributeError: 'Talker' object has no attribute 'declare_parameter'", "derive from Node"),

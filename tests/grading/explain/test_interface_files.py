@@ -51,7 +51,7 @@ def test_fields(text: str, fields: list[tuple[str, str, int]]) -> None:
 
 
 def test_sections_of_a_service() -> None:
-    file = interface_file(Sources({SRV: "int32 a\n --- \nint32 b"}), PACKAGE, "srv", "Point")
+    file = interface_file(Sources({SRV: "int32 a\n ---  # then\nint32 b"}), PACKAGE, "srv", "Point")
     assert file is not None
     assert [[field.name for field in section] for section in file.sections] == [["a"], ["b"]]
 
@@ -67,6 +67,7 @@ def test_a_file_that_is_not_there() -> None:
     [
         ("int32 id\nstring tekst\nstring author", "the field `tekst` should be called `text`", 2),
         ("int32 id\nstring other\nstring author", "the field `other` should be called `text`", 2),
+        ("int32 id\nbool x\nstring authors\nstring text", "the field `authors` should be called `author`", 3),
         ("int32 id\nstring text", "the field `author` is missing", 2),
         ("int32 id", "the fields `text` and `author` are missing", 1),
         ("", "the fields `id`, `text` and `author` are missing", 1),

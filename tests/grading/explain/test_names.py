@@ -19,6 +19,7 @@ from course.grading.explain.names import listed, nearest
         # Two different things, not a slip.
         ("amazing_quote_publisher_node", ["amazing_quote_subscriber_node"], None),
         ("rclpy", ["rcl_py"], "rcl_py"),
+        ("a", ["/a"], "/a"),
         ("", ["a"], None),
     ],
 )

@@ -9,7 +9,7 @@ from course.grading.explain.timers import called_callback, long_period, timer_ca
 
 FILE = "src/talk/talk/talker.py"
 TICK = "def tick(self):\n    self.count += 1\n"
-MAKER = "def make(self):\n    return self.tick\n"
+MAKER = "def make(self):\n    return self.tick\ndef stop(self):\n    return\n"
 
 
 def sources(text: str) -> Sources:
@@ -37,6 +37,7 @@ def test_a_timer_that_is_right(argument: str) -> None:
         ("callback=self.tick()", True),
         ("self.timer_callback()", True),  # not to be found, but its name says what it is
         ("on_timer()", True),
+        ("self.stop()", True),  # returns, but nothing
         ("self.make()", False),  # returns a function
         ("functools.partial(self.timer_callback)", False),
         ("unknown()", False),

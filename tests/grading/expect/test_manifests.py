@@ -1,0 +1,82 @@
+"""What a package.xml should declare."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.evidence.recording import Recording
+from course.grading.expect.manifests import expect_dependency, expect_manifest, expect_tag
+
+from .conftest import record, said, told, where
+
+
+def with_manifest(*lines: str) -> Recording:
+    inner = "\n".join(f"  {line}" for line in lines)
+    return record(files={"package.xml": f'<package format="3">\n  <name>talk</name>\n{inner}\n</package>\n'})
+
+
+def test_a_manifest_that_can_be_read() -> None:
+    assert expect_manifest(with_manifest("<depend>rclpy</depend>"), "talk").values("depend") == ("rclpy",)
+
+
+@pytest.mark.parametrize(
+    ("recording", "package"),
+    [(record(), "talk"), (record(files={"package.xml": "<package>"}), "talk"), (with_manifest(), "walk")],
+)
+def test_a_manifest_that_cannot_be_read(recording: Recording, package: str) -> None:
+    found = told(expect_manifest, recording, package)
+    assert found.summary == f"The package `{package}` has no package.xml that can be read."
+
+
+@pytest.mark.parametrize("tag", ["depend", "exec_depend"])
+def test_declared_dependencies(tag: str) -> None:
+    recording = with_manifest(f"<{tag}>rclpy</{tag}>", "<depend>words</depend>")
+    assert said(expect_dependency, recording, "talk", "rclpy", "words") is None
+
+
+def test_a_dependency_that_is_not_declared() -> None:
+    found = told(expect_dependency, with_manifest("<depend>rclpy</depend>"), "talk", "rclpy", "words")
+    assert found.summary == "package.xml does not declare the dependency `words`, which the program needs."
+    assert (found.expected, found.seen) == ("<depend>words</depend>", None)
+    assert where(found) == ["package.xml:3"]
+
+
+def test_a_misspelt_dependency() -> None:
+    recording = with_manifest("<depend>words</depend>", "<depend>rcl_py</depend>")
+    found = told(expect_dependency, recording, "talk", "rclpy")
+    assert found.summary == "package.xml does not declare the dependency `rclpy`; it names `rcl_py`."
+    assert found.seen == "<depend>rcl_py</depend>"
+    assert where(found) == ["package.xml:4"]
+
+
+def test_a_name_that_another_wanted_one_is_like_is_no_slip() -> None:
+    recording = with_manifest("<depend>rclpy_a</depend>")
+    assert told(expect_dependency, recording, "talk", "rclpy_a", "rclpy_b").seen is None
+
+
+@pytest.mark.parametrize("tag", ["build_depend", "test_depend", "build_export_depend"])
+def test_a_dependency_that_is_not_for_running(tag: str) -> None:
+    found = told(expect_dependency, with_manifest("<!-- rclpy -->", f"<{tag}>rclpy</{tag}>"), "talk", "rclpy")
+    assert f"declares `rclpy` as `{tag}` only" in found.summary
+    assert found.seen == f"<{tag}>rclpy</{tag}>"
+    assert where(found) == ["package.xml:4"]
+
+
+def test_an_element_that_is_there() -> None:
+    recording = with_manifest("<build_depend>gen</build_depend>")
+    assert said(expect_tag, recording, "talk", ("depend", "build_depend"), "gen", purpose="x") is None
+
+
+def test_an_element_that_is_not_there() -> None:
+    found = told(
+        expect_tag, with_manifest(), "talk", ("member_of_group", "other"), "group", purpose="it tells"
+    )
+    assert found.summary == "package.xml does not hold `<member_of_group>group</member_of_group>`: it tells."
+    assert (found.seen, where(found)) == (None, ["package.xml"])
+
+
+def test_an_element_under_another_tag() -> None:
+    recording = with_manifest("<depend>group_more</depend>", "<group_depend>group</group_depend>")
+    found = told(expect_tag, recording, "talk", ("member_of_group",), "group", purpose="x")
+    assert found.seen == "<group_depend>group</group_depend>"
+    assert where(found) == ["package.xml:4"]

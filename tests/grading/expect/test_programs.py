@@ -1,0 +1,175 @@
+"""That a program starts, keeps running, and ends on Ctrl+C."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from course.errors import OurFault
+from course.evidence.events import Event, ExecutableMissing, OutputLine, ProcessExited, SignalSent
+from course.evidence.recording import Recording
+from course.grading.expect.programs import (
+    expect_clean_end,
+    expect_clean_interrupt,
+    expect_executable,
+    expect_running,
+)
+
+from .conftest import STARTED, record, said, told, where
+
+MISSING = ExecutableMissing(0.1, "talker", "talk", "talker", ())
+INTERRUPTED = SignalSent(5.0, "talker", signal.SIGINT)
+TRACEBACK = """\
+Traceback (most recent call last):
+  File "/store/talk/lib/python3.12/site-packages/talk/talker.py", line 2, in main
+    rclpy.spin(node)
+{}"""
+CRASH = TRACEBACK.format("ValueError: x")
+BREAK = TRACEBACK.format("KeyboardInterrupt")
+
+
+def end(t: float, code: int | None = 0, number: int | None = None) -> ProcessExited:
+    return ProcessExited(t, "talker", code, number)
+
+
+def printed(t: float, text: str) -> list[Event]:
+    return [OutputLine(t, "talker", line) for line in text.splitlines()]
+
+
+def ran(*events: Event, code: str = "\nrclpy.spin(node)") -> Recording:
+    return record(STARTED, *events, code=code)
+
+
+@pytest.mark.parametrize(
+    "expect", [expect_executable, expect_running, expect_clean_end, expect_clean_interrupt]
+)
+def test_a_missing_executable_is_told_by_all(expect: Callable[..., Any]) -> None:
+    assert "No executable found" in told(expect, record(MISSING), "talker").summary
+
+
+@pytest.mark.parametrize(
+    "expect", [expect_executable, expect_running, expect_clean_end, expect_clean_interrupt]
+)
+def test_a_program_that_the_scenario_never_ran_passes_nowhere(expect: Callable[..., Any]) -> None:
+    """Another name in the scenario than in the check, say: our fault."""
+    with pytest.raises(OurFault, match="taker"):
+        expect(ran(), "taker")
+
+
+# running
+
+
+def test_running_until_we_ended_it() -> None:
+    assert said(expect_running, ran(), "talker") is None
+    assert said(expect_running, ran(INTERRUPTED, end(5.1)), "talker") is None
+    assert said(expect_running, ran(SignalSent(5.0, "talker", 9), end(5.1, None, 9)), "talker") is None
+
+
+def test_ended_by_itself() -> None:
+    found = told(expect_running, ran(*printed(1.0, "one\ntwo"), end(1.6)), "talker")
+    assert found.summary.startswith("The program ended by itself after 1.50 s;")
+    assert (found.seen, found.details) == ("exit code 0", ("one", "two"))
+    assert where(found) == ["talk/talker.py:2"]
+
+
+def test_ended_after_the_time_that_counts() -> None:
+    assert said(expect_running, ran(end(2.0)), "talker", until=2.0) is None
+    assert said(expect_running, ran(end(1.9)), "talker", until=2.0) is not None
+
+
+@pytest.mark.parametrize(
+    ("number", "name"), [(9, "SIGKILL"), (11, "SIGSEGV"), (35, "signal 35"), (63, "signal 63")]
+)
+def test_ended_by_a_signal(number: int, name: str) -> None:
+    assert told(expect_running, ran(end(1.0, None, number)), "talker").seen == f"ended by {name}"
+
+
+def test_crashed() -> None:
+    found = told(expect_running, ran(*printed(1.0, CRASH), end(1.1, 1)), "talker")
+    assert found.summary == "The program stopped with an error: ValueError: x"
+    assert where(found) == ["talk/talker.py:2"]
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        ("print('x')", "`main()` has to call `rclpy.init()`"),
+        ("rclpy.init()\nrclpy.spin(node)", "get past `rclpy.spin`"),
+        ("rclpy.init()\nrclpy.spin_once(node)", "`spin_once` handles one event"),
+        ("rclpy.init()\nnode = Node('x')", "Nothing keeps it running"),
+    ],
+)
+def test_advice_to_keep_it_running(code: str, words: str) -> None:
+    assert words in str(told(expect_running, ran(end(1.0), code=code), "talker").advice)
+
+
+# ending by itself
+
+
+def test_a_clean_end() -> None:
+    assert said(expect_clean_end, ran(end(1.0)), "talker") is None
+
+
+def test_an_error_that_was_caught_and_shown_is_no_crash() -> None:
+    assert said(expect_clean_end, ran(*printed(1.0, CRASH), end(1.1)), "talker") is None
+
+
+@pytest.mark.parametrize(
+    ("events", "seen"),
+    [
+        ([end(1.0, 3)], "exit code 3"),
+        ([end(1.0, None, 15)], "ended by SIGTERM"),
+        ([INTERRUPTED, end(5.1)], "it still ran"),
+        ([SignalSent(5.0, "talker", 9), end(5.1, None, 9)], "it still ran"),
+        ([], "it still ran"),
+    ],
+)
+def test_another_end(events: list[Event], seen: str) -> None:
+    found = told(expect_clean_end, ran(*printed(0.5, "hello"), *events), "talker")
+    assert found.summary == "`talker` should end by itself with exit code 0."
+    assert (found.seen, found.details) == (seen, ("hello",))
+
+
+def test_a_crash_in_place_of_an_end() -> None:
+    found = told(expect_clean_end, ran(*printed(1.0, CRASH), end(1.1, 1)), "talker")
+    assert "ValueError: x" in found.summary
+
+
+# Ctrl+C
+
+
+@pytest.mark.parametrize("ended", [end(5.1, 0), end(5.1, 1), end(5.1, 130), end(5.1, None, 2)])
+def test_a_quiet_end(ended: ProcessExited) -> None:
+    assert said(expect_clean_interrupt, ran(INTERRUPTED, ended), "talker") is None
+
+
+def test_a_traceback_before_ctrl_c_is_no_matter_of_it() -> None:
+    assert said(expect_clean_interrupt, ran(*printed(1.0, CRASH), INTERRUPTED, end(5.1)), "talker") is None
+
+
+def test_a_traceback_after_ctrl_c() -> None:
+    found = told(expect_clean_interrupt, ran(INTERRUPTED, *printed(5.1, BREAK), end(5.2, 1)), "talker")
+    assert found.summary == "Ctrl+C ends the program with a traceback: KeyboardInterrupt"
+    assert "except KeyboardInterrupt:" in str(found.advice)
+    assert where(found) == ["talk/talker.py:2"]
+
+
+@pytest.mark.parametrize("events", [[], [SignalSent(8.0, "talker", 9), end(8.1, None, 9)]])
+def test_deaf(events: list[Event]) -> None:
+    recording = ran(INTERRUPTED, *events, code="\nsignal.signal(signal.SIGINT, signal.SIG_IGN)")
+    found = told(expect_clean_interrupt, recording, "talker")
+    assert "still ran 3 s later" in found.summary
+    assert where(found) == ["talk/talker.py:2"]
+
+
+def test_another_exit_code() -> None:
+    found = told(expect_clean_interrupt, ran(INTERRUPTED, end(5.1, 7)), "talker")
+    assert (found.expected, found.seen) == ("exit code 0", "exit code 7")
+
+
+def test_ended_before_it_could_be_tried() -> None:
+    found = told(expect_clean_interrupt, ran(end(1.0)), "talker")
+    assert found.summary == "The program had ended before Ctrl+C could be tried."

@@ -1,0 +1,74 @@
+"""Whose fault it is: only a `Failure` is the learner's."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.errors import OurFault
+from course.feedback import Failure, Feedback
+from course.grading.author import CheckSpec
+from course.grading.outcome import our_error, passed, raised, skipped, unmet
+from course.grading.result import CheckResult, Outcome
+
+SPEC = CheckSpec("rate", "it is quick", 2, True, ("builds", "starts"), "01-toy")
+FEEDBACK = Feedback("it is slow")
+
+
+def test_passed_and_skipped() -> None:
+    assert passed(SPEC) == CheckResult("rate", "it is quick", 2, Outcome.PASSED, True)
+    assert skipped(SPEC, "needs «it starts»") == CheckResult(
+        "rate", "it is quick", 2, Outcome.SKIPPED, True, None, "needs «it starts»"
+    )
+
+
+def test_a_failure_is_the_learners() -> None:
+    found = raised(SPEC, Failure(FEEDBACK))
+    assert (found.outcome, found.feedback, found.bonus) == (Outcome.FAILED, FEEDBACK, True)
+
+
+@pytest.mark.parametrize(
+    "error", [ValueError("x"), AssertionError(), OurFault("x"), KeyboardInterrupt(), SystemExit(1)]
+)
+def test_anything_else_is_ours(error: BaseException) -> None:
+    found = raised(SPEC, error)
+    assert found.outcome is Outcome.ERROR
+    assert found.feedback is not None
+    assert type(error).__name__ in found.feedback.summary
+    assert "not yours" in str(found.feedback.advice)
+
+
+def test_our_error_tells_where_it_was_in_a_few_lines() -> None:
+    def deep(depth: int) -> None:
+        if depth:
+            deep(depth - 1)
+        raise ValueError("first line\nsecond line")
+
+    try:
+        deep(100)
+    except ValueError as error:
+        found = our_error(error)
+    assert found.summary == "The grader itself failed here (ValueError: first line)."
+    assert found.details[-1] == "second line"
+    assert len(found.details) <= 12
+
+
+def test_our_error_without_words() -> None:
+    assert our_error(ValueError()).summary == "The grader itself failed here (ValueError: )."
+
+
+def result(name: str, outcome: Outcome) -> CheckResult:
+    return CheckResult(name, name, 1, outcome)
+
+
+@pytest.mark.parametrize("outcome", [Outcome.FAILED, Outcome.SKIPPED, Outcome.ERROR])
+def test_what_a_check_needs_must_have_passed(outcome: Outcome) -> None:
+    titles = {"builds": "the packages build", "starts": "it starts"}
+    done = {"builds": result("builds", Outcome.PASSED), "starts": result("starts", outcome)}
+    assert unmet(SPEC, done, titles) == "needs «it starts»"
+    done["builds"] = result("builds", outcome)
+    assert unmet(SPEC, done, titles) == "needs «the packages build»"
+
+
+def test_all_needs_are_met() -> None:
+    done = {name: result(name, Outcome.PASSED) for name in SPEC.needs}
+    assert unmet(SPEC, done, {}) is None
