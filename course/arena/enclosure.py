@@ -54,7 +54,7 @@ def enclosure(*, namespaces: bool = True) -> Iterator[Enclosure]:
         return
     with _free_domain() as domain:
         environment = {"ROS_DOMAIN_ID": str(domain), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
-        yield Enclosure("domain", (), environment, obstacle)
+        yield Enclosure("domain", (), environment, obstacle if namespaces else None)
 
 
 def namespace_obstacle() -> str | None:

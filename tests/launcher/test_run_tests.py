@@ -40,7 +40,7 @@ def test_it_sets_up_then_lints_then_tests(checks: Machine) -> None:
         "ruff check .",
         "mypy ",
         "shellcheck ros2course run-tests .ci/run",
-        "python -m pytest -n 2 -m not slow",
+        "python -m pytest -n 3 -m not slow",
     ]
 
 
