@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from math import inf
 from typing import Any
 
@@ -39,16 +40,19 @@ class GraphReader:
         if signature == self._signature:
             return None
         graph = self._read()
-        complete = all(endpoint.node for endpoint in graph.endpoints)
-        # Node names reach us a little later than endpoints; until then look again each time.
-        self._signature = signature if complete else None
-        return graph
+        # Node names reach us a little later than endpoints, and one of a server's two topics later
+        # than the other; until then look again each time.
+        named = all(endpoint.node for endpoint in graph.endpoints)
+        self._signature = signature if named and not any(map(_half_known, graph.services)) else None
+        return replace(graph, services=tuple(map(_all_or_nothing, graph.services)))
 
     def _quick_look(self) -> object:
         node = self._node
         topics = node.get_topic_names_and_types()
         counts = [(node.count_publishers(name), node.count_subscribers(name)) for name, _ in topics]
-        return node.get_node_names_and_namespaces(), topics, counts, node.get_service_names_and_types()
+        services = node.get_service_names_and_types()
+        servers = [node.count_services(name) for name, _ in services]
+        return node.get_node_names_and_namespaces(), topics, counts, services, servers
 
     def _read(self) -> Graph:
         names = self._node.get_node_names_and_namespaces()
@@ -83,6 +87,14 @@ class GraphReader:
         ends = (requests, replies)
         request, response = (str(infos[0].topic_type_hash) if infos else "" for infos in ends)
         return request, response
+
+
+def _half_known(service: Service) -> bool:
+    return bool(service.request_hash) != bool(service.response_hash)
+
+
+def _all_or_nothing(service: Service) -> Service:
+    return replace(service, request_hash="", response_hash="") if _half_known(service) else service
 
 
 def _qos(profile: Any) -> Qos:

@@ -7,7 +7,6 @@ which the middleware received them here.
 
 from __future__ import annotations
 
-import contextlib
 import importlib
 import os
 import secrets
@@ -50,6 +49,8 @@ class Recorder:
         self.definitions: dict[str, str] = {}
         self.graph = Graph()
         self._context = Context()
+        self._closing = False
+        self._error: Exception | None = None
         self._listeners: dict[str, Listener] = {}
         self._node: Node
         self._executor: SingleThreadedExecutor
@@ -76,15 +77,22 @@ class Recorder:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        self._closing = True
         self._executor.shutdown(timeout_sec=1.0)
         self._context.try_shutdown()
         self._thread.join(timeout=2.0)
         self._node.destroy_node()
+        if self._error is not None and error is None:
+            raise OurFault(f"the recorder stopped in the middle: {self._error}") from self._error
 
     def _spin(self) -> None:
-        # The exception is how rclpy says that our own __exit__ ended it.
-        with contextlib.suppress(ExternalShutdownException):
+        try:
             self._executor.spin()
+        except ExternalShutdownException:
+            pass  # how rclpy says that our own __exit__ ended it
+        except Exception as error:  # noqa: BLE001 - kept and raised by __exit__: deaf evidence blames nobody
+            # Whoever is in the middle of something when we close meets a context that is gone.
+            self._error = None if self._closing else error
 
     def subscribe(
         self, topic: str, type_name: str, *, reliability: str = "reliable", durability: str = "volatile"

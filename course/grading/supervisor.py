@@ -75,9 +75,13 @@ class Supervisor:
         if self._where.kind == "namespaces":
             yield "/dev/shm/ros2course"
             return
-        scratch = tempfile.TemporaryDirectory(prefix="ros2course-", ignore_cleanup_errors=True)
-        with scratch as folder, nothing_left():
-            yield folder
+        folder = tempfile.mkdtemp(prefix="ros2course-")
+        try:
+            with nothing_left():
+                yield folder
+        finally:
+            # Not shutil: a tree of a thousand folders in one another is too deep for it.
+            subprocess.run(["rm", "-rf", "--", folder], check=False, stderr=subprocess.DEVNULL)
 
     def _start(self, write_end: int) -> subprocess.Popen[str]:
         return subprocess.Popen(
@@ -125,7 +129,10 @@ class Supervisor:
                 return self._fault(f"The grading process ended without a verdict ({self._how_it_ended()}).")
             *lines, buffer = (buffer + data).split(b"\n")
             for line in lines:
-                message = read_message(line.decode())
+                try:
+                    message = read_message(line.decode())
+                except (KeyError, ValueError):
+                    return self._fault("The grading process did not speak our language.")
                 if isinstance(message, Judgement):
                     return message
                 on_progress(message)

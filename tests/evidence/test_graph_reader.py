@@ -13,6 +13,7 @@ from course.evidence.graph import Endpoint, Qos, Service
 from course.evidence.graph_reader import GraphReader, full_name
 
 STRING = "std_msgs/msg/String"
+ADD = "example_interfaces/srv/AddTwoInts"
 FOR_EVER = 9223372036854775807
 UNKNOWN = "_NODE_NAME_UNKNOWN_"
 
@@ -69,6 +70,9 @@ class World:
 
     def get_subscriptions_info_by_topic(self, topic: str, no_mangle: bool = False) -> list[Any]:
         return self.subscriptions.get(topic, [])
+
+    def count_services(self, service: str) -> int:
+        return len(self.subscriptions.get(f"rq{service}Request", []))
 
     def get_service_names_and_types(self) -> list[tuple[str, list[str]]]:
         return list(self.services)
@@ -150,6 +154,34 @@ def test_services_with_the_hashes_of_their_server() -> None:
         Service("/add", "example_interfaces/srv/AddTwoInts", "RIHS01_1", "RIHS01_1"),
         Service("/client_only", "example_interfaces/srv/AddTwoInts"),
     )
+
+
+@pytest.mark.parametrize("first", ["rq/addRequest", "rr/addReply"])
+def test_a_server_is_known_by_both_hashes_or_none(first: str) -> None:
+    """Its two topics are found one after the other."""
+    world = World(services=[("/add", [ADD])])
+    reader = GraphReader(world)
+    ends = {"rq/addRequest": world.subscriptions, "rr/addReply": world.publishers}
+    ends[first][first] = [info("adder")]
+    graph = reader.read_if_changed()
+    assert graph is not None
+    assert graph.services == (Service("/add", ADD),)
+    for name, end in ends.items():
+        end[name] = [info("adder")]
+    graph = reader.read_if_changed()
+    assert graph is not None
+    assert graph.services == (Service("/add", ADD, "RIHS01_1", "RIHS01_1"),)
+    assert reader.read_if_changed() is None
+
+
+def test_a_server_that_comes_after_its_client_is_seen() -> None:
+    world = World(services=[("/add", [ADD])])
+    reader = GraphReader(world)
+    reader.read_if_changed()
+    world.subscriptions["rq/addRequest"] = world.publishers["rr/addReply"] = [info("adder")]
+    graph = reader.read_if_changed()
+    assert graph is not None
+    assert graph.services == (Service("/add", ADD, "RIHS01_1", "RIHS01_1"),)
 
 
 @pytest.mark.parametrize(

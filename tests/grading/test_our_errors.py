@@ -69,3 +69,19 @@ def test_no_room_for_temporary_files(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tempfile.TemporaryFile", full)
     with enclosure() as where, pytest.raises(StorageError, match="No space left on device"):
         Supervisor(where, node_environment(find_ros())).__enter__()
+
+
+def test_rubbish_in_the_result_pipe(grade: Grade) -> None:
+    writes = "\n    import os, sys\n    os.write(int(sys.argv[1]), b'rubbish\\n')"
+    broken = GRADER.replace("def run_it(arena):", f"def run_it(arena):{writes}")
+    judgement = grade(LOOP, broken)
+    assert judgement.fault is not None
+    assert "did not speak our language" in judgement.fault.summary
+
+
+def test_a_recorder_that_stops_in_the_middle(grade: Grade) -> None:
+    """A deaf recorder would make every node a silent one."""
+    broken = GRADER.replace("def run_it(arena):", "def run_it(arena):\n    arena._recorder._reader = None")
+    judgement = grade(LOOP, broken)
+    assert judgement.fault is not None
+    assert "the recorder stopped in the middle" in judgement.fault.summary

@@ -132,3 +132,9 @@ def test_ctrl_c_reaches_it_although_we_ignore_it(grade: Grade) -> None:
     finally:
         signal.signal(signal.SIGINT, before)
     assert found["interrupt"] is Outcome.PASSED
+
+
+def test_one_that_leaves_folders_too_deep_for_python(grade: Grade) -> None:
+    program = "import os\nfor _ in range(1500): os.mkdir('d'); os.chdir('d')\nimport signal\n"
+    program += "signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])"
+    assert outcomes(grade(program + GOOD))["interrupt"] is Outcome.PASSED
