@@ -1,0 +1,1 @@
+"""A service: its server and two clients."""

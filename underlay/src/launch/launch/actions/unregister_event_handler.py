@@ -1,0 +1,22 @@
+"""React to events no longer."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from launch.action import Action
+from launch.event_handlers.base import BaseEventHandler
+from launch.launch_context import LaunchContext
+
+
+class UnregisterEventHandler(Action):
+    def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__event_handler = event_handler
+
+    @property
+    def event_handler(self) -> BaseEventHandler:
+        return self.__event_handler
+
+    def execute(self, context: LaunchContext) -> None:
+        context.unregister_event_handler(self.__event_handler)

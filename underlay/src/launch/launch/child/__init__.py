@@ -1,0 +1,1 @@
+"""Processes that a launch starts: how they are made, heard and ended."""

@@ -1,0 +1,20 @@
+"""What can happen to a process, and what can be asked of it."""
+
+from __future__ import annotations
+
+from launch._lazy import lazily
+
+_NAMES = {
+    "ProcessExited": "process_exited",
+    "ProcessIO": "process_io",
+    "ProcessStarted": "process_started",
+    "ProcessStderr": "process_io",
+    "ProcessStdin": "process_io",
+    "ProcessStdout": "process_io",
+    "ProcessTargetedEvent": "process_targeted_event",
+    "RunningProcessEvent": "running_process_event",
+    "ShutdownProcess": "shutdown_process",
+    "SignalProcess": "signal_process",
+}
+__all__ = list(_NAMES)
+__getattr__ = lazily(__name__, _NAMES)

@@ -1,0 +1,5 @@
+"""A substitution has no text."""
+
+
+class SubstitutionFailure(RuntimeError):
+    """Says which, and why."""

@@ -1,0 +1,1 @@
+"""How `ros2 run` starts an executable and looks after it."""

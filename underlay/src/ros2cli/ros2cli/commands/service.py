@@ -1,0 +1,11 @@
+"""`ros2 service`: what may stand before the verb."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--include-hidden-services", action="store_true", help="Consider hidden services as well"
+    )

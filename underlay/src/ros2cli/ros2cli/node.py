@@ -1,0 +1,58 @@
+"""A node of rclpy for the verbs that talk to others, hidden from listings and without services of its own."""
+
+from __future__ import annotations
+
+import contextlib
+import time
+from argparse import Namespace
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import rclpy
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.signals import SignalHandlerOptions
+
+from ros2cli.rcl import Handle, extension, hidden_name
+
+_STEP = 0.005
+
+
+@contextlib.contextmanager
+def own_node(args: Namespace | None = None, name: str = "", *, survives: bool = False) -> Iterator[Node]:
+    """Created for one command, and taken out of the graph at its end.
+
+    One that `survives` Ctrl+C can still talk to others while KeyboardInterrupt is dealt with; rclpy's own
+    handling of signals ends a node at once.
+    """
+    rclpy.init(signal_handler_options=SignalHandlerOptions.NO if survives else None)
+    node = Node(
+        name or hidden_name(),
+        start_parameter_services=False,
+        parameter_overrides=_overrides(args),
+        automatically_declare_parameters_from_overrides=False,
+    )
+    try:
+        yield node
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+
+
+def handle_of(node: Node) -> Handle:
+    """The node as the quick functions want it."""
+    return Handle(extension(), node.context.handle, node.handle)
+
+
+def wait_until(condition: Callable[[], Any], timeout: float | None = None) -> bool:
+    """Look again and again whether something has become true that rclpy tells no event of."""
+    end = None if timeout is None else time.monotonic() + timeout
+    while not condition():
+        if end is not None and time.monotonic() > end:
+            return False
+        time.sleep(_STEP)
+    return True
+
+
+def _overrides(args: Namespace | None) -> list[Parameter]:
+    return [Parameter("use_sim_time", value=True)] if getattr(args, "use_sim_time", False) else []

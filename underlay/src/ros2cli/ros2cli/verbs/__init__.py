@@ -1,0 +1,1 @@
+"""Verbs: one package for each command, one module for each verb. See README.md."""
