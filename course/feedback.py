@@ -48,6 +48,21 @@ def feedback_from_dict(data: Mapping[str, Any] | None) -> Feedback | None:
     return Feedback(**{**data, "where": places, "details": tuple(data["details"])})
 
 
+class NotApplicable(Exception):
+    """A check that cannot be judged here, through nobody's fault: it takes no part in the verdict.
+
+    because: one sentence for the learner, e.g. what this machine lacks.
+    """
+
+    def __init__(self, because: str) -> None:
+        super().__init__(because)
+        self.because = because
+
+
+class Spoilt(Exception):
+    """The recording shows a fault of somebody else's, not of the learner's: it has to be made again."""
+
+
 class Failure(Exception):
     """The learner's work does not do what was asked; carries the feedback that says so.
 

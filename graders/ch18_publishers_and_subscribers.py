@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from functools import partial
 from itertools import pairwise
-from math import inf
+from typing import TYPE_CHECKING
 
 from course.arena.arena import Arena
 from course.arena.process import Process
-from course.evidence.recorder import Stimulus
 from course.evidence.recording import Recording
 from course.evidence.topic_view import Message
 from course.feedback import Failure, Feedback
@@ -23,9 +22,13 @@ from course.grading.expect.graph import (
 )
 from course.grading.expect.manifests import expect_dependency
 from course.grading.expect.programs import expect_clean_interrupt, expect_running
+from course.grading.expect.reactions import first_reaction
 from course.grading.explain.python_code import calls
 from course.grading.explain.timers import timer_cause, timer_places
 from course.grading.stimulus import quotes_to_say
+
+if TYPE_CHECKING:
+    from course.evidence.recorder import Stimulus
 
 PACKAGE = "python_package_that_uses_the_messages"
 INTERFACES = "package_with_interfaces"
@@ -35,6 +38,7 @@ TOPIC = "/amazing_quote"
 PUBLISHER = "amazing_quote_publisher_node"
 SUBSCRIBER = "amazing_quote_subscriber_node"
 ENOUGH = 5
+COMPARE = "Compare its fields with chapter 17: names, types and order. `check 17` tells which."
 
 publisher = Grader("18-publisher")
 subscriber = Grader("18-subscriber")
@@ -71,7 +75,7 @@ def topic_exists(recording: Recording) -> None:
 @publisher.check("right_type", f"the topic's type is {QUOTE}", needs="topic_exists")
 def publisher_type(recording: Recording) -> None:
     expect_type(recording, "publisher", TOPIC, QUOTE)
-    expect_same_definition(recording, "publisher", TOPIC, QUOTE, QUOTE_HASH)
+    expect_same_definition(recording, "publisher", TOPIC, QUOTE, QUOTE_HASH, advice=COMPARE)
 
 
 @publisher.check("publishes", "messages arrive", needs="right_type")
@@ -181,20 +185,11 @@ def said(recording: Recording) -> tuple[Message, ...]:
     return recording.sent(TOPIC)
 
 
-def first_reaction(recording: Recording) -> float:
-    """When the first message was sent, if the program did anything at all after it; else for ever.
-
-    A node that is never spun ends by itself too, at a moment that has nothing to do with messages.
-    """
-    first = min((message.t for message in said(recording)), default=inf)
-    shown = (line.t for line in recording.process(SUBSCRIBER).lines)
-    logged = (line.t for line in recording.log)
-    return first if any(t >= first for t in (*shown, *logged)) else inf
-
-
 @subscriber.check("starts", "the node starts and keeps running")
 def subscriber_starts(recording: Recording) -> None:
-    expect_running(recording, SUBSCRIBER, until=first_reaction(recording))
+    """Until the first message: what comes then, `survives` judges."""
+    first = first_reaction(recording, SUBSCRIBER, (message.t for message in said(recording)))
+    expect_running(recording, SUBSCRIBER, until=first)
 
 
 @subscriber.check("node_name", f"the node is called /{SUBSCRIBER}", needs="starts")
@@ -214,7 +209,7 @@ def subscribes(recording: Recording) -> None:
 @subscriber.check("right_type", f"the topic's type is {QUOTE}", needs="subscribes")
 def subscriber_type(recording: Recording) -> None:
     expect_type(recording, "subscription", TOPIC, QUOTE)
-    expect_same_definition(recording, "subscription", TOPIC, QUOTE, QUOTE_HASH)
+    expect_same_definition(recording, "subscription", TOPIC, QUOTE, QUOTE_HASH, advice=COMPARE)
 
 
 @subscriber.check("qos", "its QoS profile matches an ordinary publisher's", needs="right_type")

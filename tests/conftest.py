@@ -28,8 +28,13 @@ GUARDED = {
 
 
 def pytest_configure() -> None:
-    """Ctrl+C works in the programs that tests start, even where pytest itself runs in the background."""
+    """Signals work in the programs that tests start, even where pytest itself was told to ignore them.
+
+    A shell script's background jobs ignore SIGINT and SIGQUIT, and what nohup starts ignores SIGHUP.
+    """
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    for number in (signal.SIGQUIT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
 
 
 def _guard(monkeypatch: pytest.MonkeyPatch, root: Path) -> None:

@@ -26,13 +26,13 @@ FLOOR = {room: height for height, rooms in enumerate(FLOORS) for room in rooms}
 RESULT = "course.grading.result"
 
 # Neighbours that one may import after all: what is drawn, and what is stored, are results of grading;
-# what happens in the arena goes on the evidence's time line.
-NEIGHBOURS = {("report", "grading"), ("progress", "grading"), ("arena", "evidence")}
+# what happens in the arena goes on the evidence's time line; what a build runs is foreign code, too.
+NEIGHBOURS = {("report", "grading"), ("progress", "grading"), ("arena", "evidence"), ("build", "arena")}
 
 # Libraries that only these modules may import: a module itself, or a room with all that is in it.
 # Others may name a type of theirs under TYPE_CHECKING.
 HOMES = {
-    "rclpy": ("course.evidence.recorder", "course.arena.type_probe"),
+    "rclpy": ("course.evidence.recorder", "course.arena.type_probe", "course.arena.player"),
     "rich": ("course.report", "course.watch"),
     "typer": ("course.cli",),
     "sqlite3": ("course.progress", "course.batch"),

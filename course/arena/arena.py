@@ -9,13 +9,27 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, cast
 
 from course.arena.executables import command_for
+from course.arena.home_programs import HomePrograms
 from course.arena.leftovers import end_descendants
+from course.arena.no_ros import NoRos
+from course.arena.play_here import play_here
 from course.arena.process import Process
-from course.errors import OurFault
-from course.evidence.events import ExecutableMissing, FileKept, Marked, MessageSeen, OutputLine
+from course.arena.ros_args import ParameterValue, ros_args
+from course.arena.starting import Starter, start_here
+from course.arena.survivors import started_by, still_there
+from course.evidence.events import (
+    Drawn,
+    ExecutableMissing,
+    FileKept,
+    Marked,
+    MessageSeen,
+    OutputLine,
+    ProcessLeft,
+)
 from course.evidence.graph import Graph
 from course.evidence.packages import BuiltPackages
 from course.evidence.recording import ROSOUT
@@ -24,6 +38,8 @@ from course.evidence.timeline import Timeline
 
 if TYPE_CHECKING:
     from course.evidence.recorder import Listener, Recorder, Stimulus
+    from course.evidence.ros_parameters import Parameters
+    from course.evidence.ros_services import Answer, Client, Server
 
 # The course asks for 3 s; the rest is for a machine that has other things to do.
 INTERRUPT_GRACE = 4.0
@@ -31,11 +47,13 @@ TYPE_PROBE = "type probe"
 _TYPE_PROBE = Path(__file__).with_name("type_probe.py")
 
 
-class Arena:
+class Arena(HomePrograms):
     """Where the learner's nodes run while they are watched.
 
     packages: what was built. environment: for the learner's programs. python: the
-    interpreter that runs Python nodes. folder: a scratch folder, their HOME.
+    interpreter that runs Python nodes. folder: a scratch folder; `home` in it is their HOME.
+    plain: the environment for programs that need no ROS. learners_home: the course home itself.
+    ours, confined: see `HomePrograms`.
     """
 
     def __init__(
@@ -45,14 +63,14 @@ class Arena:
         environment: Mapping[str, str],
         python: str,
         folder: Path,
+        plain: Mapping[str, str] = MappingProxyType({}),
+        learners_home: Path | None = None,
+        ours: Path | None = None,
+        confined: Starter = start_here,
     ) -> None:
-        self.timeline: Timeline = recorder.timeline
+        super().__init__(recorder.timeline, environment, plain, python, folder, learners_home, ours, confined)
         self._recorder = recorder
         self._packages = packages
-        self._environment = environment
-        self._python = python
-        self._folder = folder
-        self._processes: list[Process] = []
 
     @property
     def graph(self) -> Graph:
@@ -75,6 +93,18 @@ class Arena:
         """A publisher of the arena's own, reliable and volatile unless said otherwise."""
         return self._recorder.publisher(topic, type_name, **qos)
 
+    def client(self, service: str, type_name: str, *, name: str | None = None) -> Client:
+        """A client of the arena's own for a service (full name) of type `pkg/srv/Type`."""
+        return self._recorder.client(service, type_name, name)
+
+    def serve(self, service: str, type_name: str, answer: Answer) -> Server:
+        """A server of the arena's own; `answer` gets a request and returns the response's fields, or None."""
+        return self._recorder.serve(service, type_name, answer)
+
+    def parameters(self, node: str) -> Parameters:
+        """The parameters of the node of that full name, asked from outside; it need not be there yet."""
+        return self._recorder.parameters(node)
+
     def run(
         self,
         package: str,
@@ -82,11 +112,15 @@ class Arena:
         *args: str,
         name: str | None = None,
         env: Mapping[str, str] | None = None,
+        params: Mapping[str, ParameterValue] | None = None,
+        remaps: Mapping[str, str] | None = None,
+        node_name: str | None = None,
     ) -> Process | None:
         """Start what `ros2 run package executable args...` would start.
 
         Returns None, and records what there is instead, when no such executable is installed.
         name: what the recording calls it; the executable's name by default.
+        params, remaps, node_name: given to its nodes after `--ros-args`; a string stays a string.
         """
         name = name or executable
         built = self._packages.get(package)
@@ -95,16 +129,23 @@ class Arena:
             self.timeline.add(ExecutableMissing(self.timeline.now(), name, package, executable, available))
             return None
         command = command_for(Path(built.prefix), package, executable, self._python)
-        return self.start(*command, *args, name=name, env=env)
+        return self.start(*command, *args, *ros_args(params, remaps, node_name), name=name, env=env)
+
+    def launch(self, package: str, file: str, *, name: str | None = None, **arguments: str) -> Process:
+        """Start `ros2 launch package file argument:=value...`; what it lacks, it says itself.
+
+        name: what the recording calls it; the file's name by default.
+        """
+        given = (f"{key}:={value}" for key, value in arguments.items())
+        return self.start("ros2", "launch", package, file, *given, name=name or file)
 
     def start(self, *command: str, name: str, env: Mapping[str, str] | None = None) -> Process:
         """Start any command on a terminal of its own, with the learner's packages on top of ROS."""
-        if any(process.name == name for process in self._processes):
-            raise OurFault(f"the scenario starts two programs under the name {name}")
-        environment = {**self._environment, **self._own_environment(), **(env or {})}
-        process = Process(name, command, env=environment, cwd=self._folder, timeline=self.timeline)
-        self._processes.append(process)
-        return process
+        return self._launch(name, command, {**self._programs(), **(env or {})})
+
+    def start_ours(self, *command: str, name: str, env: Mapping[str, str]) -> Process:
+        """Start a program of the course's own, which the learner's programs neither see nor reach."""
+        return self._launch(name, command, {**self._programs(), **env}, self._ours, start=start_here)
 
     def until(
         self,
@@ -134,13 +175,17 @@ class Arena:
         """Press Ctrl+C at this program and give it `grace` seconds to end; then it is killed.
 
         A program that has no handler yet has not been asked: wait for its node first.
+        What it had started and leaves running is recorded.
         """
         if process is None:
             return
+        below = started_by(process.pid) if process.running else ()
         process.interrupt()
         if not process.wait(grace):
             self.timeline.add(Marked(self.timeline.now(), f"ignored Ctrl+C: {process.name}"))
             process.close()
+        for pid, command in still_there(below):
+            self.timeline.add(ProcessLeft(self.timeline.now(), process.name, pid, command))
 
     def logged(self, text: str) -> int:
         """How many /rosout messages up to now hold this text."""
@@ -170,24 +215,20 @@ class Arena:
         """Name this moment in the recording."""
         self.timeline.add(Marked(self.timeline.now(), name, detail))
 
+    @property
+    def seed(self) -> int | None:
+        """What the exercise's mystery is drawn from; None without one."""
+        return next((event.seed for event in self.timeline.of(Drawn)), None)
+
+    def play(self, file: Path) -> Process:
+        """Start the nodes of the exercise's mystery (`mystery.file`); returns when all are up."""
+        return play_here(self, file)
+
     def close(self) -> None:
         """End everything that was started here."""
         for process in self._processes:
             process.close()
         end_descendants()
-
-    def _own_environment(self) -> dict[str, str]:
-        return {
-            "HOME": str(self._folder),
-            "TMPDIR": str(self._folder),
-            "ROS_LOG_DIR": str(self._folder / "log"),
-            "TERM": "xterm",
-            "RCUTILS_COLORIZED_OUTPUT": "0",
-            # A field of the wrong type is an exception that says so, and not an abort in C.
-            "ROS_PYTHON_CHECK_FIELDS": "1",
-            # Bytecode would be written into the build cache.
-            "PYTHONDONTWRITEBYTECODE": "1",
-        }
 
 
 def _beginning(file: Path) -> str:
@@ -195,16 +236,34 @@ def _beginning(file: Path) -> str:
         return stream.read(MAX_FILE).decode("utf-8", errors="replace")
 
 
-@contextlib.contextmanager
-def open_arena(
-    timeline: Timeline, packages: BuiltPackages, environment: Mapping[str, str], python: str, folder: Path
-) -> Iterator[Arena]:
-    """An arena whose recorder listens before anything is started in it."""
+def _recorder(timeline: Timeline) -> contextlib.AbstractContextManager[Recorder]:
     from course.evidence.recorder import Recorder  # the only thing here that needs ROS
 
+    return Recorder(timeline)
+
+
+def _no_ros(timeline: Timeline) -> contextlib.AbstractContextManager[Recorder]:
+    return contextlib.nullcontext(cast("Recorder", NoRos(timeline)))
+
+
+@contextlib.contextmanager
+def open_arena(
+    timeline: Timeline,
+    packages: BuiltPackages,
+    environment: Mapping[str, str],
+    python: str,
+    folder: Path,
+    *,
+    plain: Mapping[str, str] = MappingProxyType({}),
+    ros: bool = True,
+    learners_home: Path | None = None,
+    ours: Path | None = None,
+    confined: Starter = start_here,
+) -> Iterator[Arena]:
+    """An arena whose recorder listens before anything is started in it; without one if not `ros`."""
     folder.mkdir(parents=True, exist_ok=True)
-    with Recorder(timeline) as recorder:
-        arena = Arena(recorder, packages, environment, python, folder)
+    with _recorder(timeline) if ros else _no_ros(timeline) as recorder:
+        arena = Arena(recorder, packages, environment, python, folder, plain, learners_home, ours, confined)
         try:
             yield arena
         finally:

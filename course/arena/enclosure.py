@@ -50,7 +50,7 @@ def enclosure(*, namespaces: bool = True) -> Iterator[Enclosure]:
     """
     obstacle = namespace_obstacle() if namespaces else "namespaces were not wanted"
     if obstacle is None:
-        yield Enclosure("namespaces", (_bwrap(), *_BWRAP))
+        yield Enclosure("namespaces", (bwrap(), *_BWRAP))
         return
     with _free_domain() as domain:
         environment = {"ROS_DOMAIN_ID": str(domain), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
@@ -63,7 +63,7 @@ def namespace_obstacle() -> str | None:
         return "bubblewrap is not installed: `sudo apt install bubblewrap`"
     try:
         done = subprocess.run(
-            [_bwrap(), *_BWRAP, "true"], capture_output=True, timeout=_PROBE_TIMEOUT, check=False
+            [bwrap(), *_BWRAP, "true"], capture_output=True, timeout=_PROBE_TIMEOUT, check=False
         )
     except subprocess.TimeoutExpired:
         return f"bubblewrap does not start here: it hung for {_PROBE_TIMEOUT:.0f} s"
@@ -71,11 +71,16 @@ def namespace_obstacle() -> str | None:
         return f"bubblewrap does not start here: {error}"
     if done.returncode == 0:
         return None
+    return f"this system does not allow namespaces ({said(done)})"
+
+
+def said(done: subprocess.CompletedProcess[bytes]) -> str:
+    """The last line of what bubblewrap complained about, else its exit code."""
     reason = done.stderr.decode("utf-8", errors="replace").strip().splitlines()
-    return f"this system does not allow namespaces ({reason[-1] if reason else done.returncode})"
+    return reason[-1] if reason else str(done.returncode)
 
 
-def _bwrap() -> str:
+def bwrap() -> str:
     return shutil.which("bwrap") or "bwrap"
 
 

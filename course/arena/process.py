@@ -10,13 +10,13 @@ import contextlib
 import os
 import select
 import signal
-import subprocess
 import termios
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from course.arena.output import LineSplitter
+from course.arena.starting import Starter, start_here
 from course.evidence.events import OutputCut, OutputLine, ProcessExited, ProcessStarted, SignalSent
 from course.evidence.timeline import Timeline
 
@@ -27,26 +27,43 @@ _MAX_REST = 64
 class Process:
     """One program of the learner's, recorded on `timeline` under `name`.
 
-    Raises OSError when it cannot be started at all.
+    through: each line of its output goes through this on its way to the recording; None drops it.
+    descriptors: of ours, which the program inherits. start: where it runs. Raises OSError when it cannot
+    be started at all.
     """
 
     def __init__(
-        self, name: str, command: Sequence[str], *, env: Mapping[str, str], cwd: Path, timeline: Timeline
+        self,
+        name: str,
+        command: Sequence[str],
+        *,
+        env: Mapping[str, str],
+        cwd: Path,
+        timeline: Timeline,
+        through: Callable[[str], str | None] = str,
+        descriptors: Sequence[int] = (),
+        start: Starter = start_here,
     ) -> None:
         self.name = name
+        self._through = through
         self._timeline = timeline
         self._splitter = LineSplitter()
         self._terminal, program_side = _open_terminal()
         timeline.add(ProcessStarted(timeline.now(), name, tuple(command)))
         try:
-            self._child = _start(command, program_side, env, cwd)
+            self._child = start(command, program_side, env, cwd, descriptors)
         except OSError:
             os.close(self._terminal)
             raise
         finally:
             os.close(program_side)
+        # Readable once it has ended; it keeps its pid until we take note of that.
+        self._watch: int | None = os.pidfd_open(self._child.pid)
+        self._watching = threading.Lock()
         self._ended = threading.Event()
-        self._thread = threading.Thread(target=self._follow, name=f"process {name}", daemon=True)
+        self._thread = threading.Thread(
+            target=self._follow, args=(self._watch,), name=f"process {name}", daemon=True
+        )
         self._thread.start()
 
     @property
@@ -56,6 +73,18 @@ class Process:
     @property
     def running(self) -> bool:
         return not self._ended.is_set()
+
+    @property
+    def flooded(self) -> bool:
+        """Whether it wrote more than is kept."""
+        return self._splitter.dropped > 0
+
+    def foreground(self) -> int | None:
+        """The process group that holds its terminal; None when nobody does any more."""
+        try:
+            return os.tcgetpgrp(self._terminal)
+        except OSError:
+            return None
 
     def interrupt(self) -> None:
         """What Ctrl+C does: SIGINT to the program and its children on this terminal."""
@@ -93,11 +122,8 @@ class Process:
         self.wait(2.0)
 
     def _has_ended(self) -> bool:
-        try:
-            looked = os.waitid(os.P_PID, self._child.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT)
-        except ChildProcessError:  # its end has just been taken note of
-            return True
-        return looked is not None
+        with self._watching:
+            return self._watch is None or bool(select.select([self._watch], [], [], 0)[0])
 
     def _signal(self, number: signal.Signals) -> None:
         """To the whole group; to the program alone in its first moment, before it leads one."""
@@ -106,22 +132,23 @@ class Process:
         except ProcessLookupError:
             self._child.send_signal(number)
 
-    def _follow(self) -> None:
-        watch = os.pidfd_open(self._child.pid)
+    def _follow(self, watch: int) -> None:
         try:
             while not self._read_until_exit(watch):
                 pass
             self._read_rest()
         finally:
-            os.close(watch)
             self._record_end()
             os.close(self._terminal)
+            with self._watching:
+                os.close(watch)
+                self._watch = None
 
     def _read_until_exit(self, watch: int) -> bool:
         """Read once; True as soon as the program has ended or its terminal is closed."""
         ready, _, _ = select.select([self._terminal, watch], [], [])
         if self._terminal in ready and not self._read_once():
-            self._child.wait()  # nobody holds the terminal any more; the end is near
+            select.select([watch], [], [])  # nobody holds the terminal any more; the end is near
             return True
         return watch in ready
 
@@ -140,34 +167,23 @@ class Process:
         except OSError:  # EIO: the last holder of the terminal closed it
             return False
         moment = self._timeline.now()
-        for text in self._splitter.feed(data):
-            self._timeline.add(OutputLine(moment, self.name, text))
+        self._record(moment, self._splitter.feed(data))
         return bool(data)
+
+    def _record(self, moment: float, lines: Sequence[str]) -> None:
+        for text in map(self._through, lines):
+            if text is not None:
+                self._timeline.add(OutputLine(moment, self.name, text))
 
     def _record_end(self) -> None:
         moment = self._timeline.now()
-        for text in self._splitter.rest():
-            self._timeline.add(OutputLine(moment, self.name, text))
+        self._record(moment, self._splitter.rest())
         if self._splitter.dropped:
             self._timeline.add(OutputCut(moment, self.name, self._splitter.dropped))
-        status = self._child.wait()
+        status = self._child.reap()
         code, number = (status, None) if status >= 0 else (None, -status)
         self._ended.set()
         self._timeline.add(ProcessExited(moment, self.name, code, number))
-
-
-def _start(
-    command: Sequence[str], terminal: int, env: Mapping[str, str], cwd: Path
-) -> subprocess.Popen[bytes]:
-    # setsid runs in the child itself: no Python between fork and exec, although this process has threads.
-    return subprocess.Popen(
-        ["setsid", "--ctty", *command],
-        stdin=terminal,
-        stdout=terminal,
-        stderr=terminal,
-        env=dict(env),
-        cwd=cwd,
-    )
 
 
 def _open_terminal() -> tuple[int, int]:

@@ -49,7 +49,7 @@ def build(
             with Interrupt(interrupt) as stop:
                 return _Build(workspace, ros, store, on_progress, time_limit, stop).run(names, began)
         except SourcesChanged:
-            workspace = Workspace.scan(workspace.root, workspace.home)
+            workspace = workspace.scan_again()
     what = f"Files in {workspace.source} keep changing while they are built."
     raise UsageError(what, "Wait until whatever writes them is done, then check again.")
 

@@ -18,6 +18,10 @@ _DEPEND_TAGS = frozenset(
     for kind in ("", "build_", "buildtool_", "build_export_", "buildtool_export_", "exec_", "run_")
 )
 
+_MOST_DEPTH = 40
+# Evaluating brackets in brackets takes twice as long with each pair.
+_LONGEST_CONDITION, _MOST_BRACKETS = 300, 4
+
 
 @dataclass(frozen=True)
 class Dependency:
@@ -59,6 +63,11 @@ def read_manifest(data: bytes) -> Manifest | ManifestFault:
         reader.read(data)
     except expat.ExpatError as error:
         return _not_well_formed(reader, error)
+    except _Refused as refused:
+        return refused.fault
+    except (ValueError, LookupError):  # an encoding that expat, or Python, does not know
+        advice = 'Save it as UTF-8, and begin it with `<?xml version="1.0"?>`.'
+        return ManifestFault("it is in an encoding that cannot be read", 1, advice)
     names = [text for path, text, *_ in reader.elements if path == ("package", "name") and text]
     if len(names) != 1:
         return _name_fault(reader.lines, len(names))
@@ -87,6 +96,14 @@ def strict_fault(file: Path) -> ManifestFault | None:
     return _in_words(message, read.lines if isinstance(read, Manifest) else {})
 
 
+class _Refused(Exception):
+    """It is well-formed, and still none that anybody could have written."""
+
+    def __init__(self, fault: ManifestFault) -> None:
+        super().__init__(fault.what)
+        self.fault = fault
+
+
 @dataclass
 class _Reader:
     """Collects every element: its path of tags, its text, its line and its attributes."""
@@ -100,10 +117,19 @@ class _Reader:
         self._parser.StartElementHandler = self._start
         self._parser.EndElementHandler = self._end
         self._parser.CharacterDataHandler = self._text
+        self._parser.EntityDeclHandler = self._entity
         self._parser.Parse(data, True)
+
+    def _entity(self, name: str, *_: object) -> None:
+        """A few of them can stand for gigabytes, or for files of this machine."""
+        what = f"it defines an entity of its own, `{name[:40]}`"
+        raise _Refused(ManifestFault(what, self._parser.CurrentLineNumber, "Write what it stands for."))
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         line = self._parser.CurrentLineNumber
+        if len(self.open_tags) >= _MOST_DEPTH:
+            advice = "Close each tag before the next one begins."
+            raise _Refused(ManifestFault(f"its tags lie {_MOST_DEPTH} deep in one another", line, advice))
         self.lines.setdefault(tag, line)
         self.open_tags.append((tag, line, attributes, []))
 
@@ -133,7 +159,7 @@ def _manifest(name: str, reader: _Reader) -> Manifest:
 
 def _holds(attributes: dict[str, str]) -> bool:
     condition = attributes.get("condition")
-    if condition is None:
+    if condition is None or len(condition) > _LONGEST_CONDITION or condition.count("(") > _MOST_BRACKETS:
         return True
     from catkin_pkg.condition import evaluate_condition  # conditions are rare, and its import is slow
 

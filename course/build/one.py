@@ -5,19 +5,23 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 from course.build.colcon import build_environment, colcon_command, require_tools
-from course.build.digest import Case, explain, explain_success, readable
-from course.build.digest.machine import raise_if_machine
+from course.build.confined import confined, written
+from course.build.digest import Case, explain, explain_success, log_text, readable
+from course.build.digest.machine import Killed, Machine, raise_if_machine
 from course.build.interrupt import Interrupt
 from course.build.job import Job, SourcesChanged
 from course.build.key import content_key
 from course.build.manifest import strict_fault
 from course.build.outcome import BuildFailure, BuiltPackage
-from course.build.process import Ended, Ending, run
+from course.build.process import Ended, Ending
 from course.build.refusal import unreadable
+from course.build.sealing import seal
 from course.build.sources import copy_sources
+from course.build.stopped import flawed, stopped
 from course.build.store import Entry, storage
 
 _ASK_SECONDS = 30.0
@@ -62,44 +66,45 @@ def _run(job: Job, entry: Entry, stop: Interrupt) -> tuple[Ended, BuildFailure |
     env = build_environment(job.ros, entry, job.overlays)
     require_tools(job.package, env)
     command = colcon_command(job.package, entry, job.ros, env)
-    ended = run(command, cwd=entry.path, env=env, output=entry.log, time_limit=job.time_limit, interrupt=stop)
+    killed = Killed()
+    with confined(job, entry, env, stop) as run:
+        ended = run(command, entry.path, entry.log, job.time_limit)
     case = _case(job, entry, env, stop)
     if ended.ending is not Ending.EXITED:
-        return ended, _stopped(case, ended, job.time_limit)
+        return ended, stopped(case, ended, job.time_limit)
+    limit, flaw = written(entry).now(), seal(entry.install, entry.path)
+    if limit := limit or written(entry).now():  # only now can all folders be looked into
+        return ended, stopped(case, replace(ended, ending=Ending.LIMIT, limit=limit), job.time_limit)
+    if flaw is not None:
+        return ended, flawed(case, flaw)
     if ended.code != 0:
-        raise_if_machine(case.lines, job.store.root, job.ros.python)
+        raise_if_machine(case.lines, Machine(job.store.root, job.ros.python, killed))
         return ended, explain(case)
     return ended, explain_success(case, entry.prefix(job.package.name))
 
 
 def _copy(job: Job, entry: Entry) -> None:
-    copy_sources(job.package.folder, job.workspace.home, entry.src)
-    if content_key(entry.src, entry.src, job.needed, job.ros.identity) != job.key:
+    copy_sources(job.package.folder, job.workspace.home, entry.kept)
+    if content_key(entry.kept, entry.kept, job.needed, job.ros.identity) != job.key:
         raise SourcesChanged
-
-
-def _stopped(case: Case, ended: Ended, time_limit: float) -> BuildFailure:
-    name, lines = case.package.name, case.lines[-3:]
-    file = case.place("setup.py" if case.text("setup.py") else "CMakeLists.txt")
-    if ended.ending is Ending.TOO_LONG:
-        summary = f"Building `{name}` took longer than {time_limit:g} seconds and was stopped."
-        advice = "Does setup.py or CMakeLists.txt loop without end, or wait for someone to type?"
-        return case.failure("time-limit", summary, where=[file], advice=advice, details=lines)
-    summary = f"Building `{name}` printed without end and was stopped."
-    advice = "Look for what prints in a loop in setup.py or CMakeLists.txt."
-    return case.failure("output-limit", summary, where=[file], advice=advice, details=lines)
+    copy_sources(entry.kept, entry.kept, entry.src)
 
 
 def _case(job: Job, entry: Entry, env: Mapping[str, str], stop: Interrupt) -> Case:
     def lines_of(file: Path) -> tuple[str, ...]:
-        text = file.read_text(encoding="utf-8", errors="replace")
-        return readable(text, job.store.root, entry.src, job.package.source)
+        return readable(log_text(file), job.store.root, entry.src, job.package.source)
 
     def ask_setup_py() -> tuple[str, ...]:
         output = entry.log.with_name("setup-py.log")
         command = [str(job.ros.python), "-W", "ignore", "setup.py", "--name"]
-        run(command, cwd=entry.src, env=env, output=output, time_limit=_ASK_SECONDS, interrupt=stop)
+        entry.begin_again()
+        copy_sources(entry.kept, entry.kept, entry.src)
+        build_environment(job.ros, entry, job.overlays)
+        with confined(job, entry, env, stop) as run:
+            run(command, entry.src, output, _ASK_SECONDS)
         return lines_of(output)
 
     prefixes = tuple(Path(prefix) for prefix in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if prefix)
-    return Case(job.package, job.workspace, entry.src, lines_of(entry.log), entry.log, prefixes, ask_setup_py)
+    return Case(
+        job.package, job.workspace, entry.kept, lines_of(entry.log), entry.log, prefixes, ask_setup_py
+    )

@@ -12,7 +12,7 @@ import shutil
 import signal
 import subprocess
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from enum import Enum
@@ -22,6 +22,8 @@ from typing import BinaryIO
 from course.build.interrupt import Interrupt, Interrupted
 
 MOST_OUTPUT = 32 * 1024**2
+# How often limits are looked at, in seconds.
+_LOOK = 0.25
 
 # Killing process group 0 means one's own: the guard leads the session, so all of it goes.
 _GUARD = 'trap "kill -KILL 0" TERM; "$@" & wait "$!"'
@@ -33,15 +35,17 @@ class Ending(Enum):
     EXITED = "exited"
     TOO_LONG = "too long"
     TOO_MUCH_OUTPUT = "too much output"
+    LIMIT = "limit"
 
 
 @dataclass(frozen=True)
 class Ended:
-    """`code` is the exit code; only meaningful if it EXITED by itself."""
+    """`code` is the exit code; only meaningful if it EXITED by itself. `limit`: which one was reached."""
 
     ending: Ending
     code: int
     seconds: float
+    limit: str | None = None
 
 
 def run(
@@ -52,16 +56,21 @@ def run(
     output: Path,
     time_limit: float,
     interrupt: Interrupt,
+    descriptors: Sequence[int] = (),
+    breach: Callable[[int], str | None] = lambda pid: None,
 ) -> Ended:
     """Run `command` to its end and write what it prints to the file `output`.
 
-    Raises Interrupted when `interrupt` is set, and OSError when it cannot be started or the disk is full.
+    descriptors: of ours, which it inherits. breach: asked now and then, with the pid of what was started,
+    for a limit that was reached. Raises Interrupted when `interrupt` is set, and OSError when it cannot be
+    started or the disk is full.
     No process of its session is alive afterwards.
     """
     began = time.monotonic()
-    with output.open("wb") as log, _session(_guarded(command), cwd, env) as process:
-        ending = _watch(process, log, began + time_limit, interrupt)
-    return Ended(ending, process.returncode, time.monotonic() - began)
+    with output.open("wb") as log, _session(_guarded(command), cwd, env, descriptors) as process:
+        watch = _Watch(process, log, began + time_limit, interrupt, breach)
+        ending = watch.until_end()
+    return Ended(ending, process.returncode, time.monotonic() - began, watch.limit)
 
 
 def _guarded(command: Sequence[str]) -> list[str]:
@@ -72,7 +81,9 @@ def _guarded(command: Sequence[str]) -> list[str]:
 
 
 @contextmanager
-def _session(command: Sequence[str], cwd: Path, env: Mapping[str, str]) -> Iterator[subprocess.Popen[bytes]]:
+def _session(
+    command: Sequence[str], cwd: Path, env: Mapping[str, str], descriptors: Sequence[int]
+) -> Iterator[subprocess.Popen[bytes]]:
     process = subprocess.Popen(
         command,
         cwd=cwd,
@@ -81,6 +92,7 @@ def _session(command: Sequence[str], cwd: Path, env: Mapping[str, str]) -> Itera
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         start_new_session=True,
+        pass_fds=descriptors,
     )
     try:
         yield process
@@ -93,30 +105,61 @@ def _session(command: Sequence[str], cwd: Path, env: Mapping[str, str]) -> Itera
             process.stdout.close()
 
 
-def _watch(process: subprocess.Popen[bytes], log: BinaryIO, deadline: float, interrupt: Interrupt) -> Ending:
-    """Copy output until the program ends. A background child that keeps the pipe open does not count."""
-    assert process.stdout is not None
-    pipe = process.stdout.fileno()
-    os.set_blocking(pipe, False)
-    ended = os.pidfd_open(process.pid)
-    try:
-        with selectors.DefaultSelector() as selector:
-            for fd in (pipe, ended, *interrupt.fds):
-                selector.register(fd, selectors.EVENT_READ)
-            while True:
-                ready = {key.fd for key, _ in selector.select(max(0.0, deadline - time.monotonic()))}
-                if ready.intersection(interrupt.fds):
-                    raise Interrupted
-                if pipe in ready and not _copy(pipe, log):
-                    selector.unregister(pipe)
-                if log.tell() > MOST_OUTPUT:
-                    return Ending.TOO_MUCH_OUTPUT
-                if ended in ready:  # and the pipe was, too, if anything was left in it
-                    return Ending.EXITED
-                if time.monotonic() >= deadline:
-                    return Ending.TOO_LONG
-    finally:
-        os.close(ended)
+class _Watch:
+    """Copies output until the program ends. A background child that keeps the pipe open does not count."""
+
+    def __init__(
+        self,
+        process: subprocess.Popen[bytes],
+        log: BinaryIO,
+        deadline: float,
+        interrupt: Interrupt,
+        breach: Callable[[int], str | None],
+    ) -> None:
+        assert process.stdout is not None
+        self.limit: str | None = None
+        self._process = process
+        self._pipe = process.stdout.fileno()
+        self._log = log
+        self._deadline = deadline
+        self._interrupt = interrupt
+        self._breach = breach
+        self._look = 0.0
+
+    def until_end(self) -> Ending:
+        os.set_blocking(self._pipe, False)
+        ended = os.pidfd_open(self._process.pid)
+        try:
+            with selectors.DefaultSelector() as selector:
+                for fd in (self._pipe, ended, *self._interrupt.fds):
+                    selector.register(fd, selectors.EVENT_READ)
+                while True:
+                    ending = self._step(selector, ended)
+                    if ending is not None:
+                        return ending
+        finally:
+            os.close(ended)
+
+    def _is_over(self, *, last: bool) -> bool:
+        if last or time.monotonic() >= self._look:
+            self._look = time.monotonic() + _LOOK
+            self.limit = self._breach(self._process.pid)
+        return self.limit is not None
+
+    def _step(self, selector: selectors.BaseSelector, ended: int) -> Ending | None:
+        left = max(0.0, self._deadline - time.monotonic())
+        ready = {key.fd for key, _ in selector.select(min(left, _LOOK))}
+        if ready.intersection(self._interrupt.fds):
+            raise Interrupted
+        if self._pipe in ready and not _copy(self._pipe, self._log):
+            selector.unregister(self._pipe)
+        if self._log.tell() > MOST_OUTPUT:
+            return Ending.TOO_MUCH_OUTPUT
+        if self._is_over(last=ended in ready):
+            return Ending.LIMIT
+        if ended in ready:  # and the pipe was, too, if anything was left in it
+            return Ending.EXITED
+        return Ending.TOO_LONG if time.monotonic() >= self._deadline else None
 
 
 def _copy(pipe: int, log: BinaryIO) -> bool:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from course.build.manifest import ManifestFault
 from course.build.outcome import BuildFailure
-from course.build.sources import MOST_BYTES, MOST_FILES
+from course.build.sources import MOST_BYTES, MOST_FILES, within
 from course.build.workspace import Package, Workspace, read_package, shown
 from course.feedback import Feedback, Location
 
@@ -19,7 +19,12 @@ _DEEPEST = 6  # folders below the course home; a package put in the wrong place 
 def package_missing(workspace: Workspace, name: str) -> BuildFailure:
     """There is no package of that name where packages belong."""
     summary = f"There is no package `{name}` in {workspace.source}."
-    where, advice = _astray(workspace, name) or _look_alike(workspace, name) or ((), _make_it(workspace))
+    where, advice = (
+        _leads_out(workspace, name)
+        or _astray(workspace, name)
+        or _look_alike(workspace, name)
+        or ((), _make_it(workspace))
+    )
     found = tuple(f"{package.source}: {package.name}" for package in workspace.packages)
     return BuildFailure(
         name, "package-missing", Feedback(summary, where=where, advice=advice, details=found[:6])
@@ -80,12 +85,22 @@ def like(name: str, known: Iterable[str]) -> str | None:
 Found = tuple[tuple[Location, ...], str]
 
 
+def _leads_out(workspace: Workspace, name: str) -> Found | None:
+    """It may be there, behind a link out of the course home, which nobody follows."""
+    source = workspace.root / "src"
+    for place in (workspace.root, source, source / name):
+        if place.is_symlink() and within(place, workspace.inside) is None:
+            file = shown(place, workspace.home)
+            return (Location(file),), f"{file} is a link out of the course home: put the folder in its place."
+    return None
+
+
 def _astray(workspace: Workspace, name: str) -> Found | None:
     """The package or its folder exists, but not as a package of the workspace."""
     for folder in _folders(workspace.home):
         place = shown(folder, workspace.home)
         if (folder / "package.xml").is_file():
-            if read_package(folder, workspace.home).name == name:
+            if read_package(folder, workspace.home, workspace.inside).name == name:
                 inside = _inside(workspace, folder)
                 return (Location(place),), f"It is in {place}{inside}: move it to {workspace.source}/{name}."
         elif folder.name == name and any(
@@ -129,5 +144,7 @@ def _folders(top: Path) -> Iterator[Path]:
 
 
 def _line(file: Path, number: int | None) -> tuple[str, ...]:
+    if number is None:  # then it may be no file that can be read
+        return ()
     lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
-    return (lines[number - 1].strip(),) if number and number <= len(lines) else ()
+    return (lines[number - 1].strip(),) if number <= len(lines) else ()

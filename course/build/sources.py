@@ -21,9 +21,10 @@ _LEFT_BY_TOOLS = frozenset(
 _LEFT_BY_COLCON = frozenset({"build", "install", "log"})
 
 # A package of a course has some dozen files. More is an environment or a recording gone astray, and
-# hashing and copying it at every check would take longer than the check.
+# hashing and copying it at every check would take longer than the check. Folders count as files do.
 MOST_FILES = 5000
 MOST_BYTES = 200_000_000
+MOST_DEPTH = 40
 
 
 @dataclass(frozen=True)
@@ -48,20 +49,19 @@ class TooMuch(Exception):
 def source_files(folder: Path, home: Path) -> list[SourceFile]:
     """The files of the package in `folder`, sorted by name. Raises TooMuch."""
     found: list[SourceFile] = []
-    total = 0
-    for file in _walk(folder, "", home.resolve(), ()):
-        found.append(file)
-        total += file.size
-        if len(found) > MOST_FILES or total > MOST_BYTES:
-            raise TooMuch(_largest(found, by_size=total > MOST_BYTES))
+    number, total = 0, 0
+    sizes: Counter[str] = Counter()
+    numbers: Counter[str] = Counter()
+    for name, file in _walk(folder, "", home.resolve(), ()):
+        entry = name.split("/")[0]
+        number, numbers[entry] = number + 1, numbers[entry] + 1
+        if file:
+            found.append(file)
+            total, sizes[entry] = total + file.size, sizes[entry] + file.size
+        if number > MOST_FILES or total > MOST_BYTES:
+            weights = sizes if total > MOST_BYTES else numbers
+            raise TooMuch(weights.most_common(1)[0][0])
     return sorted(found, key=lambda file: file.name)
-
-
-def _largest(files: list[SourceFile], *, by_size: bool) -> str:
-    weights: Counter[str] = Counter()
-    for file in files:
-        weights[file.name.split("/")[0]] += file.size if by_size else 1
-    return weights.most_common(1)[0][0]
 
 
 def copy_sources(folder: Path, home: Path, to: Path) -> None:
@@ -77,7 +77,12 @@ def copy_sources(folder: Path, home: Path, to: Path) -> None:
             target.chmod(0o755 if file.executable else 0o644)
 
 
-def _walk(folder: Path, prefix: str, home: Path, above: tuple[Path, ...]) -> Iterator[SourceFile]:
+def _walk(
+    folder: Path, prefix: str, home: Path, above: tuple[Path, ...]
+) -> Iterator[tuple[str, SourceFile | None]]:
+    """Names of all files and folders; with each file, what it is."""
+    if prefix.count("/") > MOST_DEPTH:
+        raise TooMuch(prefix.split("/")[0])
     with os.scandir(folder) as entries:
         for entry in entries:
             if entry.name in _LEFT_BY_TOOLS or (not prefix and entry.name in _LEFT_BY_COLCON):
@@ -86,19 +91,32 @@ def _walk(folder: Path, prefix: str, home: Path, above: tuple[Path, ...]) -> Ite
             if entry.is_symlink():
                 yield from _through_link(Path(entry.path), name, home, above)
             elif entry.is_dir():
+                yield name, None
                 yield from _walk(Path(entry.path), f"{name}/", home, above)
             elif entry.is_file():  # pipes and sockets would hang whoever reads them
-                yield _file(name, Path(entry.path), entry.stat())
+                yield name, _file(name, Path(entry.path), entry.stat())
 
 
-def _through_link(path: Path, name: str, home: Path, above: tuple[Path, ...]) -> Iterator[SourceFile]:
-    target = path.resolve()
-    if not target.is_relative_to(home) or not target.exists():
-        yield SourceFile(name, path, 0, False, str(path.readlink()))
+def _through_link(
+    path: Path, name: str, home: Path, above: tuple[Path, ...]
+) -> Iterator[tuple[str, SourceFile | None]]:
+    target = within(path, home)
+    if target is None:
+        yield name, SourceFile(name, path, 0, False, str(path.readlink()))
     elif target.is_file():
-        yield _file(name, target, target.stat())
+        yield name, _file(name, target, target.stat())
     elif target.is_dir() and target not in above and not path.parent.resolve().is_relative_to(target):
+        yield name, None
         yield from _walk(target, f"{name}/", home, (*above, target))
+
+
+def within(path: Path, folder: Path | None) -> Path | None:
+    """What the path leads to, with all links followed; None when that is not there, or not in `folder`."""
+    try:
+        target = path.resolve(strict=True)
+    except (OSError, RuntimeError):  # it leads nowhere, or in a circle
+        return None
+    return target if folder is None or target.is_relative_to(folder) else None
 
 
 def _file(name: str, path: Path, status: os.stat_result) -> SourceFile:

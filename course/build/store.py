@@ -1,10 +1,12 @@
 """Builds kept by content: one entry for each key, made at its final place and complete or absent.
 
     ROOT/<key>/src      the copy that was built
+    ROOT/<key>/kept     the same while it is built, out of reach of what the build does to its own
     ROOT/<key>/install  colcon's install base; the package's prefix lies in it, isolated
     ROOT/<key>/log      what the build printed
     ROOT/<key>/build    while it is built
-    ROOT/<key>/complete written last, by rename: without it the entry is half-made and counts for nothing
+    ROOT/<key>/complete written last, by rename: without it the entry is half-made and counts for nothing.
+                        It has a digest of what was installed: an entry that is not that is made anew
     ROOT/<key>.lock     held by whoever makes or removes the entry
 
 An entry that is complete is never written to again. Its paths are baked into what was built, so it
@@ -18,16 +20,17 @@ import fcntl
 import json
 import os
 import re
-import shutil
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from course.build.intact import digest_of
 from course.build.interrupt import Interrupt
 from course.errors import CourseError, MissingHere, StorageError
 from course.rosenv import cache_dir
+from course.rosenv.files import wipe
 
 KEEP_BYTES = 2 * 1024**3
 # A check that has just found its entries is still using them.
@@ -49,6 +52,10 @@ class Entry:
         return self.path / "src"
 
     @property
+    def kept(self) -> Path:
+        return self.path / "kept"
+
+    @property
     def build(self) -> Path:
         return self.path / "build"
 
@@ -68,32 +75,49 @@ class Entry:
         return self.install / package
 
     def is_complete(self) -> bool:
-        """Whether it can be used; notes the use, so that it is kept."""
+        """Whether it can be used, and is what was built; notes the use, so that it is kept."""
+        if not self._is_intact():
+            return False
         with suppress(OSError):  # a store on a read-only disk serves all the same
             os.utime(self.marker)
-        return self.marker.exists()
+        return True
+
+    def _is_intact(self) -> bool:
+        try:
+            noted = json.loads(self.marker.read_text(encoding="utf-8"))
+            return bool(noted["installed"] == digest_of(self.install))
+        except (OSError, ValueError, KeyError, TypeError):
+            return False
 
     def begin(self) -> None:
         """Wipe what an earlier try left."""
-        shutil.rmtree(self.path, ignore_errors=True)
+        wipe(self.path)
         for folder in (self.build, self.install, self.log.parent):
             folder.mkdir(parents=True)
 
     def finish(self, package: str) -> None:
         """Mark as complete, when everything is in place."""
-        shutil.rmtree(self.build, ignore_errors=True)
+        wipe(self.src, self.build)
+        if self.kept.exists():
+            self.kept.rename(self.src)
         beside = self.marker.with_suffix(".new")
-        beside.write_text(json.dumps({"package": package, "bytes": _size(self.path)}), encoding="utf-8")
+        noted = {"package": package, "bytes": _size(self.path), "installed": digest_of(self.install)}
+        beside.write_text(json.dumps(noted), encoding="utf-8")
         beside.replace(self.marker)
 
     def discard(self) -> None:
         """Leave nothing of a build that did not come to an end."""
-        shutil.rmtree(self.path, ignore_errors=True)
+        wipe(self.path)
 
     def give_up(self) -> None:
         """Keep the log of a failed build, and nothing else."""
-        for folder in (self.src, self.build, self.install):
-            shutil.rmtree(folder, ignore_errors=True)
+        wipe(self.src, self.kept, self.build, self.install)
+
+    def begin_again(self) -> None:
+        """Room for another run of a build that did not come to an end: no trace of the first one."""
+        wipe(self.src, self.build, self.install)
+        for folder in (self.build, self.install):
+            folder.mkdir()
 
 
 class Store:
@@ -154,7 +178,7 @@ class Store:
             if _try(lock):
                 # The marker goes first: whoever looks meanwhile sees a half-made entry.
                 self.entry(key).marker.unlink(missing_ok=True)
-                shutil.rmtree(self.entry(key).path, ignore_errors=True)
+                wipe(self.entry(key).path)
                 self._lock_file(key).unlink(missing_ok=True)
         finally:
             os.close(lock)

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import os
+import stat
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from course.build.manifest import Dependency, Manifest, ManifestFault, guessed_name, read_manifest
+from course.build.sources import MOST_DEPTH, within
 
 _IGNORE_MARKERS = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
 _COLCON_FOLDERS = frozenset({"build", "install", "log"})
+# A package.xml of a course has about a thousand bytes, and a workspace some dozen folders.
+_MOST_BYTES = 256 * 1024
+_MOST_FOLDERS = 20_000
 
 
 @dataclass(frozen=True)
@@ -44,21 +49,32 @@ class Package:
 
 @dataclass(frozen=True)
 class Workspace:
-    """The packages below `root`/src. `home` is the course home, which places are shown relative to."""
+    """The packages below `root`/src. `home` is the course home, which places are shown relative to.
+
+    inside: see `read_package`.
+    """
 
     root: Path
     home: Path
     packages: tuple[Package, ...]
+    inside: Path | None = None
 
     @classmethod
-    def scan(cls, root: Path, home: Path | None = None) -> Workspace:
+    def scan(cls, root: Path, home: Path | None = None, *, trusted: bool = False) -> Workspace:
         """Find the packages of the workspace `root`; `home` is the folder above it if not given.
 
-        Nothing is wrong with a workspace that is not there: it has no packages.
+        Nothing is wrong with a workspace that is not there: it has no packages. trusted: packages, and the
+        workspace itself, may be links out of the home, as some keep them in a repository; else what such a
+        link leads to is not looked at.
         """
         home = home or root.parent
-        folders = package_folders(root / "src")
-        return cls(root, home, tuple(read_package(folder, home) for folder in folders))
+        inside = None if trusted else home.resolve()
+        folders = package_folders(root / "src", inside)
+        return cls(root, home, tuple(read_package(folder, home, inside) for folder in folders), inside)
+
+    def scan_again(self) -> Workspace:
+        """The same as it is now."""
+        return Workspace.scan(self.root, self.home, trusted=self.inside is None)
 
     @property
     def source(self) -> str:
@@ -75,31 +91,66 @@ class Workspace:
         return found[0] if len(found) == 1 else None
 
 
-def read_package(folder: Path, home: Path) -> Package:
-    data = (folder / "package.xml").read_bytes()
-    read = read_manifest(data)
+def read_package(folder: Path, home: Path, inside: Path | None) -> Package:
+    """inside: the folder that links may not lead out of, with all links followed; None for no such one."""
+    data = _manifest_bytes(folder / "package.xml", inside)
+    read = data if isinstance(data, ManifestFault) else read_manifest(data)
     if isinstance(read, ManifestFault):
-        return Package(guessed_name(data) or folder.name, folder, shown(folder, home), None, read)
+        guessed = guessed_name(data) if isinstance(data, bytes) else None
+        return Package(guessed or folder.name, folder, shown(folder, home), None, read)
     return Package(read.name, folder, shown(folder, home), read)
 
 
-def package_folders(top: Path) -> Iterator[Path]:
-    """Folders with a package.xml below `top`, sorted. A package inside a package is not one, says colcon."""
-    for folder, folders, files in os.walk(top, followlinks=True):
-        if _IGNORE_MARKERS.intersection(files):
+def _manifest_bytes(file: Path, inside: Path | None) -> bytes | ManifestFault:
+    """Never waits, as for a pipe, and reads nothing but a plain file."""
+    advice = "Put the plain text file itself in its place."
+    target = within(file, inside)
+    if target is None:
+        return ManifestFault("it is a link that leads out of the course home, or nowhere", None, advice)
+    descriptor = os.open(target, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+    with os.fdopen(descriptor, "rb") as opened:
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            return ManifestFault("it is not a plain file", None, advice)
+        if status.st_size > _MOST_BYTES:
+            return ManifestFault(f"it has more than {_MOST_BYTES // 1024} KiB", None, _MANIFEST_IS_SHORT)
+        return opened.read()
+
+
+_MANIFEST_IS_SHORT = "It holds a few lines; compare it with that of another package."
+
+
+def package_folders(top: Path, inside: Path | None) -> Iterator[Path]:
+    """Folders with a package.xml below `top`, sorted. A package inside a package is not one, says colcon.
+
+    inside: see `read_package`.
+    """
+    seen: set[Path] = set()
+    if within(top, inside) is None:
+        return
+    for name, folders, files in os.walk(top, followlinks=True):
+        folder = Path(name)
+        if _IGNORE_MARKERS.intersection(files) or len(seen) > _MOST_FOLDERS:
             folders.clear()
         elif "package.xml" in files:
             folders.clear()
-            yield Path(folder)
+            yield folder
         else:
-            # A link back up would never end; colcon, too, takes each folder once.
-            folders[:] = sorted(name for name in folders if _enters(Path(folder, name)))
+            deep = len(folder.parts) - len(top.parts) >= MOST_DEPTH
+            folders[:] = (
+                [] if deep else sorted(each for each in folders if _enters(folder / each, inside, seen))
+            )
 
 
-def _enters(folder: Path) -> bool:
-    hidden = folder.name.startswith(".")
-    leads_back_up = folder.is_symlink() and folder.parent.resolve().is_relative_to(folder.resolve())
-    return not hidden and folder.name not in _COLCON_FOLDERS and not leads_back_up
+def _enters(folder: Path, inside: Path | None, seen: set[Path]) -> bool:
+    """Links could go round without end; colcon, too, takes each folder once."""
+    if folder.name.startswith(".") or folder.name in _COLCON_FOLDERS:
+        return False
+    target = within(folder, inside)
+    if target is None or target in seen or folder.parent.resolve().is_relative_to(target):
+        return False
+    seen.add(target)
+    return True
 
 
 def shown(path: Path, home: Path) -> str:

@@ -8,7 +8,24 @@ from typing import Annotated
 import typer
 
 from course import __version__
-from course.cli import check, doctor, hint, init, listing, next_, reset, shell, show, solution
+from course.cli import (
+    bundle,
+    check,
+    doctor,
+    grade,
+    hint,
+    init,
+    listing,
+    next_,
+    play,
+    regrade,
+    reset,
+    shell,
+    show,
+    similar,
+    solution,
+    underlay,
+)
 from course.cli.options import Options
 from course.cli.words import PROGRAM, examples
 
@@ -70,6 +87,7 @@ for command, name, epilog in (
     (next_.next_, "next", next_.EXAMPLES),
     (check.check, "check", check.EXAMPLES),
     (hint.hint, "hint", hint.EXAMPLES),
+    (play.play, "play", play.EXAMPLES),
     (listing.list_, "list", listing.EXAMPLES),
     (show.show, "show", show.EXAMPLES),
     (reset.reset, "reset", reset.EXAMPLES),
@@ -77,6 +95,11 @@ for command, name, epilog in (
     (init.init, "init", init.EXAMPLES),
     (shell.shell, "shell", shell.EXAMPLES),
     (shell.env, "env", shell.ENV_EXAMPLES),
+    (grade.grade, "grade", grade.EXAMPLES),
+    (regrade.regrade, "regrade", regrade.EXAMPLES),
+    (bundle.make_bundle, "bundle", bundle.EXAMPLES),
+    (similar.similar, "similar", similar.EXAMPLES),
     (doctor.doctor, "doctor", doctor.EXAMPLES),
+    (underlay.build_underlay, "build-underlay", underlay.EXAMPLES),
 ):
     app.command(name, epilog=epilog)(command)

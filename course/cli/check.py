@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import signal
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from course.cli.arguments import CurrentExercise
+from course.cli.ending import ended_cleanly
 from course.cli.words import examples, typed
-from course.errors import ExitCode
+from course.errors import ExitCode, UsageError
 
 if TYPE_CHECKING:
     from course.cli.desk import Desk
@@ -22,6 +20,7 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     ("check", "check the exercise you are at"),
     ("check 18-publisher", "check another one"),
+    ("check --again", "answer anew what is not right in a quiz"),
     ("check --json", "the result for a program to read"),
 )
 
@@ -38,17 +37,22 @@ def check(
             "where there are any; else by a ROS domain of their own.",
         ),
     ] = True,
+    again: Annotated[
+        bool,
+        typer.Option("--again", help="Ask again what is not right or not answered; all if all is right."),
+    ] = False,
 ) -> None:
     """Build and run what you wrote, and judge what it does.
 
-    Your files are only read. Ends with 0 when the exercise is passed, 1 when it
-    is not, 3 when the course itself has a fault, 4 when this machine lacks
-    something.
+    A quiz asks its questions first. Your files are only read. Ends with 0 when
+    the exercise is passed, 1 when it is not, 3 when the course itself has a
+    fault, 4 when this machine lacks something.
     """
     from course.cli.desk import open_desk
 
     with open_desk(ctx) as desk:
         chosen = desk.exercise(exercise)
+        _ask(desk, chosen, quiet=json, again=again)
         result = _judged(desk, chosen, quiet=json, namespaces=namespaces)
         previous = desk.progress.last_result(chosen.id)
         if json:
@@ -68,47 +72,59 @@ def exit_code(result: Result) -> ExitCode:
     return {
         Verdict.PASSED: ExitCode.PASSED,
         Verdict.NOT_PASSED: ExitCode.NOT_PASSED,
+        Verdict.NOT_APPLICABLE: ExitCode.MISSING_HERE,
         Verdict.NOT_AVAILABLE: ExitCode.MISSING_HERE,
         Verdict.OUR_ERROR: ExitCode.OUR_FAULT,
     }[result.verdict]
 
 
+def _ask(desk: Desk, exercise: Exercise, *, quiet: bool, again: bool) -> None:
+    """Ask what is to be answered; only a person at a terminal is asked."""
+    at_terminal = sys.stdin.isatty() and sys.stdout.isatty() and not quiet
+    if again and not (exercise.questions and at_terminal):
+        raise _cannot_ask(exercise)
+    if exercise.questions and at_terminal:
+        from course.cli.ask import Asking
+        from course.grading.mystery.load import questions_for
+        from course.grading.quiz.order import as_seen
+        from course.report.console import open_console
+
+        seed = desk.home.seed()
+        questions = as_seen(questions_for(exercise, seed), exercise.id, seed)
+        Asking(open_console(), desk.home, exercise, questions).run(again=again)
+
+
+def _cannot_ask(exercise: Exercise) -> UsageError:
+    from course.content import answers_file
+
+    if not exercise.questions:
+        return UsageError(f"{exercise.id} has no questions that could be asked again.")
+    advice = f"Answer in a terminal, or change {answers_file(exercise.id)} in your course home."
+    return UsageError("Questions can only be asked in a terminal.", advice)
+
+
 def _judged(desk: Desk, exercise: Exercise, *, quiet: bool, namespaces: bool) -> Result:
     from course.grading.check import check_exercise
+    from course.grading.load import runs_programs
     from course.report.activity import activity
     from course.report.console import error_console, put
     from course.rosenv import find_ros
 
     console = error_console()
     try:
-        with _ended_cleanly(), activity(console, f"checking {exercise.id}", quiet=quiet) as say:
+        with ended_cleanly(), activity(console, f"checking {exercise.id}", quiet=quiet) as say:
             return check_exercise(
                 exercise,
                 desk.home.path,
-                ros=find_ros(),
+                ros=find_ros() if runs_programs(exercise) else None,
                 on_progress=say,
                 namespaces=namespaces,
                 evidence=desk.home.state / "evidence" / f"{exercise.id}.mcap",
+                seed=desk.home.seed() if exercise.questions or exercise.play else None,
             )
     except KeyboardInterrupt:
         put(console, "Stopped. This attempt does not count.")
         raise
-
-
-@contextmanager
-def _ended_cleanly() -> Iterator[None]:
-    """A closed terminal or a `kill` ends a check like Ctrl+C does, with everything it started."""
-    signals = (signal.SIGTERM, signal.SIGHUP)
-    before = {number: signal.signal(number, _leave) for number in signals}
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
-
-
-def _leave(number: int, _frame: object) -> NoReturn:
-    sys.exit(128 + number)
 
 
 def _print_json(result: Result) -> None:
@@ -158,6 +174,16 @@ def _steps(desk: Desk, exercise: Exercise, result: Result) -> list[tuple[str, st
     again = (typed(f"check{name}"), "to check again")
     if result.verdict is not Verdict.NOT_PASSED:
         return [(typed("doctor"), "to see what this machine has"), again]
+    if _has_wrong_answers(exercise, result):
+        again = (typed(f"check{name} --again"), "to answer again what is not right yet")
     if desk.progress.hints_shown(exercise.id) < len(exercise.hints):
         return [(typed(f"hint{name}"), "for a hint"), again]
+    if not exercise.hints:
+        return [again]
     return [(typed(f"hint{name} --all"), "to read the hints again"), again]
+
+
+def _has_wrong_answers(exercise: Exercise, result: Result) -> bool:
+    """Whether it is answers that are not right, and not only what a grader checks beside them."""
+    asked = {question.id for question in exercise.questions}
+    return any(check.id in asked and not check.earned for check in result.checks)

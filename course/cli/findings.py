@@ -26,6 +26,7 @@ ENOUGH_SPACE = 2 * GIBIBYTE
 LEAST_SPACE = GIBIBYTE // 4
 CLOCK_TOLERANCE = 2.0  # seconds between this machine's clock and its file system's
 NOT_BEFORE = 2026
+_FULL = "programs run as a user without rights, without network or sight of your files"
 
 
 def find_all(options: Options) -> list[Finding]:
@@ -39,7 +40,7 @@ def find_all(options: Options) -> list[Finding]:
         program("cmake", "cmake"),
         program("make", "make"),
         program("bash", "bash"),
-        namespaces(),
+        containment(),
         course_home(options),
         storage("cache", cache),
         clock(cache),
@@ -86,15 +87,35 @@ def program(name: str, package: str) -> Finding:
     return Finding(name, State.OK, f"{_first_line(command, '--version')}, {command}")
 
 
-def namespaces() -> Finding:
-    """Whether a check can be kept apart from all else on this machine."""
+def containment() -> Finding:
+    """Whether submissions can be contained here, and checks of one's own code kept apart."""
+    from course.arena.containment import sandbox_obstacle
     from course.arena.enclosure import namespace_obstacle
+    from course.arena.restrictions import restriction
 
-    obstacle = namespace_obstacle()
+    obstacle = sandbox_obstacle()
     if obstacle is None:
-        return Finding("bubblewrap", State.OK, "works: each check has a network of its own")
-    step = "Checks work without it, in a free ROS domain, apart from other ROS programs only by its number."
-    return Finding("bubblewrap", State.LESS, obstacle, step)
+        return Finding("containment", State.OK, f"full: {_FULL}; {_bounds()}")
+    own = "Checks of your own code work without it; `grade` asks for --no-sandbox."
+    found = restriction()
+    if found is not None:
+        return Finding("containment", State.LESS, f"{obstacle}. {found.what}", f"{found.step} {own}")
+    if namespace_obstacle() is None:
+        return Finding("containment", State.LESS, f"one layer of two: {obstacle}", own)
+    inside = "This is a container: start it so that bubblewrap works in it. " if _in_container() else ""
+    return Finding("containment", State.LESS, obstacle, f"{inside}{own}")
+
+
+def _bounds() -> str:
+    from course.arena.sandbox.control_groups import available
+
+    if available():
+        return "bounds on memory and processes are the kernel's (control groups)"
+    return "bounds on memory and processes are watched (no control groups here)"
+
+
+def _in_container() -> bool:
+    return any(Path(mark).exists() for mark in ("/.dockerenv", "/run/.containerenv"))
 
 
 def course_home(options: Options) -> Finding:

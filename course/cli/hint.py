@@ -70,6 +70,8 @@ def _indices(desk: Desk, exercise: Exercise, *, again: bool, every: bool) -> ran
 
 def _steps(exercise: Exercise, *, last: bool) -> list[tuple[str, str]]:
     check = (typed("check"), "when you have changed something")
+    if exercise.questions and not exercise.packages:
+        check = (typed("check --again"), "to answer what is not right yet")
     if last:
         return [
             check,

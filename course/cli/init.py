@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from course.cli.words import examples, typed
+from course.errors import MissingHere
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 EXAMPLES = examples(
     ("init", "a course home in ~/ros2course"),
@@ -33,4 +38,15 @@ def init(
 
     console = open_console()
     make_home(console, folder or place_for(options_of(ctx)))
+    _show_setup_line(console)
     put_steps(console, [(typed("next"), "to begin"), (typed("shell"), "for a shell in it, with ROS 2 ready")])
+
+
+def _show_setup_line(console: Console) -> None:
+    from course.cli.shell import setup_line
+    from course.report.console import put
+
+    # Without a ROS 2 there is a home all the same; the first check says what is missing.
+    with contextlib.suppress(MissingHere):
+        line = setup_line()
+        put(console, f"The line that makes ROS 2 ready in a terminal, for later:\n  {line}\n")

@@ -34,7 +34,7 @@ def _row(exercise: Exercise, progress: Progress) -> Row:
     return Row(
         chapter=f"{exercise.chapter.number} {exercise.chapter.title}",
         exercise=exercise.id,
-        title=exercise.title,
+        title=f"{exercise.title} (bonus)" if exercise.bonus else exercise.title,
         state=progress.state(exercise.id),
         current=progress.current() == exercise.id,
         best=progress.best(exercise.id),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import nullcontext
 from typing import TYPE_CHECKING, Annotated
 
@@ -62,6 +63,7 @@ def next_(
 def _begin(console: Console, desk: Desk, exercise: Exercise, *, lesson: bool) -> None:
     from course.cli.reading import chapter_text, not_passed_yet
     from course.home import begin
+    from course.report.console import put_steps
     from course.report.lesson import put_requires, render_exercise, render_lesson, render_new_files
 
     new = begin(desk.home, exercise)
@@ -72,20 +74,26 @@ def _begin(console: Console, desk: Desk, exercise: Exercise, *, lesson: bool) ->
     render_exercise(console, exercise, desk.home.path, desk.progress.state(exercise.id))
     render_new_files(console, desk.home.path, new)
     put_requires(console, not_passed_yet(desk, exercise))
-    _steps(console)
+    put_steps(console, list(_steps(exercise)))
 
 
-def _steps(console: Console) -> None:
-    from course.report.console import put_steps
+def _steps(exercise: Exercise) -> Iterator[tuple[str, str]]:
+    is_quiz = bool(exercise.questions) and not exercise.packages
+    if exercise.play:
+        yield typed("play"), "to start what is to be explored, in a terminal of its own"
+    if exercise.play or not is_quiz:
+        yield typed("shell"), "for a shell in your course home, with ROS 2 ready"
+    if is_quiz:
+        yield typed("check"), f"to answer {_questions(exercise)}"
+    else:
+        yield typed("check"), "when you have written it"
+    if exercise.hints:
+        yield typed("hint"), "when you are stuck"
 
-    put_steps(
-        console,
-        [
-            (typed("shell"), "for a shell in your course home, with ROS 2 ready"),
-            (typed("check"), "when you have written it"),
-            (typed("hint"), "when you are stuck"),
-        ],
-    )
+
+def _questions(exercise: Exercise) -> str:
+    count = len(exercise.questions)
+    return "its question" if count == 1 else f"its {count} questions"
 
 
 def _congratulate(console: Console) -> None:

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from course.cli.desk import Desk
-from course.content import Exercise
+from course.content import Exercise, answers_file
 from course.content.chapter import read_text
 from course.content.layout import LESSON_TEXT
 from course.errors import UsageError
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 
 def next_exercise(desk: Desk) -> Exercise | None:
@@ -30,6 +35,33 @@ def not_passed_yet(desk: Desk, exercise: Exercise) -> tuple[str, ...]:
 def chapter_text(exercise: Exercise) -> str:
     """The lesson of the exercise's chapter; no other chapter is read for it."""
     return read_text(exercise.folder / LESSON_TEXT)
+
+
+def put_questions(console: Console, desk: Desk, exercise: Exercise) -> None:
+    """The questions of a quiz, to read; nothing for other exercises."""
+    if not exercise.questions:
+        return
+    from course.grading.mystery.load import questions_for
+    from course.grading.quiz.order import as_seen
+    from course.report.questions import render_questions
+
+    seed = desk.home.seed()
+    render_questions(console, as_seen(questions_for(exercise, seed), exercise.id, seed))
+
+
+def right_answers_of(desk: Desk, exercise: Exercise) -> dict[str, str]:
+    """The file of right answers to an exercise's questions, by its path; nothing without questions."""
+    if not exercise.questions:
+        return {}
+    from course.grading.mystery.load import questions_for
+    from course.grading.quiz.order import as_seen
+    from course.grading.quiz.right import right_answers
+    from course.grading.quiz.writing import answers_text
+
+    seed = desk.home.seed()
+    questions = as_seen(questions_for(exercise, seed), exercise.id, seed)
+    text = answers_text(exercise.id, questions, right_answers(questions))
+    return {answers_file(exercise.id): text}
 
 
 def _current(desk: Desk) -> Exercise | None:

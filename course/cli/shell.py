@@ -68,13 +68,18 @@ def env(ctx: typer.Context) -> None:
 
     home = home_of(options_of(ctx))
     lines = (
-        f"source {shlex.quote(str(_setup_script()))}",
+        setup_line(),
         f"export ROS2COURSE_HOME={shlex.quote(str(home.path))}",
         f"export PATH={shlex.quote(str(write_command(home)))}:$PATH",
         f'# For the shell you are in:  eval "$({typed("env")})"',
         f"# For every new one:         {typed('env')} >> ~/.bashrc",
     )
     typer.echo("\n".join(lines))
+
+
+def setup_line() -> str:
+    """What makes ROS 2 ready in bash, for a terminal or for ~/.bashrc. Raises MissingHere without a ROS 2."""
+    return f"source {shlex.quote(str(_setup_script()))}"
 
 
 def _setup_script() -> Path:
@@ -89,7 +94,7 @@ def _environment(home: CourseHome) -> dict[str, str]:
     from course.rosenv import cache_dir
 
     dropped = (LAUNCHER, CALLED_AS, "PROMPT_COMMAND")
-    environment = {name: value for name, value in os.environ.items() if name not in dropped}
+    environment = {name: value for name, value in _without_own_libraries().items() if name not in dropped}
     # With another HOME, the cache and the course home would be looked for in other places.
     return {
         **environment,
@@ -97,3 +102,18 @@ def _environment(home: CourseHome) -> dict[str, str]:
         "ROS2COURSE_HOME": str(home.path),
         "ROS2COURSE_CACHE": str(cache_dir(os.environ)),
     }
+
+
+def _without_own_libraries() -> dict[str, str]:
+    """The environment without what the start-up of Python with ROS wheels puts into it for this process.
+
+    It lists libraries in an order that varies, so two shells would differ; setup.bash has them in order.
+    """
+    from course.rosenv.overlays import split, without
+
+    name, prefix = "LD_LIBRARY_PATH", sys.prefix
+    environment = dict(os.environ)
+    if name in environment and prefix not in split(environment.get("AMENT_PREFIX_PATH")):
+        paths = without(split(environment.pop(name)), (Path(prefix),))
+        environment |= {name: ":".join(paths)} if paths else {}
+    return environment

@@ -22,7 +22,7 @@ _START = """\
 # Written by `ros2course shell` each time: edit ~/.bashrc instead.
 . {setup}
 if [ -r ~/.bashrc ]; then . ~/.bashrc; fi
-PATH={folder}:$PATH
+case ":$PATH:" in *:{folder}:*) ;; *) PATH={folder}:$PATH ;; esac
 PS1='(ros2course) \\w\\$ '
 _ros2course_first_tab() {{
     eval "$(_ROS2COURSE_COMPLETE=source_bash ros2course)" && return 124

@@ -25,7 +25,7 @@ def show(
 ) -> None:
     """Show the text of an exercise. Changes nothing."""
     from course.cli.desk import open_desk
-    from course.cli.reading import chapter_text
+    from course.cli.reading import chapter_text, put_questions
     from course.report.console import open_console, paged
     from course.report.lesson import render_exercise, render_lesson
 
@@ -37,3 +37,4 @@ def show(
             if lesson:
                 render_lesson(console, shown.chapter, chapter_text(shown))
             render_exercise(console, shown, desk.home.path, state)
+            put_questions(console, desk, shown)

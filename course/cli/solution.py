@@ -29,6 +29,7 @@ def solution(
     from contextlib import nullcontext
 
     from course.cli.desk import open_desk
+    from course.cli.reading import right_answers_of
     from course.errors import UsageError
     from course.home import solution_diff
     from course.report.console import open_console, paged
@@ -42,7 +43,7 @@ def solution(
                 f"`{typed('hint')}` gives a hint. `{typed(f'solution {chosen.id} --anyway')}` shows it now."
             )
             raise UsageError(what, steps)
-        diffs = solution_diff(desk.home, chosen)
+        diffs = solution_diff(desk.home, chosen, right_answers_of(desk, chosen))
     console = open_console()
     with paged(console) if pager else nullcontext():
         render_diff(console, diffs)

@@ -19,7 +19,14 @@ from typing import Any
 from course.content.layout import LESSON
 
 Lesson = dict[str, Any]
-_RULES = ("schema.py", "explain.py", "lesson.py")
+_RULES = (
+    "schema.py",
+    "schema_parts.py",
+    "question_schema.py",
+    "question_problems.py",
+    "explain.py",
+    "lesson.py",
+)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from typing import Any
 from course.content import layout
 from course.content.cache import LessonCache
 from course.content.model import Chapter, ChapterRef, Exercise
+from course.content.question import question_of
 from course.errors import ContentError
 
 
@@ -59,7 +60,7 @@ def _exercise(folder: Path, ref: ChapterRef, data: dict[str, Any]) -> Exercise:
         text=read_text(layout.exercise_text(folder, data["id"])),
         hints=tuple(data["hints"]),
         after=data["after"],
-        files=tuple(data["files"]),
+        files=_files(data),
         packages=tuple(data["packages"]),
         grader_packages=tuple(data["grader_packages"]),
         requires=tuple(data["requires"]),
@@ -68,4 +69,15 @@ def _exercise(folder: Path, ref: ChapterRef, data: dict[str, Any]) -> Exercise:
         starter=layout.starter_folder(folder, data["id"]),
         solution=layout.solution_folder(folder),
         folder=folder,
+        questions=tuple(question_of(item) for item in data["questions"]),
+        play=layout.play_file(folder, data["id"]),
+        looks_at=tuple(data["looks_at"]),
+        bonus=data["bonus"],
+        local_only=data["local_only"],
     )
+
+
+def _files(data: dict[str, Any]) -> tuple[str, ...]:
+    """The learner's files; with questions, the answers are one of them."""
+    answers = [layout.answers_file(data["id"])] if data["questions"] else []
+    return tuple(dict.fromkeys((*data["files"], *answers)))

@@ -61,5 +61,16 @@ def starter_folder(chapter: Path, exercise: str) -> Path:
     return chapter / "starter" / exercise
 
 
+def play_file(chapter: Path, exercise: str) -> Path | None:
+    """The module of the exercise's mystery, `play/ID.py` or `play/ID/__init__.py`; None when it has none."""
+    candidates = (chapter / "play" / f"{exercise}.py", chapter / "play" / exercise / "__init__.py")
+    return next((file for file in candidates if file.is_file()), None)
+
+
+def answers_file(exercise: str) -> str:
+    """Where a learner's answers to the exercise's questions lie, relative to the course home."""
+    return f"answers/{exercise}.yaml"
+
+
 def exercise_text(chapter: Path, exercise: str) -> Path:
     return chapter / f"{exercise}.md"

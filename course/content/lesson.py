@@ -10,6 +10,7 @@ from typing import Any
 from course.content.document import Document, read_document
 from course.content.explain import check
 from course.content.layout import CHAPTER_FOLDER, LESSON
+from course.content.question_problems import question_problems
 from course.content.schema import LessonSchema
 from course.errors import ContentError
 
@@ -43,6 +44,7 @@ def _disagreements(document: Document, data: dict[str, Any], folder: str) -> Ite
         what = f"`chapter` is {data['chapter']}, but the folder is `{folder}`"
         yield document.error(what, f"allowed: {int(match[1])}", place=("chapter",))
     yield from _bad_ids(document, data)
+    yield from question_problems(document, data)
 
 
 def _bad_ids(document: Document, data: dict[str, Any]) -> Iterator[ContentError]:

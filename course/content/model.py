@@ -5,8 +5,14 @@ All of it is read-only data. What only graders' tests need (mistakes, alternativ
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
+
+from course.content.question import Question
+
+# What stands in an answers file for one question.
+Given = str | list[str]
 
 
 @dataclass(frozen=True)
@@ -24,6 +30,7 @@ class Edit:
 
     file, rename: relative to the course home. replace: a text that occurs in the file; all its
     occurrences become `with_`. content: the whole new file. mode: octal, like "755".
+    answers: question ids with the answers that take the place of the right ones in an answers file.
     """
 
     file: str
@@ -33,6 +40,7 @@ class Edit:
     rename: str | None = None
     content: str | None = None
     mode: str | None = None
+    answers: Mapping[str, Given] | None = None
 
 
 @dataclass(frozen=True)
@@ -57,7 +65,8 @@ class Alternative:
     """Another right solution: `tree` goes over the reference solution.
 
     tree: laid out as the course home, but for alternative.yaml itself.
-    deletes: files of the reference that this one does without.
+    deletes: files of the reference that this one does without. answers: other right answers to
+    questions, by the question's id.
     """
 
     name: str
@@ -65,6 +74,7 @@ class Alternative:
     summary: str
     deletes: tuple[str, ...]
     tree: Path
+    answers: Mapping[str, Given] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -74,7 +84,10 @@ class Exercise:
     files: the learner's files, relative to the course home. packages: ROS packages built for it.
     grader_packages: packages whose reference build the grader itself needs. requires: ids of the
     exercises whose work it stands on. text, hints, after: Markdown. time_limit: seconds.
-    starter, grader, solution: paths that may not exist (a quiz has no solution).
+    starter, grader, solution: paths that may not exist (a quiz has no solution). questions: asked
+    by `check`. play: the module of the exercise's mystery, if it has one. looks_at: more files,
+    folders and patterns of the course home that the grader looks at. bonus: not needed to complete
+    the course. local_only: about the learner's own machine, so no part of a submission.
     """
 
     id: str
@@ -93,6 +106,11 @@ class Exercise:
     starter: Path
     solution: Path
     folder: Path
+    questions: tuple[Question, ...] = ()
+    play: Path | None = None
+    looks_at: tuple[str, ...] = ()
+    bonus: bool = False
+    local_only: bool = False
 
     def mistakes(self) -> tuple[Mistake, ...]:
         """The mistakes listed for this exercise; read from the chapter's mistakes.yaml now."""

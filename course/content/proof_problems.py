@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,6 +14,10 @@ from course.content.proofs import read_alternatives, read_mistakes
 from course.errors import ContentError
 
 Ids = tuple[str, ...]
+
+# The right answers to questions, and the acts in a mystery, are computed where no file of them is stored;
+# and a workspace that is built in the trial home is in none.
+_MADE = re.compile(r"answers/|\.ros2course/acts/|[^/]+_workspace/(build|install|log|src$)")
 
 
 def proof_problems(chapter: Path, ids: Ids) -> Iterator[ContentError]:
@@ -60,7 +65,10 @@ def _edit_problems(
 
 def _edit_problem(document: Document, edit: Edit, place: Place, solution: Path) -> Iterator[ContentError]:
     file = solution / edit.file
-    if edit.content is not None:
+    if edit.answers is not None:
+        yield from _answers_problem(document, edit, place)
+        return
+    if edit.content is not None or _MADE.match(edit.file):
         return
     if not file.is_file():
         yield _no_file(document, edit.file, solution, (*place, "file"))
@@ -68,6 +76,14 @@ def _edit_problem(document: Document, edit: Edit, place: Place, solution: Path) 
         what = f"this text does not occur in {edit.file}"
         advice = "copy the text from the reference solution, with its spaces and line ends"
         yield document.error(what, advice, place=(*place, "replace"))
+
+
+def _answers_problem(document: Document, edit: Edit, place: Place) -> Iterator[ContentError]:
+    """The question ids are proved by the exercise's own tests: a chapter's questions are not known here."""
+    folder, _, name = edit.file.rpartition("/")
+    if folder != "answers" or not name.endswith(".yaml"):
+        what = f"`answers` goes with an answers file, not with `{edit.file}`"
+        yield document.error(what, "allowed: `answers/<exercise>.yaml`", place=(*place, "file"))
 
 
 def _no_exercise(document: Document, name: str, ids: Ids, place: Place) -> ContentError:

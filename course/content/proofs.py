@@ -82,6 +82,7 @@ def _read_alternative(folder: Path) -> AlternativeReading:
         summary=data["summary"],
         deletes=tuple(data["deletes"]),
         tree=folder,
+        answers=data["answers"],
     )
     return AlternativeReading(alternative, (), document)
 

@@ -1,107 +1,33 @@
 """What lesson.yaml, mistakes.yaml and alternative.yaml may hold.
 
-Only this file and `explain` import pydantic, and only when a file is read that was not found right before.
+Only the schemas and `explain` import pydantic, and only when a file is read that was not found right before.
 A field's description says what is allowed there: error messages and the authors' documentation show it.
 """
 
 from __future__ import annotations
 
-import math
-import re
-from pathlib import PurePosixPath
-from typing import Annotated
+from typing import Annotated, Any
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
-from pydantic_core import PydanticCustomError
+from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
 from typing_extensions import Self
 
+from course.content.question_schema import QuestionSchema
+from course.content.schema_parts import (
+    ExerciseId,
+    HomePath,
+    Line,
+    Mode,
+    Package,
+    Seconds,
+    Slug,
+    Strict,
+    Text,
+    unempty,
+    wrong,
+)
+
 FEWEST_HINTS = 3
-OPERATIONS = ("replace", "delete", "rename", "content", "mode")
-
-
-def wrong(message: str) -> PydanticCustomError:
-    """A complaint that reads on after the key: `must be ...`."""
-    # Braces are placeholders to pydantic; a message may quote some from the file.
-    return PydanticCustomError("rule", "{message}", {"message": message})
-
-
-def _filled(text: str) -> str:
-    if not text.strip():
-        raise wrong("must not be empty")
-    return text
-
-
-def _one_line(text: str) -> str:
-    if "\n" in _filled(text).strip():
-        raise wrong("must be a single line")
-    return text.strip()
-
-
-def _exercise_id(text: str) -> str:
-    if not re.fullmatch(r"\d\d-[a-z0-9]+(-[a-z0-9]+)*", text):
-        raise wrong(f"must look like `18-publisher`, not `{text}`")
-    return text
-
-
-def _slug(text: str) -> str:
-    if not re.fullmatch(r"[a-z0-9]+([-_][a-z0-9]+)*", text):
-        raise wrong(f"must be small letters, digits and dashes, not `{text}`")
-    return text
-
-
-def _package(text: str) -> str:
-    if not re.fullmatch(r"[a-z][a-z0-9_-]*", text):
-        raise wrong(f"must be the name of a ROS package (small letters, digits, underscores), not `{text}`")
-    return text
-
-
-def _home_path(text: str) -> str:
-    path = PurePosixPath(text)
-    if not path.parts or path.is_absolute() or {"..", "~"} & set(path.parts) or "\\" in text:
-        raise wrong(f"must be a file inside the course home, not `{text}`")
-    if str(path) != text:
-        raise wrong(f"must be written `{path}`, not `{text}`")
-    return text
-
-
-def _octal(text: str) -> str:
-    if not re.fullmatch(r"0?[0-7]{3}", text):
-        raise wrong(f"must be an octal mode in quotes, like `'755'`, not `{text}`")
-    return text
-
-
-def _seconds(value: float) -> float:
-    if not math.isfinite(value) or not 0 < value <= 3600:
-        raise wrong(f"must be more than 0 and at most 3600 seconds, not {value:g}")
-    return value
-
-
-def _enough(hints: list[str]) -> list[str]:
-    if len(hints) < FEWEST_HINTS:
-        raise wrong(f"must hold at least {FEWEST_HINTS} hints, not {len(hints)}")
-    return hints
-
-
-def _unempty(items: list[str]) -> list[str]:
-    if not items:
-        raise wrong("must not be an empty list")
-    return items
-
-
-Text = Annotated[str, AfterValidator(_filled)]
-Line = Annotated[str, AfterValidator(_one_line)]
-ExerciseId = Annotated[str, AfterValidator(_exercise_id)]
-Slug = Annotated[str, AfterValidator(_slug)]
-Package = Annotated[str, AfterValidator(_package)]
-HomePath = Annotated[str, AfterValidator(_home_path)]
-Mode = Annotated[str, AfterValidator(_octal)]
-Seconds = Annotated[float, AfterValidator(_seconds)]
-
-
-class Strict(BaseModel):
-    """No unknown keys, and no number where a text is meant."""
-
-    model_config = ConfigDict(strict=True, extra="forbid", frozen=True)
+OPERATIONS = ("replace", "delete", "rename", "content", "mode", "answers")
 
 
 class ExerciseSchema(Strict):
@@ -120,11 +46,33 @@ class ExerciseSchema(Strict):
     files: list[HomePath] = Field(
         default=[], description="a list of the learner's files, relative to the course home"
     )
+    looks_at: list[HomePath] = Field(
+        default=[],
+        description="a list of more files, folders or patterns (`*/*.txt`) of the course home that "
+        "the grader looks at",
+    )
+    bonus: bool = Field(default=False, description="`true`: the course is complete without this exercise")
+    local_only: bool = Field(
+        default=False, description="`true`: about the learner's own machine, and no part of a submission"
+    )
     time_limit: Seconds = Field(default=60.0, description="seconds that grading may take; 60 if left out")
-    hints: Annotated[list[Text], AfterValidator(_enough)] = Field(
-        description=f"a list of at least {FEWEST_HINTS} Markdown texts, from a nudge to nearly the answer"
+    questions: list[QuestionSchema] = Field(default=[], description="a list of questions: a quiz")
+    hints: list[Text] = Field(
+        default=[],
+        validate_default=True,
+        description=f"a list of at least {FEWEST_HINTS} Markdown texts, from a nudge to nearly the answer; "
+        "a quiz may have fewer",
     )
     after: Text | None = Field(default=None, description="a Markdown text shown after a pass")
+
+    @field_validator("hints")
+    @classmethod
+    def _enough(cls, hints: list[str], info: ValidationInfo) -> list[str]:
+        """Fewer will do for a quiz: each of its questions explains itself."""
+        writes_programs = info.data.get("questions") == [] or bool(info.data.get("packages"))
+        if len(hints) < FEWEST_HINTS and writes_programs:
+            raise wrong(f"must hold at least {FEWEST_HINTS} hints, not {len(hints)}")
+        return hints
 
 
 class LessonSchema(Strict):
@@ -134,6 +82,17 @@ class LessonSchema(Strict):
     title: Line = Field(description="one line, shown as the chapter's heading")
     summary: Line = Field(description="one line that says what the chapter is about")
     exercises: list[ExerciseSchema] = Field(description="a list of exercises; `[]` if there are none")
+
+
+def _answer_given(value: Any) -> Any:
+    items = value if isinstance(value, list) else [value]
+    if not all(isinstance(item, str) for item in items):
+        raise wrong(f"must be a text or a list of texts, not `{value}` (put it in quotes)")
+    return value
+
+
+# As it stands in the answers file: a text, a number in quotes, or a list of texts.
+AnswerGiven = Annotated[Any, AfterValidator(_answer_given)]
 
 
 class EditSchema(Strict):
@@ -146,6 +105,9 @@ class EditSchema(Strict):
     rename: HomePath | None = Field(default=None, description="the file's new path")
     content: str | None = Field(default=None, description="the whole new file")
     mode: Mode | None = Field(default=None, description="the file's octal mode in quotes, like `'755'`")
+    answers: dict[Slug, AnswerGiven] | None = Field(
+        default=None, description="question ids with other answers; the rest of the file stays right"
+    )
 
     @model_validator(mode="after")
     def _one_operation(self) -> Self:
@@ -164,11 +126,11 @@ class MistakeSchema(Strict):
     id: Slug = Field(description="a short name in small letters, unique in this file: `topic-misspelt`")
     exercise: ExerciseId = Field(description="the id of the exercise whose grader must catch it")
     summary: Line = Field(description="one line that says what the learner did")
-    edits: Annotated[list[EditSchema], AfterValidator(_unempty)] = Field(
+    edits: Annotated[list[EditSchema], AfterValidator(unempty)] = Field(
         description="a list of edits of the reference solution"
     )
     caught_by: Line = Field(description="the id of the check that must fail")
-    says: Annotated[list[Text], AfterValidator(_unempty)] = Field(
+    says: Annotated[list[Text], AfterValidator(unempty)] = Field(
         description="a list of texts that the feedback must contain"
     )
     also_fails: list[Line] = Field(
@@ -185,10 +147,13 @@ class MistakesSchema(Strict):
 class AlternativeSchema(Strict):
     """alternative.yaml: another right way to solve exercises of the chapter."""
 
-    exercises: Annotated[list[ExerciseId], AfterValidator(_unempty)] = Field(
+    exercises: Annotated[list[ExerciseId], AfterValidator(unempty)] = Field(
         description="a list of ids of the exercises that this solves too"
     )
     summary: Line = Field(description="one line that says in what it differs")
     deletes: list[HomePath] = Field(
         default=[], description="a list of the reference solution's files that are not in this one"
+    )
+    answers: dict[Slug, AnswerGiven] = Field(
+        default={}, description="question ids with other right answers; the other answers stay"
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import dataclasses
 from collections.abc import Mapping
 from math import inf
@@ -11,6 +12,7 @@ from course.evidence import events
 from course.evidence.events import Event, GraphSeen
 from course.evidence.graph import Endpoint, Graph, Qos, Service
 
+_BYTES = "base64"
 _KINDS: Mapping[str, type[Event]] = {
     kind.__name__: kind
     for kind in vars(events).values()
@@ -21,9 +23,9 @@ _KINDS: Mapping[str, type[Event]] = {
 def to_dict(event: Event) -> dict[str, Any]:
     """The event's fields, and its class's name as `kind`.
 
-    JSON knows no infinity: an endless deadline is null.
+    JSON knows no infinity: an endless deadline is null. It knows no bytes: they are base64.
     """
-    return {"kind": type(event).__name__, **_finite(dataclasses.asdict(event))}
+    return {"kind": type(event).__name__, **_plain(dataclasses.asdict(event))}
 
 
 def from_dict(data: Mapping[str, Any]) -> Event:
@@ -35,22 +37,26 @@ def from_dict(data: Mapping[str, Any]) -> Event:
     return kind(**fields)
 
 
-def _finite(value: Any) -> Any:
+def _plain(value: Any) -> Any:
     if isinstance(value, dict):
-        return {name: _finite(item) for name, item in value.items()}
+        return {name: _plain(item) for name, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_finite(item) for item in value]
+        return [_plain(item) for item in value]
+    if isinstance(value, bytes):
+        return {_BYTES: base64.b64encode(value).decode("ascii")}
     return None if value == inf else value
 
 
 def _frozen(value: Any) -> Any:
     """JSON has lists where events have tuples."""
+    if isinstance(value, dict) and value.keys() == {_BYTES}:
+        return base64.b64decode(value[_BYTES], validate=True)
     return tuple(_frozen(item) for item in value) if isinstance(value, list) else value
 
 
 def _graph(data: Mapping[str, Any]) -> Graph:
     endpoints = (Endpoint(**{**item, "qos": _qos(item["qos"])}) for item in data["endpoints"])
-    services = (Service(**item) for item in data["services"])
+    services = (Service(**{key: _frozen(value) for key, value in item.items()}) for item in data["services"])
     return Graph(tuple(data["nodes"]), tuple(endpoints), tuple(services))
 
 

@@ -7,8 +7,11 @@ taken from what a submission claims: times of messages are those of our own rece
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from course.evidence.graph import Graph
+
+Side = Literal["client", "server"]
 
 
 @dataclass(frozen=True)
@@ -50,6 +53,17 @@ class OutputCut(Event):
 
     process: str
     dropped: int
+
+
+@dataclass(frozen=True)
+class LimitReached(Event):
+    """The programs used up too much of something, and all of them were killed.
+
+    limit: "memory", "processes", "cpu" or "disk". most: bytes, a number, or seconds.
+    """
+
+    limit: str
+    most: float
 
 
 @dataclass(frozen=True)
@@ -103,6 +117,44 @@ class GraphSeen(Event):
 
 
 @dataclass(frozen=True)
+class ServiceCalled(Event):
+    """A request to a service; `data` is its CDR bytes.
+
+    side: what the arena was in this, "client" of the learner's server or "server" itself.
+    type: the service's (`pkg/srv/Type`). call: tells this call from all others.
+    client: which of the arena's clients asked; or the learner's node that did, "" when that is
+    not certain.
+    """
+
+    service: str
+    type: str
+    side: Side
+    call: str
+    client: str
+    data: bytes
+
+
+@dataclass(frozen=True)
+class ServiceAnswered(Event):
+    """The answer to `call` came, or was given by the arena; `data` is its CDR bytes."""
+
+    service: str
+    type: str
+    side: Side
+    call: str
+    data: bytes
+
+
+@dataclass(frozen=True)
+class ProcessLeft(Event):
+    """The program `process` ended on Ctrl+C, and left one that it had started running: `command`."""
+
+    process: str
+    pid: int
+    command: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class FileKept(Event):
     """A text file that the scenario found and kept; `text` is None when it was not there."""
 
@@ -123,3 +175,84 @@ class Marked(Event):
 
     name: str
     detail: str = ""
+
+
+@dataclass(frozen=True)
+class ProgramMissing(Event):
+    """The arena was to start a file of the course home that is not there."""
+
+    process: str
+    file: str
+
+
+@dataclass(frozen=True)
+class ShellPrompt(Event):
+    """A shell showed its prompt; `code` is the exit code of what ran before."""
+
+    process: str
+    code: int
+
+
+@dataclass(frozen=True)
+class ShellReady(Event):
+    """An interactive bash had read its start files and showed its first prompt."""
+
+    process: str
+    printed: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class ShellRan(Event):
+    """A command typed in a shell, from `began` (s) to `t`: what came on the terminal, its exit code.
+
+    code: None when the shell did not come back to its prompt.
+    """
+
+    process: str
+    command: str
+    printed: tuple[str, ...]
+    code: int | None
+    began: float
+
+
+@dataclass(frozen=True)
+class ShellStuck(Event):
+    """A shell gave no prompt in time, or no more.
+
+    reason: "ended", "replaced" (bash became another program), "running" (a program runs in it),
+    "waiting" (bash itself waits, for input mostly), "busy" (bash computes) or "flood" (it printed
+    more than is kept). program: its name, for "replaced" and "running".
+    """
+
+    process: str
+    reason: str
+    program: str
+    printed: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Probed(Event):
+    """What a probe of ours found out of the learner's code.
+
+    answers: JSON objects, one a question, as `course.arena.probe_program` writes them.
+    finished: False when it did not come to its end in time.
+    """
+
+    process: str
+    answers: tuple[str, ...]
+    finished: bool
+
+
+@dataclass(frozen=True)
+class Drawn(Event):
+    """The exercise's mystery was drawn from `seed`."""
+
+    seed: int
+
+
+@dataclass(frozen=True)
+class Acted(Event):
+    """What a mystery's nodes saw the learner do, before the recording: see `course.evidence.acts`."""
+
+    name: str
+    detail: str

@@ -43,12 +43,15 @@ class Service:
     """A service by name and type.
 
     request_hash, response_hash: RIHS01 hashes as the server was built; "" without a server.
+    servers, clients: full names of the nodes that offer and use it, as far as they are known.
     """
 
     name: str
     type: str
     request_hash: str = ""
     response_hash: str = ""
+    servers: tuple[str, ...] = ()
+    clients: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -3,24 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from math import inf
 from typing import Any
 
-from course.evidence.graph import Endpoint, Graph, Kind, Qos, Service
+from course.evidence.graph import Endpoint, Graph, Kind, Qos
+from course.evidence.service_reader import ServiceReader, full_name, node_of
 
 # The middleware gives "no deadline" as nearly 300 years.
 _FOR_EVER = 1e9
-_UNKNOWN = "_NODE_NAME_UNKNOWN_"
-_OWN_SERVICES = (
-    "/describe_parameters",
-    "/get_parameter_types",
-    "/get_parameters",
-    "/get_type_description",
-    "/list_parameters",
-    "/set_parameters",
-    "/set_parameters_atomically",
-)
 
 
 class GraphReader:
@@ -32,6 +22,7 @@ class GraphReader:
     def __init__(self, node: Any) -> None:
         self._node = node
         self._own = str(node.get_fully_qualified_name())
+        self._services = ServiceReader(node, self._own)
         self._signature: object = None
 
     def read_if_changed(self) -> Graph | None:
@@ -43,23 +34,23 @@ class GraphReader:
         # Node names reach us a little later than endpoints, and one of a server's two topics later
         # than the other; until then look again each time.
         named = all(endpoint.node for endpoint in graph.endpoints)
-        self._signature = signature if named and not any(map(_half_known, graph.services)) else None
-        return replace(graph, services=tuple(map(_all_or_nothing, graph.services)))
+        self._signature = signature if named and self._services.complete else None
+        return graph
 
     def _quick_look(self) -> object:
         node = self._node
         topics = node.get_topic_names_and_types()
         counts = [(node.count_publishers(name), node.count_subscribers(name)) for name, _ in topics]
         services = node.get_service_names_and_types()
-        servers = [node.count_services(name) for name, _ in services]
-        return node.get_node_names_and_namespaces(), topics, counts, services, servers
+        ends = [(node.count_services(name), node.count_clients(name)) for name, _ in services]
+        return node.get_node_names_and_namespaces(), topics, counts, services, ends
 
     def _read(self) -> Graph:
         names = self._node.get_node_names_and_namespaces()
         nodes = sorted({full_name(name, namespace) for name, namespace in names} - {self._own})
         topics = [name for name, _ in self._node.get_topic_names_and_types()]
         endpoints = [endpoint for topic in topics for endpoint in self._endpoints(topic)]
-        return Graph(tuple(nodes), tuple(sorted(endpoints)), tuple(sorted(self._services())))
+        return Graph(tuple(nodes), tuple(sorted(endpoints)), self._services.read())
 
     def _endpoints(self, topic: str) -> Iterable[Endpoint]:
         for info in self._node.get_publishers_info_by_topic(topic):
@@ -68,33 +59,10 @@ class GraphReader:
             yield from self._endpoint(topic, "subscription", info)
 
     def _endpoint(self, topic: str, kind: Kind, info: Any) -> Iterable[Endpoint]:
-        known = info.node_name != _UNKNOWN
-        node = full_name(info.node_name, info.node_namespace) if known else ""
+        node = node_of(info)
         if node == self._own:
             return
         yield Endpoint(topic, kind, node, info.topic_type, str(info.topic_type_hash), _qos(info.qos_profile))
-
-    def _services(self) -> Iterable[Service]:
-        for name, types in self._node.get_service_names_and_types():
-            if not name.endswith(_OWN_SERVICES):
-                for type_name in types:
-                    yield Service(name, type_name, *self._hashes(name))
-
-    def _hashes(self, service: str) -> tuple[str, str]:
-        """Of the server's two DDS topics, `rq/<service>Request` and `rr/<service>Reply`."""
-        requests = self._node.get_subscriptions_info_by_topic(f"rq{service}Request", no_mangle=True)
-        replies = self._node.get_publishers_info_by_topic(f"rr{service}Reply", no_mangle=True)
-        ends = (requests, replies)
-        request, response = (str(infos[0].topic_type_hash) if infos else "" for infos in ends)
-        return request, response
-
-
-def _half_known(service: Service) -> bool:
-    return bool(service.request_hash) != bool(service.response_hash)
-
-
-def _all_or_nothing(service: Service) -> Service:
-    return replace(service, request_hash="", response_hash="") if _half_known(service) else service
 
 
 def _qos(profile: Any) -> Qos:
@@ -105,8 +73,3 @@ def _qos(profile: Any) -> Qos:
         profile.liveliness.name.lower(),
         deadline if 0 < deadline < _FOR_EVER else inf,
     )
-
-
-def full_name(name: str, namespace: str) -> str:
-    """`/talker` or `/robot/talker`."""
-    return f"{namespace.rstrip('/')}/{name}"

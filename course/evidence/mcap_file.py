@@ -19,6 +19,7 @@ from typing import Any
 from course.errors import StorageError
 from course.evidence import event_json
 from course.evidence.events import Event, MessageSeen, MessageSent
+from course.evidence.home_files import HomeEntry
 from course.evidence.packages import packages_from_dict
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
@@ -32,6 +33,10 @@ _NANO = 1_000_000_000
 
 class BadRecording(ValueError):
     """The file is no recording of the course, or a damaged one."""
+
+
+class OtherFormat(BadRecording):
+    """The file is whole, and a recording, but not as this version of the course writes them."""
 
 
 def save(recording: Recording, file: Path, *, began_ns: int) -> None:
@@ -52,16 +57,25 @@ def save(recording: Recording, file: Path, *, began_ns: int) -> None:
 
 
 def load(file: Path) -> Recording:
-    """Read a recording back. Raises BadRecording when it is none, StorageError when it cannot be read."""
+    """Read a recording back.
+
+    Raises BadRecording when it is none, OtherFormat when it is of another version, StorageError when it
+    cannot be read.
+    """
     try:
         data = file.read_bytes()
     except OSError as error:
         raise StorageError(f"The recording {file} could not be read: {error.strerror}.") from error
     try:
-        return _unpacked(tuple(_records(data)))
+        records = tuple(_records(data))
+        about = _about(records)
     except Exception as error:
         # The libraries below raise whatever their parsing of a damaged file ran into.
         raise BadRecording(f"{file}: {error}") from error
+    try:
+        return _unpacked(records, about)
+    except Exception as error:  # the checksums are right, so what is not understood was written otherwise
+        raise OtherFormat(f"{file}: {type(error).__name__}: {error}") from error
 
 
 def _packed(recording: Recording, began_ns: int) -> bytes:
@@ -70,7 +84,8 @@ def _packed(recording: Recording, began_ns: int) -> bytes:
     buffer = BytesIO()
     writer = Writer(buffer, enable_data_crcs=True)
     writer.start(profile="ros2", library=_NAME)
-    writer.add_metadata(_NAME, {"version": _VERSION, "exercise": recording.exercise, "began": str(began_ns)})
+    about = {"exercise": recording.exercise, "began": str(began_ns), "scenario": recording.scenario}
+    writer.add_metadata(_NAME, {"version": _VERSION, **about})
     for name, data in _attachments(recording).items():
         writer.add_attachment(began_ns, began_ns, name, "application/json", json.dumps(data).encode())
     channels = _Channels(writer, recording)
@@ -86,7 +101,8 @@ def _attachments(recording: Recording) -> dict[str, Any]:
     return {
         "sources.json": asdict(recording.sources),
         "packages.json": asdict(recording.packages),
-        "recording.json": {"duration": recording.duration},
+        "home.json": [asdict(entry) for entry in recording.looked_at],
+        "recording.json": {"duration": recording.duration, "local": recording.local},
     }
 
 
@@ -132,10 +148,19 @@ def _records(data: bytes) -> Iterator[Any]:
     raise ValueError("the end of the data is missing")
 
 
-def _unpacked(records: tuple[Any, ...]) -> Recording:
-    from mcap.records import Attachment, Metadata, Schema
+def _about(records: tuple[Any, ...]) -> dict[str, str]:
+    from mcap.records import Metadata
 
-    about = next(r.metadata for r in records if isinstance(r, Metadata) and r.name == _NAME)
+    found = (r.metadata for r in records if isinstance(r, Metadata) and r.name == _NAME)
+    about: dict[str, str] | None = next(found, None)
+    if about is None:
+        raise ValueError("this is no recording of the course")
+    return about
+
+
+def _unpacked(records: tuple[Any, ...], about: Mapping[str, str]) -> Recording:
+    from mcap.records import Attachment, Schema
+
     if about["version"] != _VERSION:
         raise ValueError(f"version {about['version']} of recordings is not known here")
     parts = {r.name: json.loads(r.data) for r in records if isinstance(r, Attachment)}
@@ -147,6 +172,9 @@ def _unpacked(records: tuple[Any, ...]) -> Recording:
         sources=Sources(parts["sources.json"]["files"], tuple(parts["sources.json"]["others"])),
         packages=packages_from_dict(parts["packages.json"]),
         duration=parts["recording.json"]["duration"],
+        looked_at=tuple(HomeEntry(**entry) for entry in parts["home.json"]),
+        local=parts["recording.json"]["local"],
+        scenario=about.get("scenario", ""),  # recordings of before have none
     )
 
 

@@ -15,6 +15,7 @@ SEPARATOR = "=" * 80
 _FIELD = re.compile(r"^\s*([A-Za-z][\w/]*)")
 # mcap_ros2 reads it as signed; in ROS 2 it is a uint8.
 _CHAR = re.compile(r"^(\s*)char(?=[\s\[])", re.MULTILINE)
+_HALVES = re.compile(r"^---.*\n?", re.MULTILINE)
 _PRIMITIVES = frozenset(
     "bool byte char float32 float64 int8 uint8 int16 uint16 int32 uint32 int64 uint64 string wstring".split()
 )
@@ -30,6 +31,8 @@ class Undecodable(ValueError):
 
 def full_definition(type_name: str, prefixes: Iterable[Path]) -> str:
     """The definition of `pkg/msg/Type` with those of all types inside it, as rosbag2 writes it.
+
+    `pkg/srv/Type_Request` and `pkg/srv/Type_Response` are the two halves of a service.
 
     Raises UnknownType when a definition is in none of the install prefixes.
     """
@@ -50,11 +53,20 @@ def full_definition(type_name: str, prefixes: Iterable[Path]) -> str:
 
 def _read(type_name: str, prefixes: tuple[Path, ...]) -> str:
     package, kind, short = type_name.split("/")
+    service, _, half = short.rpartition("_")
+    name = f"{service}.srv" if kind == "srv" else f"{short}.msg"
     for prefix in prefixes:
-        file = prefix / "share" / package / kind / f"{short}.msg"
+        file = prefix / "share" / package / kind / name
         if file.is_file():
-            return file.read_text(encoding="utf-8")
+            text = file.read_text(encoding="utf-8")
+            return _half(text, half) if kind == "srv" else text
     raise UnknownType(type_name)
+
+
+def _half(service: str, which: str) -> str:
+    """The request or the response out of a service's definition."""
+    request, response = _HALVES.split(service, maxsplit=1)
+    return request if which == "Request" else response
 
 
 def _inner_types(definition: str, owner: str) -> list[str]:

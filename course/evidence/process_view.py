@@ -16,6 +16,7 @@ from course.evidence.events import (
 )
 
 _MORE = 4
+_UNREADABLE = ("SyntaxError:", "IndentationError:", "TabError:")
 TRACEBACK = "Traceback (most recent call last)"
 
 
@@ -72,7 +73,15 @@ class ProcessView:
         """The last Python traceback that it printed from time `after` on; empty if none."""
         lines = [line.text for line in self.lines if line.t >= after]
         starts = [index for index, text in enumerate(lines) if TRACEBACK in text]
-        return _one_traceback(lines[starts[-1] :]) if starts else ()
+        return _one_traceback(lines[starts[-1] :]) if starts else _unreadable_script(lines)
+
+
+def _unreadable_script(lines: list[str]) -> tuple[str, ...]:
+    """A script that Python cannot read is told of without the traceback's first line."""
+    if not lines or not lines[-1].startswith(_UNREADABLE):
+        return ()
+    files = [index for index, text in enumerate(lines) if text.startswith('  File "')]
+    return tuple(lines[files[-1] :]) if files else ()
 
 
 def _one_traceback(lines: list[str]) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ MAX_FILE = 256 * 1024
 MAX_TOTAL = 4 * 1024 * 1024
 MAX_FILES = 500
 MAX_DEPTH = 20
-_LEFT_OUT = frozenset({"__pycache__", "build", "install", "log", ".git", ".pytest_cache"})
+LEFT_OUT = frozenset({"__pycache__", "build", "install", "log", ".git", ".pytest_cache"})
 
 
 @dataclass(frozen=True)
@@ -43,19 +43,21 @@ class Sources:
         )
 
 
-def read_sources(home: Path, roots: Iterable[str]) -> Sources:
+def read_sources(home: Path, roots: Iterable[str], *, trusted: bool = False) -> Sources:
     """Read the files and folders `roots` (relative to `home`), each file once and not without end.
 
-    As for the build, a link counts as what it leads to if that lies in the course home, and so does
-    a root that is a link itself.
+    As for the build, a link counts as what it leads to if that lies in the course home. trusted: so does
+    a root that is a link itself, or lies behind one, wherever it leads.
     """
     files: dict[str, str] = {}
     others: list[str] = []
     total = 0
     inside = home.resolve()
-    every = (path for root in roots for path in _at(home / root, inside))
-    for path in islice(dict.fromkeys(islice(every, 2 * MAX_FILES)), MAX_FILES):
-        name = os.fsencode(path.relative_to(home)).decode("utf-8", errors="replace")
+    every = (entry for root in roots for entry in _at(home / root, inside, trusted=trusted))
+    # Folders count, too: links among them make ways through them without end.
+    few = (path for path, is_folder in islice(every, 4 * MAX_FILES) if not is_folder)
+    for path in islice(dict.fromkeys(few), MAX_FILES):
+        name = name_in(home, path)
         text = _text(path) if total < MAX_TOTAL else None
         if text is None:
             others.append(name)
@@ -65,21 +67,29 @@ def read_sources(home: Path, roots: Iterable[str]) -> Sources:
     return Sources(files, tuple(others))
 
 
-def _at(root: Path, inside: Path) -> Iterable[Path]:
-    with contextlib.suppress(OSError):
+def name_in(home: Path, path: Path) -> str:
+    """A path of the home as texts can hold it, even where its name is no valid UTF-8."""
+    return os.fsencode(path.relative_to(home)).decode("utf-8", errors="replace")
+
+
+def _at(root: Path, inside: Path, *, trusted: bool) -> Iterable[tuple[Path, bool]]:
+    with contextlib.suppress(OSError, RuntimeError):  # RuntimeError: links in a circle
+        if not trusted and not root.resolve().is_relative_to(inside):
+            return ()
         if root.is_dir():
             return _below(root, inside, MAX_DEPTH)
         if root.is_file():
-            return (root,)
+            return ((root, False),)
     return ()
 
 
-def _below(folder: Path, inside: Path, depth: int) -> Iterator[Path]:
-    """Files below a folder, its own before those of folders in it, by name."""
+def _below(folder: Path, inside: Path, depth: int) -> Iterator[tuple[Path, bool]]:
+    """What lies below a folder, and whether it is one: own files before those of folders in it, by name."""
     found = _entries(folder, inside)
-    yield from (path for path, is_folder in found if not is_folder)
+    yield from ((path, False) for path, is_folder in found if not is_folder)
     for path, is_folder in found:
-        if is_folder and depth > 1 and path.name not in _LEFT_OUT:
+        if is_folder and depth > 1 and path.name not in LEFT_OUT:
+            yield path, True
             yield from _below(path, inside, depth - 1)
 
 
@@ -88,12 +98,12 @@ def _entries(folder: Path, inside: Path) -> list[tuple[Path, bool]]:
     try:
         with os.scandir(folder) as entries:
             few = list(islice(entries, 2 * MAX_FILES))
-        return sorted((Path(e.path), e.is_dir()) for e in few if not _leads_away(Path(e.path), inside))
+        return sorted((Path(e.path), e.is_dir()) for e in few if not leads_away(Path(e.path), inside))
     except OSError:
         return []
 
 
-def _leads_away(path: Path, inside: Path) -> bool:
+def leads_away(path: Path, inside: Path) -> bool:
     """Whether this is a link out of the course home, or up to a folder that holds it."""
     if not path.is_symlink():
         return False

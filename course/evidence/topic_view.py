@@ -7,7 +7,8 @@ from itertools import pairwise
 from statistics import median
 from typing import Any
 
-from course.evidence.messages import Decoder, Undecodable
+from course.evidence.messages import Decoder
+from course.evidence.unreadable import decoded
 from course.feedback import Failure, Feedback
 
 MIN_INTERVALS = 4
@@ -17,7 +18,8 @@ MIN_INTERVALS = 4
 class Message:
     """One message: when it arrived (s), its type, and its fields as attributes of `data`.
 
-    data is None when the bytes are not a message of that type.
+    Where the bytes are not a message of that type, `data` is false, and to read a field of it is
+    the learner's failure.
     """
 
     t: float
@@ -25,11 +27,8 @@ class Message:
     data: Any
 
     @classmethod
-    def of(cls, t: float, type_name: str, data: bytes, decoder: Decoder) -> Message:
-        try:
-            return cls(t, type_name, decoder.decode(type_name, data))
-        except Undecodable:
-            return cls(t, type_name, None)
+    def of(cls, t: float, topic: str, type_name: str, data: bytes, decoder: Decoder) -> Message:
+        return cls(t, type_name, decoded(topic, type_name, data, decoder))
 
 
 @dataclass(frozen=True)
@@ -44,7 +43,7 @@ class LogLine:
     @classmethod
     def of(cls, message: Message) -> LogLine:
         data = message.data
-        if data is None:
+        if not data:
             return cls(message.t, "", "INFO", "")
         return cls(message.t, data.name, _LEVELS.get(data.level, str(data.level)), data.msg)
 

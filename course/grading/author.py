@@ -52,10 +52,12 @@ class Grader:
 
     builds: points of the check that the packages build, which comes first and which every
     other check needs unless it says otherwise; None for an exercise without packages.
+    ros: False when its scenario has nothing to do with ROS, which then is not started.
     """
 
-    def __init__(self, exercise: str, *, builds: float | None = 1) -> None:
+    def __init__(self, exercise: str, *, builds: float | None = 1, ros: bool = True) -> None:
         self.exercise = exercise
+        self.ros = ros
         self.scenario_function: Scenario | None = None
         self.checks: dict[str, CheckSpec] = {}
         self.functions: dict[str, Callable[..., Any]] = {}
@@ -82,7 +84,9 @@ class Grader:
 
         It returns when all is well and raises `course.feedback.Failure` (most easily by
         `fail()` or an `expect_*`) when the learner's work is not right. Any other exception
-        is our error. needs: ids of checks; by default that the packages build; () for none.
+        is our error; `course.feedback.NotApplicable` says that it cannot be judged here, which is
+        nobody's fault and costs no points. needs: ids of checks; by default that the packages build;
+        () for none.
         """
         wanted = (
             self._default_needs() if needs is None else ((needs,) if isinstance(needs, str) else tuple(needs))

@@ -13,11 +13,17 @@ from course.grading.result import CheckResult, check_from_dict
 
 @dataclass(frozen=True)
 class Judgement:
-    """What the grading process found. evidence: seconds that the scenario took."""
+    """What the grading process found. evidence: seconds that the scenario took.
+
+    lag: seconds that the process had to wait for a CPU at worst meanwhile. cpu: seconds of it that the
+    submission's programs used.
+    """
 
     checks: tuple[CheckResult, ...]
     evidence: float
     fault: Feedback | None = None
+    lag: float = 0.0
+    cpu: float = 0.0
 
 
 class Channel:
@@ -45,6 +51,7 @@ def read_message(line: str) -> str | Judgement:
         if data["kind"] == "progress":
             return str(data["text"])
         checks = tuple(check_from_dict(item) for item in data["checks"])
-        return Judgement(checks, data["evidence"], feedback_from_dict(data["fault"]))
+        fault = feedback_from_dict(data["fault"])
+        return Judgement(checks, data["evidence"], fault, data["lag"], data["cpu"])
     except (KeyError, TypeError) as error:
         raise ValueError(f"this is no message of the grading process: {error}") from error

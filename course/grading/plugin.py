@@ -2,20 +2,27 @@
 
 pytest collects every `Grader` of a module as a node of its own and every check as a test
 function below it, so checks may use fixtures, `-k` picks them, and reports name them. The
-fixture `recording` gives a check what its exercise's scenario observed.
+fixture `recording` gives a check what its exercise's scenario observed. One session judges any
+number of recordings, each as if it were the only one: fixtures end with it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
+from itertools import zip_longest
 from typing import Any
 
 import pytest
 
 from course.evidence.recording import Recording
+from course.feedback import Failure, Feedback, NotApplicable
 from course.grading import outcome
 from course.grading.author import CheckSpec, Grader
+from course.grading.channel import Judgement
+from course.grading.explain.limits import with_limit
 from course.grading.result import CheckResult, Outcome
+
+_FAULT_LINES = 12
 
 
 class CheckItem(pytest.Function):
@@ -25,6 +32,12 @@ class CheckItem(pytest.Function):
         super().__init__(**kwargs)
         self.spec = spec
         self.grader = grader
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
+        """A failure of the learner's is no reason to search the sources for a traceback."""
+        if isinstance(excinfo.value, Failure):
+            return f"{self.spec.exercise}: {self.spec.title}: {excinfo.value}"
+        return super().repr_failure(excinfo)
 
 
 class GraderNode(pytest.Collector):
@@ -48,16 +61,32 @@ class GraderNode(pytest.Collector):
 
 
 class JudgePlugin:
-    """Judges a recording with the checks of its exercise.
+    """Judges recordings with the checks of their exercises.
 
-    results: filled while pytest runs. faults: what kept it from judging at all.
+    exercises: ids of those whose checks are collected. recordings: taken one after the other, each
+    when the one before has been judged. tell: gets their judgements in the same order.
     """
 
-    def __init__(self, recording: Recording) -> None:
-        self.exercise = recording.exercise
-        self.results: dict[str, CheckResult] = {}
-        self.faults: list[str] = []
-        self._recording = recording
+    def __init__(
+        self,
+        exercises: Collection[str],
+        recordings: Iterable[Recording],
+        tell: Callable[[Judgement], None],
+    ) -> None:
+        self._exercises = exercises
+        self._waiting = iter(recordings)
+        self._tell = tell
+        self._faults: list[str] = []
+        self._recording: Recording | None = None
+        self._results: dict[str, CheckResult] = {}
+
+    def finish(self) -> None:
+        """Tell of the recordings that pytest did not come to: nothing could judge them."""
+        if self._recording is not None:
+            self._end(self._recording)
+        for recording in self._waiting:
+            self._results = {}
+            self._end(recording)
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_pycollect_makeitem(
@@ -65,34 +94,59 @@ class JudgePlugin:
     ) -> list[pytest.Collector] | None:
         if not isinstance(obj, Grader):
             return None
-        if obj.exercise != self.exercise:
+        if obj.exercise not in self._exercises:
             return []
         return [GraderNode.from_parent(collector, name=obj.exercise, grader=obj)]
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
         if report.failed:
-            self.faults.append(str(report.longrepr))
+            self._faults.append(str(report.longrepr))
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        """Instead of pytest's own, which goes through the checks once."""
+        checks = [item for item in session.items if isinstance(item, CheckItem)]
+        for recording in self._waiting:
+            self._recording, self._results = recording, {}
+            own = [item for item in checks if item.spec.exercise == recording.exercise and not self._faults]
+            for item, following in zip_longest(own, own[1:]):
+                item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
+            self._end(recording)
+        return True
+
+    def _end(self, recording: Recording) -> None:
+        fault = None
+        if self._faults or not self._results:
+            lines = "\n".join(self._faults).splitlines()
+            summary = f"The grader of {recording.exercise} cannot be run."
+            fault = Feedback(summary=summary, details=tuple(lines[-_FAULT_LINES:]))
+        self._recording = None
+        self._tell(Judgement(tuple(self._results.values()), recording.duration, fault))
 
     @pytest.fixture
     def recording(self) -> Recording:
         """What the exercise's scenario observed."""
+        assert self._recording is not None
         return self._recording
 
     def pytest_runtest_setup(self, item: pytest.Item) -> None:
         if isinstance(item, CheckItem):
             titles = {spec.id: spec.title for spec in item.grader.checks.values()}
-            because = outcome.unmet(item.spec, self.results, titles)
+            without = outcome.out_of_reach(item.spec, self._results)
+            if without:
+                raise NotApplicable(without)
+            because = outcome.unmet(item.spec, self._results, titles)
             if because:
                 pytest.skip(because)
 
     def pytest_runtest_makereport(self, item: pytest.Item, call: pytest.CallInfo[None]) -> None:
         if not isinstance(item, CheckItem):
             return
-        known = self.results.get(item.spec.id)
+        known = self._results.get(item.spec.id)
         if known is None or known.outcome is Outcome.PASSED:
             result = _result(item.spec, call)
-            if result is not None:
-                self.results[item.spec.id] = result
+            if result is not None and self._recording is not None:
+                self._results[item.spec.id] = with_limit(result, self._recording.limit_reached)
 
 
 def _result(spec: CheckSpec, call: pytest.CallInfo[None]) -> CheckResult | None:

@@ -15,32 +15,43 @@ import signal
 import sys
 import threading
 import time
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
+from socket import socket
 
 from course.arena.arena import open_arena
+from course.arena.containment import PROGRAMS
 from course.arena.leftovers import adopt_orphans, end_descendants
+from course.arena.sandbox.control_groups import cpu_seconds
+from course.arena.sandbox.launcher import fork_launcher
+from course.arena.sandbox.linux import PR_SET_DUMPABLE, process_control
+from course.arena.sandbox.sandbox import open_sandbox
+from course.arena.sandbox.watchdog import most_of
+from course.arena.scratch_home import lay_home
+from course.arena.starting import Starter, start_here
 from course.errors import StorageError
+from course.evidence.events import Acted, Drawn, Event, LimitReached
+from course.evidence.home_files import read_entries
 from course.evidence.mcap_file import save
 from course.evidence.recording import Recording
 from course.evidence.sources import read_sources
 from course.evidence.timeline import Timeline
-from course.feedback import Feedback
 from course.grading.channel import Channel, Judgement
 from course.grading.job import Job, from_line
+from course.grading.lag import measured_lag
 from course.grading.load import load_grader
 from course.grading.outcome import our_error
+from course.grading.scenario_digest import scenario_digest
 
-_PYTEST = (
-    # graders/conftest.py is for `pytest graders/`; no conftest has a say in a grading.
-    "--noconftest",
-    *("-p", "no:cacheprovider", "-p", "no:faulthandler"),
-    *("-q", "--tb=short", "--capture=no", "-W", "ignore"),
-)
+_JUDGING = "course.grading.judging"
 
 
 def main() -> int:
-    channel = Channel(int(sys.argv[1]))
     _listen_to_signals()
+    launcher = fork_launcher()  # before there is a second thread
+    process_control(PR_SET_DUMPABLE, 0)  # where nothing else keeps them apart, no program reads our memory
+    channel = Channel(int(sys.argv[1]))
     adopt_orphans()
     # While the job is still being made. What fails here fails again, and is told, when it is used.
     with contextlib.suppress(ImportError):
@@ -52,7 +63,7 @@ def main() -> int:
     folder = Path(sys.argv[2])
     threading.Thread(target=_end_with_parent, args=(folder,), daemon=True).start()
     try:
-        channel.judgement(_grade(job, channel, folder))
+        channel.judgement(_grade(job, channel, folder, launcher))
     finally:
         end_descendants()
         shutil.rmtree(folder, ignore_errors=True)
@@ -78,27 +89,23 @@ def _end_with_parent(folder: Path) -> None:
     os._exit(1)  # noqa: TID251 - the main thread may be anywhere; nothing is left to clean up
 
 
-def _grade(job: Job, channel: Channel, folder: Path) -> Judgement:
+def _grade(job: Job, channel: Channel, folder: Path, launcher: socket) -> Judgement:
     try:
-        recording = _record(job, channel, folder)
+        with measured_lag() as lag:
+            recording = _record(job, channel, folder, launcher)
     except Exception as error:  # noqa: BLE001 - whatever a scenario runs into is our error, kept and shown
         return Judgement((), 0.0, our_error(error))
+    used = cpu_seconds([Path(group) for group in job.sandbox.control_groups]) if job.sandbox else 0.0
     _keep(recording, job, channel)
-    return _judge(recording, job)
+    return replace(_judge(recording, job), lag=lag.worst, cpu=used)
 
 
 def _judge(recording: Recording, job: Job) -> Judgement:
-    import pytest
+    from course.grading.judging import judge  # pytest takes a while, and was loaded meanwhile: see `_record`
 
-    from course.grading.plugin import JudgePlugin
-
-    plugin = JudgePlugin(recording)
-    pytest.main([job.grader, f"--rootdir={Path(job.grader).parent}", "-c", os.devnull, *_PYTEST], [plugin])
-    fault = None
-    if plugin.faults or not plugin.results:
-        lines = "\n".join(plugin.faults).splitlines()
-        fault = Feedback(summary=f"The grader of {job.exercise} cannot be run.", details=tuple(lines[-12:]))
-    return Judgement(tuple(plugin.results.values()), recording.duration, fault)
+    judgements: list[Judgement] = []
+    judge(Path(job.grader), {job.exercise}, [recording], judgements.append)
+    return judgements[0]
 
 
 def _keep(recording: Recording, job: Job, channel: Channel) -> None:
@@ -106,28 +113,85 @@ def _keep(recording: Recording, job: Job, channel: Channel) -> None:
     if job.evidence is None:
         return
     began = time.time_ns() - round(recording.duration * 1e9)
+    scenario = scenario_digest(Path(job.grader), job.exercise, job.looks_at)
     try:
-        save(recording, Path(job.evidence), began_ns=began)
+        save(replace(recording, scenario=scenario), Path(job.evidence), began_ns=began)
     except StorageError as error:
         channel.progress(error.what)
 
 
-def _record(job: Job, channel: Channel, folder: Path) -> Recording:
+def _record(job: Job, channel: Channel, folder: Path, launcher: socket) -> Recording:
     """Run the scenario, unless nothing was built that it could run."""
     grader = load_grader(Path(job.grader), job.exercise)
     timeline = Timeline()
-    sources = read_sources(Path(job.home), job.roots)
+    home = Path(job.home)
+    looked_at = read_entries(home, job.looks_at)
+    texts = (entry.path for entry in looked_at if entry.kind == "file")
+    sources = read_sources(home, (*job.roots, *texts), trusted=job.local)
     definitions: dict[str, str] = {}
     duration = 0.0
+    for event in _told(job):
+        timeline.add(event)
     if grader.scenario_function is not None and job.packages.failure is None:
         channel.progress("watching your program")
-        with open_arena(timeline, job.packages, job.environment, job.python, folder) as arena:
+        lay_home(home, (*looked_at, *read_entries(home, (".bashrc",))), folder / PROGRAMS / "home")
+        with (
+            _confined(job, folder, launcher, timeline) as confined,
+            open_arena(
+                timeline,
+                job.packages,
+                job.environment,
+                job.python,
+                folder / PROGRAMS,
+                plain=job.plain,
+                ros=grader.ros,
+                learners_home=home,
+                ours=_ours(folder),
+                confined=confined,
+            ) as arena,
+        ):
             # pytest judges afterwards; it loads while the scenario waits for the learner's program.
-            threading.Thread(target=importlib.import_module, args=("pytest",), daemon=True).start()
-            grader.scenario_function(arena)
+            threading.Thread(target=importlib.import_module, args=(_JUDGING,), daemon=True).start()
+            try:
+                grader.scenario_function(arena)
+            except Exception:
+                # Whatever a scenario runs into when all programs were killed: the recording says why.
+                if not any(timeline.of(LimitReached)):
+                    raise
             duration = timeline.now()
             definitions = arena.definitions
-    return Recording(job.exercise, timeline.events(), definitions, sources, job.packages, duration)
+    return Recording(
+        job.exercise, timeline.events(), definitions, sources, job.packages, duration, looked_at, job.local
+    )
+
+
+def _ours(folder: Path) -> Path:
+    """For what the learner's programs may read and not write."""
+    ours = folder / "ours"
+    ours.mkdir(exist_ok=True, parents=True)
+    return ours
+
+
+@contextlib.contextmanager
+def _confined(job: Job, folder: Path, launcher: socket, timeline: Timeline) -> Iterator[Starter]:
+    """What starts the learner's programs."""
+    if job.sandbox is None:
+        yield start_here
+        return
+    plan = replace(job.sandbox, shown=(*job.sandbox.shown, str(_ours(folder))))
+
+    def note(limit: str) -> None:
+        timeline.add(LimitReached(timeline.now(), limit, most_of(plan.limits, limit)))
+
+    with open_sandbox(plan, launcher, folder / PROGRAMS, note) as sandbox:
+        yield sandbox
+
+
+def _told(job: Job) -> Iterator[Event]:
+    """What was known of a mystery before the recording began."""
+    if job.seed is not None:
+        yield Drawn(0.0, job.seed)
+    yield from (Acted(0.0, name, detail) for name, detail in job.acts)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
@@ -30,14 +31,21 @@ __all__ = [
 ]
 
 SCHEMA_VERSION = 1
+# Controls that JSON leaves as they are, what turns the direction of text around, and halves of characters.
+_UNSAFE = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
 class Outcome(str, Enum):
-    """How one check ended. Only FAILED is the learner's; ERROR is ours."""
+    """How one check ended. Only FAILED is the learner's; ERROR is ours.
+
+    SKIPPED: an earlier check failed. NOT_APPLICABLE: it cannot be judged here (a submission lacks what
+    belongs to the learner's machine, or this machine lacks something); it takes no part in the verdict.
+    """
 
     PASSED = "passed"
     FAILED = "failed"
     SKIPPED = "skipped"
+    NOT_APPLICABLE = "not applicable"
     ERROR = "error"
 
 
@@ -46,6 +54,7 @@ class Verdict(str, Enum):
 
     PASSED = "passed"
     NOT_PASSED = "not passed"
+    NOT_APPLICABLE = "not applicable"
     NOT_AVAILABLE = "not available here"
     OUR_ERROR = "our error"
 
@@ -57,7 +66,8 @@ class CheckResult:
     id: unique within the exercise, stable over versions.
     points: what it is worth; earned: what it brought (0 or points).
     bonus: not needed to pass the exercise.
-    feedback: set when failed or error. skipped_because: set when skipped.
+    feedback: set when failed or error; on a right answer of a quiz, its explanation.
+    skipped_because: set when skipped or not applicable.
     """
 
     id: str
@@ -75,11 +85,16 @@ class CheckResult:
 
 @dataclass(frozen=True)
 class Timing:
-    """Seconds spent: `build`, `evidence` (scenario start to its end), `total` (command to verdict)."""
+    """Seconds spent: `build`, `evidence` (scenario start to its end), `total` (command to verdict).
+
+    lag: how long the recorder had to wait for a CPU at worst; cpu: what the submission's programs used of it.
+    """
 
     build: float = 0.0
     evidence: float = 0.0
     total: float = 0.0
+    lag: float = 0.0
+    cpu: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -89,6 +104,7 @@ class Result:
     fault: set only for OUR_ERROR and NOT_AVAILABLE: what is wrong on our side or missing here.
     containment: how the learner's processes were kept apart ("namespaces" or "domain").
     notes: quiet lines for the reader (what this machine lacks, what was done instead).
+    bonus: the course is complete without this exercise.
     """
 
     exercise: str
@@ -98,6 +114,7 @@ class Result:
     fault: Feedback | None = None
     containment: str = ""
     notes: tuple[str, ...] = ()
+    bonus: bool = False
 
     @property
     def points(self) -> float:
@@ -106,20 +123,32 @@ class Result:
 
     @property
     def max_points(self) -> float:
-        """Points that can be had without bonus checks."""
-        return sum(check.points for check in self.checks if not check.bonus)
+        """Points that can be had here without bonus checks."""
+        return sum(check.points for check in self.checks if _counts(check))
 
 
 def verdict_of(checks: tuple[CheckResult, ...]) -> Verdict:
     """Passed when every check that is not a bonus passed; our error if any check is one.
 
-    An exercise without a single judged check is our error: nothing passes for lack of evidence.
+    What is not applicable takes no part; when all that is needed is, so is the exercise. An exercise
+    without a single judged check is our error: nothing passes for lack of evidence.
     """
     if not checks or any(check.outcome is Outcome.ERROR for check in checks):
         return Verdict.OUR_ERROR
-    needed = [check for check in checks if not check.bonus]
+    needed = [check for check in checks if _counts(check)]
+    if not needed and any(check.outcome is Outcome.NOT_APPLICABLE for check in checks):
+        return Verdict.NOT_APPLICABLE
     passed = bool(needed) and all(check.outcome is Outcome.PASSED for check in needed)
     return Verdict.PASSED if passed else Verdict.NOT_PASSED
+
+
+def _counts(check: CheckResult) -> bool:
+    return not check.bonus and check.outcome is not Outcome.NOT_APPLICABLE
+
+
+def not_applicable(exercise: str, because: str, *, bonus: bool = False) -> Result:
+    """The result of an exercise that cannot be graded here, through nobody's fault."""
+    return Result(exercise, Verdict.NOT_APPLICABLE, notes=(because,), bonus=bonus)
 
 
 def to_dict(result: Result) -> dict[str, Any]:
@@ -129,7 +158,9 @@ def to_dict(result: Result) -> dict[str, Any]:
 
 
 def to_json(result: Result, *, indent: int | None = None) -> str:
-    return json.dumps(to_dict(result), indent=indent, ensure_ascii=False)
+    """As UTF-8 can hold it, and a terminal may show it: what submissions print is in it."""
+    text = json.dumps(to_dict(result), indent=indent, ensure_ascii=False)
+    return _UNSAFE.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
 
 
 def from_json(text: str) -> Result:
@@ -153,6 +184,7 @@ def _from_dict(data: dict[str, Any]) -> Result:
         fault=feedback_from_dict(data["fault"]),
         containment=data["containment"],
         notes=tuple(data["notes"]),
+        bonus=data.get("bonus", False),
     )
 
 

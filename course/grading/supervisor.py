@@ -18,8 +18,10 @@ from pathlib import Path
 from types import TracebackType
 
 import course
+from course.arena.containment import KNOWN, SCRATCH
 from course.arena.enclosure import Enclosure
 from course.arena.leftovers import nothing_left
+from course.arena.remembered import forget
 from course.errors import StorageError
 from course.feedback import Feedback
 from course.grading.channel import Judgement, read_message
@@ -72,8 +74,8 @@ class Supervisor:
 
         In namespaces of its own the kernel does both, whatever happens to us.
         """
-        if self._where.kind == "namespaces":
-            yield "/dev/shm/ros2course"
+        if self._where.kind != "domain":
+            yield str(SCRATCH)
             return
         folder = tempfile.mkdtemp(prefix="ros2course-")
         try:
@@ -114,6 +116,7 @@ class Supervisor:
             self._process.stdin.write(to_line(job) + "\n")
             self._process.stdin.flush()
         except BrokenPipeError:
+            forget(KNOWN)  # perhaps this machine does not allow any more what it did
             return self._fault("The grading process did not start.")
         return self._await_judgement(time_limit, on_progress)
 
@@ -126,6 +129,7 @@ class Supervisor:
                 return self._fault(f"The grading process did not finish within {time_limit:.0f} s.")
             data = os.read(self._results, 65536)
             if not data:
+                forget(KNOWN)
                 return self._fault(f"The grading process ended without a verdict ({self._how_it_ended()}).")
             *lines, buffer = (buffer + data).split(b"\n")
             for line in lines:
@@ -154,6 +158,7 @@ class Supervisor:
         return {
             **self._environment,
             **self._where.environment,
+            "ROS_LOG_DIR": f"{self._folder}/ros-log",  # not the learner's ~/.ros
             "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
             "PYTHONPATH": os.pathsep.join(
                 part

@@ -10,15 +10,23 @@ import shutil
 from pathlib import Path
 
 from course.content import Alternative, Course, Edit, Exercise, Mistake
+from course.content.additions import ADDED_TO, with_addition
+from course.content.layout import ALTERNATIVE
 from course.errors import ContentError
+from course.grading.trial_answers import change_answers, lay_answers
+from course.grading.trial_build import build_in_place
+from course.rosenv import on_this_machine
 
-_NOT_LAID = "alternatives"
+# A solution with a workspace that must have been built says so here: its folder, and options of colcon.
+BUILT = "built.txt"
+_NOT_LAID = frozenset({"alternatives", "alternative.yaml", BUILT})
 
 
 def lay_solution(course: Course, exercise: Exercise, home: Path) -> None:
     """The reference solutions of this exercise's chapter and of all that it stands on."""
     for needed in _standing_on(course, exercise):
         _lay(needed.solution, home)
+        lay_answers(needed, home)
 
 
 def lay_starter(course: Course, exercise: Exercise, home: Path) -> None:
@@ -41,6 +49,10 @@ def lay_alternative(course: Course, exercise: Exercise, alternative: Alternative
     for name in alternative.deletes:
         (home / name).unlink()
     _lay(alternative.tree, home)
+    own = {question.id for question in exercise.questions}
+    answers = {name: given for name, given in alternative.answers.items() if name in own}
+    if answers:
+        change_answers(exercise, home, answers, alternative.tree / ALTERNATIVE)
 
 
 def lay_mistake(course: Course, exercise: Exercise, mistake: Mistake, home: Path) -> None:
@@ -55,7 +67,11 @@ def lay_mistake(course: Course, exercise: Exercise, mistake: Mistake, home: Path
 def apply_mistake(exercise: Exercise, mistake: Mistake, home: Path) -> None:
     """The mistake, in a home where the reference solution lies."""
     for edit in mistake.edits:
-        _apply(edit, mistake, home, exercise.folder / "mistakes.yaml")
+        where = exercise.folder / "mistakes.yaml"
+        if edit.answers is not None:
+            change_answers(exercise, home, edit.answers, where)
+        else:
+            _apply(edit, mistake, home, where)
 
 
 def _standing_on(course: Course, exercise: Exercise) -> tuple[Exercise, ...]:
@@ -68,9 +84,25 @@ def _standing_on(course: Course, exercise: Exercise) -> tuple[Exercise, ...]:
 
 
 def _lay(tree: Path, home: Path) -> None:
+    if not tree.is_dir():  # a chapter of quizzes has no solutions
+        return
     for entry in sorted(tree.iterdir()):
-        if entry.is_dir() and entry.name != _NOT_LAID:
+        if entry.name in ADDED_TO:
+            _add_to(home / entry.name, entry)
+        elif entry.is_dir() and entry.name not in _NOT_LAID:
             shutil.copytree(entry, home / entry.name, dirs_exist_ok=True)
+        elif entry.name not in _NOT_LAID:
+            shutil.copy(entry, home / entry.name)
+    if (tree / BUILT).is_file():
+        for line in (tree / BUILT).read_text(encoding="utf-8").splitlines():
+            folder, *options = line.split()
+            build_in_place(home / folder, options)
+
+
+def _add_to(file: Path, addition: Path) -> None:
+    before = file.read_text(encoding="utf-8") if file.exists() else ""
+    added = on_this_machine(addition.read_text(encoding="utf-8"))
+    file.write_text(with_addition(before, added), encoding="utf-8")
 
 
 def _apply(edit: Edit, mistake: Mistake, home: Path, where: Path) -> None:
@@ -85,7 +117,7 @@ def _apply(edit: Edit, mistake: Mistake, home: Path, where: Path) -> None:
         file.rename(target)
     elif edit.content is not None:
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(edit.content, encoding="utf-8")
+        file.write_text(_there(edit.content, file), encoding="utf-8")
     elif edit.mode is not None:
         file.chmod(int(edit.mode, 8))
     else:
@@ -94,7 +126,13 @@ def _apply(edit: Edit, mistake: Mistake, home: Path, where: Path) -> None:
 
 def _replace(edit: Edit, mistake: Mistake, file: Path, where: Path) -> None:
     text = file.read_text(encoding="utf-8")
-    if edit.replace is None or edit.replace not in text:
+    old, new = _there(edit.replace or "", file), _there(edit.with_ or "", file)
+    if not old or old not in text:
         step = f"Bring its `replace` in line with the solution's {edit.file}."
         raise ContentError(f"{mistake.id} no longer applies", step, file=where, key="replace")
-    file.write_text(text.replace(edit.replace, edit.with_ or ""), encoding="utf-8")
+    file.write_text(text.replace(old, new), encoding="utf-8")
+
+
+def _there(text: str, file: Path) -> str:
+    """What an edit says of a file, as it stands in the trial home: see `_add_to`."""
+    return on_this_machine(text) if file.name in ADDED_TO else text

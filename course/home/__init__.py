@@ -1,5 +1,6 @@
 """The course home: making and finding it, starter files, backups, and the look at the solution."""
 
+from course.home.answers import keep_answers
 from course.home.compare import FileDiff, solution_diff
 from course.home.create import create_home
 from course.home.find import default_home, find_home
@@ -16,6 +17,7 @@ __all__ = [
     "default_home",
     "find_home",
     "is_home",
+    "keep_answers",
     "reset",
     "solution_diff",
     "starter_files",

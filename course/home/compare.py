@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple
 
 from course.content import Exercise
+from course.content.additions import ADDED_TO, with_addition
 from course.errors import ContentError
 from course.home.model import CourseHome
 from course.home.storage import storing
+from course.rosenv import on_this_machine
 
 LARGEST = 1_000_000  # bytes; what is larger is no source file, and would be compared for minutes
 
@@ -20,24 +24,39 @@ class FileDiff(NamedTuple):
     diff: str
 
 
-def solution_diff(home: CourseHome, exercise: Exercise) -> list[FileDiff]:
-    """One entry for each of `exercise.files`, in their order. A missing file counts as an empty one."""
-    return [FileDiff(file, _diff(file, home.path, exercise)) for file in exercise.files]
+def solution_diff(
+    home: CourseHome, exercise: Exercise, made: Mapping[str, str] = MappingProxyType({})
+) -> list[FileDiff]:
+    """One entry for each of `exercise.files`, in their order. A missing file counts as an empty one.
+
+    made: texts of reference files that are not stored but made, by their path in the home.
+    """
+    return [FileDiff(file, _diff(file, home.path, exercise, made.get(file))) for file in exercise.files]
 
 
-def _diff(file: str, home: Path, exercise: Exercise) -> str:
+def _diff(file: str, home: Path, exercise: Exercise, made: str | None) -> str:
     from difflib import unified_diff  # only this command needs it
 
     reference = exercise.solution / file
-    if not reference.is_file():
+    if made is None and not reference.is_file():
         raise ContentError(f"`{file}` is not in the reference solution", file=reference)
     with storing(f"{file} cannot be read"):
         yours = home / file
         if yours.is_file() and yours.stat().st_size > LARGEST:
             return f"Your {file} is too large to be compared.\n"
         before = _lines(yours) if yours.is_file() else []
+        after = _reference(file, before, reference) if made is None else made.splitlines(keepends=True)
     name = f"your {file}" if yours.is_file() else "(you have no such file)"
-    return "".join(unified_diff(before, _lines(reference), name, f"reference {file}"))
+    return "".join(unified_diff(before, after, name, f"reference {file}"))
+
+
+def _reference(file: str, before: list[str], reference: Path) -> list[str]:
+    return _lines(reference) if file not in ADDED_TO else _added(before, reference)
+
+
+def _added(before: list[str], addition: Path) -> list[str]:
+    added = on_this_machine(addition.read_text(encoding="utf-8"))
+    return with_addition("".join(before), added).splitlines(keepends=True)
 
 
 def _lines(file: Path) -> list[str]:

@@ -13,6 +13,7 @@ from datetime import datetime
 from pathlib import Path
 
 from course.content import Exercise, shared_files
+from course.content.additions import ADDED_TO
 from course.home.model import STATE, CourseHome
 from course.home.starter import starter_files
 from course.home.storage import copy_into, copy_over, inside, storing, sweep
@@ -41,7 +42,7 @@ def reset(home: CourseHome, exercise: Exercise, *, now: datetime | None = None) 
     """
     starter = starter_files(exercise)
     listed = tuple(dict.fromkeys((*starter, *exercise.files)))
-    shared = shared_files(exercise)
+    shared = shared_files(exercise) | ADDED_TO
     with home.lock():
         with storing(f"{exercise.id} cannot be reset"):
             there = tuple(file for file in listed if os.path.lexists(inside(home.path, file)))

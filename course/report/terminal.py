@@ -20,11 +20,13 @@ MARKS = {
     Outcome.PASSED: ("ok", "bold green"),
     Outcome.FAILED: ("no", "bold red"),
     Outcome.SKIPPED: ("--", "dim"),
+    Outcome.NOT_APPLICABLE: ("..", "dim"),
     Outcome.ERROR: ("!!", "bold magenta"),
 }
 HEADLINES = {
     Verdict.PASSED: ("Passed", "bold green"),
     Verdict.NOT_PASSED: ("Not passed yet", "bold red"),
+    Verdict.NOT_APPLICABLE: ("Does not apply here", "bold yellow"),
     Verdict.NOT_AVAILABLE: ("Could not be checked on this machine", "bold yellow"),
     Verdict.OUR_ERROR: ("The course itself has a fault", "bold magenta"),
 }
@@ -62,7 +64,7 @@ def render_result(console: Console, result: Result, exercise: Titled, previous: 
 def put_feedback(console: Console, feedback: Feedback) -> None:
     """Why something did not pass: the cause, expected against seen, where, what to do, evidence."""
     put_prose(console, with_code(console, safe.paragraph(feedback.summary)), first=INDENT)
-    for label, text in _comparison(feedback):
+    for label, text in comparison(feedback):
         _put_labelled(console, label, with_code(console, text))
     for place in feedback.where[:PLACES]:
         line = Text.assemble(INDENT, ("in".ljust(LABEL_WIDTH), "dim"), (safe.one_line(str(place)), "bold"))
@@ -75,38 +77,46 @@ def put_feedback(console: Console, feedback: Feedback) -> None:
 
 def _put_check(console: Console, check: CheckResult, before: Outcome | None) -> None:
     mark, style = MARKS[check.outcome]
-    points = _points(check)
+    points = earned_of(check)
     room = max(console.width - len(INDENT) - len(points) - 2, 20)
     title = with_code(console, safe.paragraph(check.title)).wrap(console, room)
     for row, line in enumerate(title):
         line.rstrip()
         head = Text.assemble("  ", (mark, style), "  ") if row == 0 else Text(INDENT)
-        tail = f"{' ' * (room - line.cell_len)}  {points}" if row == 0 else ""
+        tail = f"{' ' * (room - line.cell_len)}  {points}" if row == 0 and points else ""
         put(console, Text.assemble(head, line, (tail, "dim")))
     if before is Outcome.PASSED and check.outcome is Outcome.FAILED:
         put_prose(console, Text("This check passed the last time.", "yellow"), first=INDENT)
     if check.feedback and check.outcome in (Outcome.FAILED, Outcome.ERROR):
         put_feedback(console, check.feedback)
+    if check.feedback and check.outcome is Outcome.PASSED:
+        put_prose(console, with_code(console, safe.paragraph(check.feedback.summary), "dim"), first=INDENT)
     if check.outcome is Outcome.SKIPPED:
         cause = safe.paragraph(check.skipped_because or "the cause is not known")
         put_prose(console, with_code(console, f"Not judged: {cause}", "dim"), first=INDENT)
+    if check.outcome is Outcome.NOT_APPLICABLE:
+        cause = safe.paragraph(check.skipped_because or "the cause is not known")
+        put_prose(console, with_code(console, f"Does not count here: {cause}", "dim"), first=INDENT)
 
 
-def _points(check: CheckResult) -> str:
+def earned_of(check: CheckResult) -> str:
     word = "bonus " if check.bonus else ""
     if check.outcome is Outcome.PASSED:
         return f"{word}{number(check.points)}"
+    if check.outcome is Outcome.NOT_APPLICABLE:
+        return ""
     return f"{word}0 of {number(check.points)}"
 
 
 def _put_headline(console: Console, result: Result, previous: Result | None) -> None:
     word, style = HEADLINES[result.verdict]
     counted = result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED)
-    rest = f": {_total(result)}{_change(result, previous)}." if counted else ". This attempt does not count."
+    points = f": {total_of(result)}{_change(result, previous)}."
+    rest = points if counted else ". This attempt does not count."
     put(console, Text.assemble("  ", (word, style), rest, (_seconds(result), "dim")))
 
 
-def _total(result: Result) -> str:
+def total_of(result: Result) -> str:
     unit = "point" if result.max_points == 1 else "points"
     return f"{number(result.points)} of {number(result.max_points)} {unit}"
 
@@ -124,7 +134,7 @@ def _seconds(result: Result) -> str:
     return f"  [built in {timing.build:.1f} s, watched for {timing.evidence:.1f} s]"
 
 
-def _comparison(feedback: Feedback) -> Iterator[tuple[str, str]]:
+def comparison(feedback: Feedback) -> Iterator[tuple[str, str]]:
     if feedback.expected is not None:
         yield "expected", safe.paragraph(feedback.expected)
     if feedback.seen is not None:

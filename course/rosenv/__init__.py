@@ -1,10 +1,31 @@
 """Which ROS 2 is here, and what a process needs to use it. No module of this room imports rclpy."""
 
-from course.rosenv.environment import node_environment
+from course.rosenv.environment import node_environment, plain_environment
 from course.rosenv.find import find_ros
 from course.rosenv.model import Ros
 from course.rosenv.paths import cache_dir
-from course.rosenv.preparation import prepare
-from course.rosenv.setup_files import setup_script
+from course.rosenv.preparation import (
+    add_to_underlay,
+    compiled_of_underlay,
+    missing_of_underlay,
+    prepare,
+    underlay_builds,
+)
+from course.rosenv.setup_files import places_of, setup_script
+from course.rosenv.tutorial_line import on_this_machine
 
-__all__ = ["Ros", "cache_dir", "find_ros", "node_environment", "prepare", "setup_script"]
+__all__ = [
+    "Ros",
+    "add_to_underlay",
+    "cache_dir",
+    "compiled_of_underlay",
+    "find_ros",
+    "missing_of_underlay",
+    "node_environment",
+    "on_this_machine",
+    "places_of",
+    "plain_environment",
+    "prepare",
+    "setup_script",
+    "underlay_builds",
+]

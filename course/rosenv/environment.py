@@ -37,6 +37,15 @@ def node_environment(
     return {**_basics(environ), **under.values, **discovery_values(_profile(ros, environ)), **joined}
 
 
+def plain_environment(ros: Ros, environ: Mapping[str, str] | None = None) -> dict[str, str]:
+    """All variables for a child process that shall know nothing of ROS: as in a freshly opened terminal."""
+    environ = os.environ if environ is None else environ
+    # An environment of pip packages may be active in the caller's shell, without its ROS being sourced.
+    known = (*every_prefix(environ), *((ros.prefix,) if ros.origin == "pip" else ()))
+    path = without(split(environ.get("PATH")) or _DEFAULT_PATH.split(":"), known)
+    return {**_basics(environ), "PATH": ":".join(path)}
+
+
 def _under(ros: Ros, environ: Mapping[str, str]) -> tuple[Variables, list[str]]:
     """The variables of the ROS itself, and the entries of the caller's PATH that come after them."""
     sourced = sourced_prefixes(environ)
@@ -47,12 +56,16 @@ def _under(ros: Ros, environ: Mapping[str, str]) -> tuple[Variables, list[str]]:
         return Variables(lists, ros_values(ros.distro)), without(path, sourced.dropped)
     # Another ROS may be sourced, or this one with workspaces on top: their programs are not to be found.
     path = without(path, every_prefix(environ))
-    return (wheel_variables(ros) if ros.origin == "pip" else _captured(ros, environ)), path
+    return (_wheels(ros, environ) if ros.origin == "pip" else _captured(ros, environ)), path
 
 
 def _captured(ros: Ros, environ: Mapping[str, str]) -> Variables:
     lists = {name: tuple(split(value)) for name, value in captured_variables(ros, environ).items()}
     return Variables(lists, ros_values(ros.distro))
+
+
+def _wheels(ros: Ros, environ: Mapping[str, str]) -> Variables:
+    return wheel_variables(ros, place_of(ros, environ).underlay)
 
 
 def _overlay_lists(overlay: Path) -> dict[str, list[str]]:

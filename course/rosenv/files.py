@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import fcntl
 import os
+import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+
+_REMOVE, _OPEN = ("/bin/rm", "-rf"), ("/bin/chmod", "-R", "u+rwx")
 
 
 def write_atomic(path: Path, text: str) -> bool:
@@ -49,3 +52,15 @@ def locked(path: Path) -> Iterator[None]:
     with path.open("a") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         yield
+
+
+def wipe(*folders: Path) -> None:
+    """Not shutil: a thousand folders in one another, as a submission may leave them, are too deep for it.
+
+    Folders that are shut keep out whoever is not root, until they are opened.
+    """
+    names = [str(folder) for folder in folders]
+    for command in (_REMOVE, _OPEN, _REMOVE):
+        done = subprocess.run([*command, "--", *names], check=False, capture_output=True)
+        if command == _REMOVE and done.returncode == 0:
+            return

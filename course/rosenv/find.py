@@ -13,6 +13,7 @@ from course.rosenv.host import Host
 from course.rosenv.model import Origin, Ros, python_folders
 from course.rosenv.overlays import has_rclpy, sourced_prefixes, split
 from course.rosenv.support import why_no_wheels
+from course.rosenv.underlay.sources import fingerprint, packages_in, source_root
 from course.rosenv.variables import DISTRO
 
 _SET_UP = (
@@ -75,9 +76,14 @@ def _pip(host: Host) -> Ros | None:
         distro=DISTRO,
         prefix=host.prefix,
         python=own if own.exists() else host.executable,
-        identity=identity.of_wheels(host.prefix, host.site_packages),
+        identity=identity.of_wheels(host.prefix, host.site_packages, _compiled_underlay()),
         site_packages=host.site_packages,
     )
+
+
+def _compiled_underlay() -> str:
+    root = source_root()
+    return fingerprint(package for package in packages_in(root) if package.compiled) if root else ""
 
 
 def _at(

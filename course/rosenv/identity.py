@@ -12,15 +12,18 @@ from pathlib import Path
 _WHEELS = ("ros_", "numpy-", "setuptools-", "empy-", "lark-", "catkin_pkg-", "colcon_")
 
 
-def of_wheels(prefix: Path, site_packages: Path) -> str:
-    """Fingerprint of the wheels: names with versions, and when pip put each there (a reinstall counts)."""
+def of_wheels(prefix: Path, site_packages: Path, underlay: str = "") -> str:
+    """Fingerprint of the wheels: names with versions, and when pip put each there (a reinstall counts).
+
+    underlay: stands for the packages of our own that are compiled on top of them.
+    """
     with os.scandir(site_packages) as entries:
         wheels = sorted(
             f"{entry.name} {entry.stat().st_mtime_ns}"
             for entry in entries
             if entry.name.startswith(_WHEELS) and entry.name.endswith(".dist-info")
         )
-    return digest([str(prefix), str(site_packages), *wheels])
+    return digest([str(prefix), str(site_packages), underlay, *wheels])
 
 
 def of_prefixes(prefixes: Sequence[Path], python: str) -> str:

@@ -11,8 +11,17 @@ from pathlib import Path
 from course.errors import StorageError
 from course.rosenv.files import locked
 from course.rosenv.model import Ros
+from course.rosenv.paths import cache_dir
 from course.rosenv.relocate import relocate
-from course.rosenv.setup_files import Place, is_stamped, place_of, write_setup_files, write_stamp
+from course.rosenv.setup_files import Place, body_of, is_stamped, place_of, write_setup_files, write_stamp
+from course.rosenv.underlay import (
+    UnderlayPackage,
+    add_build,
+    is_built,
+    packages_in,
+    source_root,
+    write_prefix,
+)
 
 
 def prepare(ros: Ros, environ: Mapping[str, str] | None = None) -> None:
@@ -22,25 +31,56 @@ def prepare(ros: Ros, environ: Mapping[str, str] | None = None) -> None:
     """
     if ros.origin != "pip":
         return
-    place = place_of(ros, os.environ if environ is None else environ)
+    environ = os.environ if environ is None else environ
+    place = place_of(ros, environ)
     if is_prepared(ros, place):
         return
     try:
         with locked(place.lock):
             # Another process may have done it while we waited.
             if not is_prepared(ros, place):
-                _prepare(ros, place)
+                _prepare(ros, place, cache_dir(environ))
+    except OSError as error:
+        raise _storage_error(ros, error) from error
+
+
+def compiled_of_underlay(ros: Ros) -> tuple[UnderlayPackage, ...]:
+    """The packages of our own that must be compiled; none where ROS is installed."""
+    root = source_root() if ros.origin == "pip" else None
+    return tuple(package for package in packages_in(root) if package.compiled) if root else ()
+
+
+def missing_of_underlay(ros: Ros, environ: Mapping[str, str] | None = None) -> tuple[UnderlayPackage, ...]:
+    """Those of them that were not compiled yet."""
+    prefix = place_of(ros, os.environ if environ is None else environ).underlay
+    return tuple(package for package in compiled_of_underlay(ros) if not is_built(prefix, package.name))
+
+
+def underlay_builds(ros: Ros, environ: Mapping[str, str] | None = None) -> Path:
+    """Where packages of our own are to be built; they belong to this ROS, and stay there."""
+    return place_of(ros, os.environ if environ is None else environ).underlay_builds
+
+
+def add_to_underlay(ros: Ros, built: Path, environ: Mapping[str, str] | None = None) -> None:
+    """Put a package of our own in place whose install prefix is `built`."""
+    place = place_of(ros, os.environ if environ is None else environ)
+    try:
+        with locked(place.lock):
+            add_build(place.underlay, built)
     except OSError as error:
         raise _storage_error(ros, error) from error
 
 
 def is_prepared(ros: Ros, place: Place) -> bool:
     """Whether all was done for just these wheels, and nobody removed what a learner sources."""
-    return is_stamped(ros, place) and (place.scripts / "local_setup.sh").exists()
+    return is_stamped(ros, place) and body_of(place).exists() and place.underlay.exists()
 
 
-def _prepare(ros: Ros, place: Place) -> None:
+def _prepare(ros: Ros, place: Place, cache: Path) -> None:
     relocate(ros.prefix, Path(sysconfig.get_path("include")), _numpy_include(ros))
+    root = source_root()
+    packages = packages_in(root) if root else ()
+    write_prefix(place.underlay, packages, ros, setup=body_of(place), cache=cache)
     write_setup_files(ros, place)
     write_stamp(ros, place)
 

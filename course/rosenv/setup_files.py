@@ -13,14 +13,15 @@ from course.rosenv.identity import digest
 from course.rosenv.model import Ros
 from course.rosenv.paths import cache_dir
 from course.rosenv.profile import PROFILE, discovery_values
+from course.rosenv.underlay import fingerprint, packages_in, source_root
 from course.rosenv.variables import Variables, wheel_variables
 
-_FORMAT = "1"
+_FORMAT = "3"
 
 
 @dataclass(frozen=True)
 class Place:
-    """Where our files for a prefix lie: `scripts` has setup.bash, `data` profile, stamp and lock."""
+    """Where our files for a prefix lie: `scripts` has setup.bash, `data` all the rest."""
 
     scripts: Path
     data: Path
@@ -28,6 +29,16 @@ class Place:
     @property
     def profile(self) -> Path:
         return self.data / PROFILE.name
+
+    @property
+    def underlay(self) -> Path:
+        """The prefix that offers our own packages."""
+        return self.data / "underlay"
+
+    @property
+    def underlay_builds(self) -> Path:
+        """Where those of them are built that must be."""
+        return self.data / "underlay-builds"
 
     @property
     def stamp(self) -> Path:
@@ -47,6 +58,14 @@ def place_of(ros: Ros, environ: Mapping[str, str]) -> Place:
         if is_stamped(ros, place):
             return place
     return inside if _can_write(inside) else outside
+
+
+def places_of(ros: Ros, environ: Mapping[str, str] | None = None) -> tuple[Path, ...]:
+    """All folders that programs of this ROS read, beside what their environment variables name."""
+    if ros.origin != "pip":
+        return (ros.prefix,)
+    place, root = place_of(ros, os.environ if environ is None else environ), source_root()
+    return (ros.prefix, place.data, place.scripts, *((root,) if root else ()))
 
 
 def is_stamped(ros: Ros, place: Place) -> bool:
@@ -74,11 +93,17 @@ def setup_script(ros: Ros, environ: Mapping[str, str] | None = None) -> Path:
 def write_setup_files(ros: Ros, place: Place) -> None:
     """Write setup.* and local_setup.* for bash, sh and zsh, and the discovery profile they name."""
     write_atomic(place.profile, PROFILE.read_text(encoding="utf-8"))
-    body = place.scripts / "local_setup.sh"
-    write_atomic(body, script(wheel_variables(ros), discovery_values(place.profile)))
+    body = body_of(place)
+    write_atomic(body, script(wheel_variables(ros, place.underlay), discovery_values(place.profile)))
     call = f"# Uses ROS 2 from these pip packages; written by ros2course.\n. {shlex.quote(str(body))}\n"
     for name in ("setup.sh", "setup.bash", "setup.zsh", "local_setup.bash", "local_setup.zsh"):
-        write_atomic(place.scripts / name, call)
+        shell = name.rpartition(".")[2]
+        write_atomic(place.scripts / name, call + _completion(shell))
+
+
+def body_of(place: Place) -> Path:
+    """The script that all the others call."""
+    return place.scripts / "local_setup.sh"
 
 
 def script(variables: Variables, discovery: Mapping[str, str]) -> str:
@@ -96,12 +121,23 @@ def _exports(values: Mapping[str, str]) -> Iterator[str]:
     return (f"export {name}={shlex.quote(value)}" for name, value in values.items())
 
 
+def _completion(shell: str) -> str:
+    """What lets the Tab key complete `ros2 ...`, in shells that somebody types in."""
+    root = source_root()
+    script = root / f"src/ros2cli/completion/ros2-argcomplete.{shell}" if root else None
+    if script is None or not script.exists():
+        return ""
+    return f"case $- in *i*) . {shlex.quote(str(script))} ;; esac\n"
+
+
 def _can_write(place: Place) -> bool:
     return all(os.access(folder, os.W_OK) for folder in (place.scripts, place.data.parent) if folder.exists())
 
 
 def _stamp(ros: Ros) -> str:
-    return f"{_FORMAT} {ros.prefix} {ros.identity}\n"
+    root = source_root()
+    underlay = fingerprint(packages_in(root)) if root else "no underlay"
+    return f"{_FORMAT} {ros.prefix} {ros.identity} {underlay}\n"
 
 
 # A path that is there already stays where it is: what was sourced on top of it must stay on top.

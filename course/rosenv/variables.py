@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from course.rosenv.model import Ros
+from course.rosenv.underlay.prefix import site_packages
 
 DISTRO = "jazzy"
 
@@ -23,15 +24,17 @@ class Variables:
     values: Mapping[str, str]
 
 
-def wheel_variables(ros: Ros) -> Variables:
-    """The variables of the wheels' prefix, without what lies on top of it."""
+def wheel_variables(ros: Ros, underlay: Path) -> Variables:
+    """The variables of the wheels' prefix and of the one that offers our own packages, on top of it."""
     prefix, packages = str(ros.prefix), ros.python_packages
+    # Those of the wheels themselves are only needed by a Python that is not of their environment.
+    foreign = (str(packages),) if _serves_system_python(packages) else ()
     lists = {
-        "AMENT_PREFIX_PATH": (prefix,),
-        "CMAKE_PREFIX_PATH": (prefix,),
-        "LD_LIBRARY_PATH": (f"{prefix}/lib", *_bundled_libraries(packages)),
-        "PATH": (f"{prefix}/bin",),
-        "PYTHONPATH": (str(packages),) if _serves_system_python(packages) else (),
+        "AMENT_PREFIX_PATH": (str(underlay), prefix),
+        "CMAKE_PREFIX_PATH": (str(underlay), prefix),
+        "LD_LIBRARY_PATH": (f"{underlay}/lib", f"{prefix}/lib", *_bundled_libraries(packages)),
+        "PATH": (f"{underlay}/bin", f"{prefix}/bin"),
+        "PYTHONPATH": (str(site_packages(underlay, ros)), *foreign),
     }
     # CMake looks for Python in $VIRTUAL_ENV first, and the caller may be in another one.
     is_virtual = (ros.prefix / "pyvenv.cfg").exists()

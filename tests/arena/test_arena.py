@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 import time
@@ -22,6 +23,7 @@ from course.evidence.events import (
     MessageSeen,
     OutputLine,
     ProcessExited,
+    ProcessLeft,
     SignalSent,
 )
 from course.evidence.packages import BuiltPackage, BuiltPackages
@@ -104,15 +106,41 @@ def test_home_and_logs_are_in_the_scratch_folder(play: Play, tmp_path: Path) -> 
     lines = [line.text for line in play.events(OutputLine)]
     scratch = tmp_path / "scratch"
     for wanted in (
-        f"HOME={scratch}",
+        f"HOME={scratch}/home",
         f"TMPDIR={scratch}",
         f"ROS_LOG_DIR={scratch}/log",
         "GIVEN=from the environment",
         "EXTRA=from the scenario",
         "PYTHONDONTWRITEBYTECODE=1",
-        str(scratch),
+        "ROS2COURSE_ARENA=1",
+        f"{scratch}/home",
     ):
         assert wanted in lines
+
+
+def test_parameters_remaps_and_a_name_for_its_nodes(play: Play) -> None:
+    play.install("talker", "import sys\nprint(*sys.argv[1:], sep='|')\n")
+    program = play.arena.run(
+        "talk", "talker", "more", params={"quote": "1"}, remaps={"a": "b"}, node_name="other"
+    )
+    assert program is not None
+    assert program.wait(WAIT)
+    (line,) = play.events(OutputLine)
+    assert line.text == 'more|--ros-args|-p|quote:="1"|-r|a:=b|-r|__node:=other'
+
+
+def test_a_launch_file_is_started_as_ros2_launch_does(play: Play, tmp_path: Path) -> None:
+    command = tmp_path / "bin" / "ros2"
+    command.parent.mkdir()
+    command.write_text('#!/bin/sh\necho "$@"\n')
+    command.chmod(0o755)
+    path = f"{command.parent}:/usr/bin:/bin"
+    arena = Arena(cast(Any, NoRecorder()), BuiltPackages(), {"PATH": path}, sys.executable, tmp_path)
+    program = arena.launch("talk", "talk_launch.py", speed="2 m/s")
+    assert program.wait(WAIT)
+    assert program.name == "talk_launch.py"
+    (line,) = arena.timeline.of(OutputLine)
+    assert line.text == "launch talk talk_launch.py speed:=2 m/s"
 
 
 # waiting
@@ -173,6 +201,17 @@ def test_a_deaf_program_is_marked_and_killed(play: Play) -> None:
     play.arena.interrupt(program, grace=0.1)
     assert [mark.name for mark in play.events(Marked)] == ["ignored Ctrl+C: talker"]
     assert play.events(ProcessExited)[0].signal == signal.SIGKILL
+
+
+def test_what_a_program_leaves_running_is_recorded(play: Play) -> None:
+    # It says that it is ready once it is in a session of its own, out of reach of Ctrl+C.
+    left_behind = "setsid sh -c 'echo ready; exec sleep 100' & wait"
+    program = play.arena.start("sh", "-c", left_behind, name="it")
+    assert play.arena.until(lambda: play.arena.printed("ready"), timeout=WAIT)
+    play.arena.interrupt(program, grace=WAIT)
+    (left,) = play.events(ProcessLeft)
+    os.kill(left.pid, signal.SIGKILL)
+    assert (left.process, left.command) == ("it", ("sleep", "100"))
 
 
 def test_interrupting_what_never_ran_does_nothing(play: Play) -> None:

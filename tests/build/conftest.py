@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 import sys
 from collections.abc import Callable
@@ -9,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from course.build import BuildOutcome, Store, Workspace, build, one
+from course.arena.sandbox.once import Confinement
+from course.build import BuildOutcome, Store, Workspace, build, confined, one
 from course.build.colcon import colcon_command
 from course.rosenv import Ros, find_ros, prepare
 
@@ -63,6 +65,8 @@ def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[s
         return [sys.executable, "-S", "-c", QUICK_BUILD, *map(str, arguments)]
 
     monkeypatch.setattr(one, colcon_command.__name__, quick)
+    # What these write beside the package is how tests look on.
+    monkeypatch.setattr(confined, "confinement", lambda *_: contextlib.nullcontext(Confinement()))
     return lambda: file.read_text().split() if file.exists() else []
 
 

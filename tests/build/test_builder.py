@@ -12,6 +12,7 @@ import psutil
 import pytest
 
 from course.build import BuildOutcome, Interrupt, Interrupted, Store, Workspace, build, builder, one, sources
+from course.build.digest.machine import Machine
 from course.build.manifest import ManifestFault
 from course.errors import MissingHere, StorageError, UsageError
 from course.rosenv import Ros
@@ -266,8 +267,13 @@ def test_too_many_files_are_refused(
     ]
 
 
-def test_a_full_disk_during_the_build_is_not_the_learners(built: Built, runs: Runs, src: Path) -> None:
+def test_a_full_disk_during_the_build_is_not_the_learners(
+    built: Built, runs: Runs, src: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (src / "small_node/quick.py").write_text("sys.exit('error: [Errno 28] No space left on device')")
+    outcome = built("small_node")
+    assert outcome.failure is not None, "anybody can print that"
+    monkeypatch.setattr(Machine, "is_full", lambda _: True)
     with pytest.raises(StorageError, match="disk is full"):
         built("small_node")
 

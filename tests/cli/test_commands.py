@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import subprocess
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 import pytest
+
+from course.cli import shell
+from course.errors import MissingHere
 
 if TYPE_CHECKING:
     from tests.cli.conftest import Checker, Ros2course
@@ -112,6 +116,23 @@ class TestInit:
         assert f"Made a course home: {tmp_path / 'there'}" in run.out
         assert "ros2course next" in run.out
         assert (tmp_path / "there/ros2_tutorial_workspace/src").is_dir()
+
+    def test_it_tells_the_line_that_readies_a_terminal(self, ros2course: Ros2course) -> None:
+        line = next(line for line in ros2course("init").out.splitlines() if "source " in line)
+        command = ["bash", "-ec", f"{line}; ros2 pkg list"]
+        run = subprocess.run(command, capture_output=True, text=True, check=True)
+        assert "rclpy" in run.stdout.split()
+
+    def test_a_machine_without_ros_gets_a_home_all_the_same(
+        self, ros2course: Ros2course, home: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        def missing() -> NoReturn:
+            raise MissingHere("no ROS 2", "install it")
+
+        monkeypatch.setattr(shell, "setup_line", missing)
+        run = ros2course("init")
+        assert (run.code, run.err, "source " in run.out) == (0, "", False)
+        assert home.is_dir()
 
     def test_by_default_in_the_home(self, ros2course: Ros2course, home: Path) -> None:
         ros2course("init")

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from course.arena import containment, enclosure, restrictions
+from course.arena.sandbox import control_groups
 from course.cli import findings
 from course.errors import MissingHere
 from course.report.machine import Finding, State
@@ -65,9 +67,35 @@ def test_no_ros_says_what_its_error_says(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_no_bubblewrap_is_no_obstacle(only: Path) -> None:
-    found = findings.namespaces()
+    found = findings.containment()
     assert found.state is State.LESS
-    assert "bubblewrap" in found.found
+    assert "bubblewrap is not installed" in found.found
+    assert "--no-sandbox" in (found.next_step or "")
+
+
+def test_full_containment_says_how_it_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(containment, "sandbox_obstacle", lambda: None)
+    for available, words in ((True, "(control groups)"), (False, "are watched")):
+        monkeypatch.setattr(control_groups, "available", lambda available=available: available)
+        found = findings.containment()
+        assert found.state is State.OK
+        assert words in found.found
+
+
+def test_a_restriction_of_the_system_is_named_with_its_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(containment, "sandbox_obstacle", lambda: "not allowed")
+    found_one = restrictions.Restriction("It is off.", "Do this.")
+    monkeypatch.setattr(restrictions, "restriction", lambda: found_one)
+    found = findings.containment()
+    assert (found.state, found.found) == (State.LESS, "not allowed. It is off.")
+    assert (found.next_step or "").startswith("Do this. Checks of your own code work")
+
+
+def test_one_layer_is_said_to_be_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(containment, "sandbox_obstacle", lambda: "no second one")
+    monkeypatch.setattr(enclosure, "namespace_obstacle", lambda: None)
+    monkeypatch.setattr(restrictions, "restriction", lambda: None)
+    assert findings.containment().found == "one layer of two: no second one"
 
 
 @pytest.mark.parametrize(("free", "state"), [(5.0, State.OK), (1.0, State.LESS), (0.1, State.MISSING)])
@@ -102,7 +130,7 @@ def test_a_disk_with_another_clock_is_seen(monkeypatch: pytest.MonkeyPatch, tmp_
 def test_doctor_ends_with_4_only_when_something_needed_is_missing(
     ros2course: Ros2course, home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for name in ("ros", "colcon", "namespaces"):
+    for name in ("ros", "colcon", "containment"):
         monkeypatch.setattr(findings, name, lambda: ROS)
     monkeypatch.setattr(findings, "program", lambda name, package: Finding(name, State.OK, "here"))
     without_home = ros2course("doctor")
@@ -118,6 +146,6 @@ def test_doctor_ends_with_4_only_when_something_needed_is_missing(
 def test_this_very_machine_is_described(ros2course: Ros2course, home: Path) -> None:
     ros2course("init")
     run = ros2course("doctor")
-    for name in ("ROS 2", "Python", "colcon", "g++", "cmake", "bubblewrap", "course home", "cache", "clock"):
+    for name in ("ROS 2", "Python", "colcon", "g++", "cmake", "containment", "course home", "cache", "clock"):
         assert f"  {name} " in run.out
     assert home.name in "".join(run.out.split())  # a long path is wrapped anywhere

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -35,6 +36,16 @@ def test_an_exercise_is_read_whole(small_course: Path) -> None:
     assert [Path(file).name for file in dim.files] == ["dim.py", "names.py"]
     assert dim.time_limit == 20.0
     assert (len(dim.hints), dim.after) == (3, None)
+
+
+def test_an_exercise_about_files_of_the_home(
+    small_course: Path, change: Callable[[str, str, str], Path]
+) -> None:
+    new = "    time_limit: 20\n    looks_at: ['*', a_folder]\n    bonus: true\n    local_only: true\n"
+    change("chapters/04-lanterns/lesson.yaml", "    time_limit: 20\n", new)
+    light, dim = (open_course(small_course).exercise(name) for name in ("04-light", "04-dim"))
+    assert (dim.looks_at, dim.bonus, dim.local_only) == (("*", "a_folder"), True, True)
+    assert (light.looks_at, light.bonus, light.local_only) == ((), False, False)
 
 
 def test_what_is_left_out_has_a_default(small_course: Path) -> None:

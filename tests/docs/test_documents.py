@@ -10,11 +10,16 @@ from pathlib import Path
 import pytest
 
 from course.arena.arena import Arena
+from course.content import open_course, problems
 from course.evidence.recording import Recording
+from course.grading import trial
+from course.grading.mystery.load import questions_for
+from course.grading.quiz.check import check_quiz
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 CODE = re.compile(r"```python\n(.*?)```", re.DOTALL)
+YAML = re.compile(r"```yaml\n(.*?)```", re.DOTALL)
 CALLED = {"arena": Arena, "recording": Recording}
 
 
@@ -27,6 +32,31 @@ def test_the_sample_grader_is_a_grader() -> None:
     exec(compile(blocks("writing-a-grader.md")[0], "sample", "exec"), names)
     talker = names["talker"]
     assert list(talker.checks) == ["builds", "starts", "topic", "rate"]  # type: ignore[attr-defined]
+
+
+def test_the_sample_quiz_and_mystery_are_right(tmp_path: Path) -> None:
+    quiz, mistake, computed = YAML.findall((DOCS / "writing-a-grader.md").read_text(encoding="utf-8"))
+    mystery = "  - id: 19-inspect-topics\n    title: t\n    summary: s\n" + computed
+    for number, exercise in (("01", quiz), ("19", mystery)):
+        chapter = tmp_path / f"chapters/{number}-sample"
+        chapter.mkdir(parents=True)
+        head = f"chapter: {int(number)}\ntitle: Sample\nsummary: A sample.\nexercises:\n"
+        (chapter / "lesson.yaml").write_text(head + exercise, encoding="utf-8")
+        for text in ("lesson.md", "01-terminal-quiz.md" if number == "01" else "19-inspect-topics.md"):
+            (chapter / text).write_text("# Sample\n\nText.\n", encoding="utf-8")
+    (tmp_path / "chapters/01-sample/mistakes.yaml").write_text(f"mistakes:\n{mistake}", encoding="utf-8")
+    (tmp_path / "chapters/19-sample/play").mkdir()
+    play, grader = (text for text in blocks("writing-a-grader.md") if "draw(" in text or "Mystery(" in text)
+    (tmp_path / "chapters/19-sample/play/19-inspect-topics.py").write_text(play, encoding="utf-8")
+    (tmp_path / "graders").mkdir()
+    (tmp_path / "graders/ch19_sample.py").write_text(grader, encoding="utf-8")
+    course = open_course(tmp_path)
+    assert problems(course) == ()
+    (asked,) = questions_for(course.exercise("19-inspect-topics"), 5)
+    assert asked.form == "number" and "{topic}" not in asked.ask
+    trial.lay_mistake(course, course.exercise("01"), course.exercise("01").mistakes()[0], tmp_path)
+    failed = [check.id for check in check_quiz(course.exercise("01"), tmp_path).checks if not check.earned]
+    assert failed == ["tab-key"]
 
 
 @pytest.mark.parametrize("owner", CALLED)

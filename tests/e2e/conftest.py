@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import pexpect
 import pytest
 
 REPO = Path(__file__).parents[2]
@@ -62,6 +64,32 @@ def run(environment: dict[str, str], guarded_home: Path) -> Run:
         )
 
     return call
+
+
+STYLING = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
+Type = Callable[..., str]
+
+
+@pytest.fixture
+def terminal(environment: dict[str, str], guarded_home: Path) -> Iterator[Type]:
+    """Type a command at an 80-column terminal; returns all it showed. `code`: what it must end with."""
+
+    def run(*words: str, code: int = 0) -> str:
+        child = pexpect.spawn(
+            COMMAND[0],
+            [*COMMAND[1:], *words],
+            env={**environment, "TERM": "xterm-256color"},
+            cwd=str(guarded_home),
+            dimensions=(24, 80),
+            encoding="utf-8",
+            timeout=300,
+        )
+        shown = STYLING.sub("", str(child.read()))
+        child.close()
+        assert child.exitstatus == code, shown
+        return shown
+
+    yield run
 
 
 def lay(chapter: str, home: Path) -> None:

@@ -25,9 +25,9 @@ def solved_home(run: Run, folder: Path) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("mode", ["namespaces", "domain"])
+@pytest.mark.parametrize("mode", ["contained", "domain"])
 def test_a_right_and_a_wrong_publisher(run: Run, guarded_home: Path, mode: str) -> None:
-    option = "--namespaces" if mode == "namespaces" else "--no-namespaces"
+    option = "--namespaces" if mode == "contained" else "--no-namespaces"
     right, wrong = solved_home(run, guarded_home / "right"), solved_home(run, guarded_home / "wrong")
     file = wrong / NODE
     file.write_text(

@@ -13,6 +13,7 @@ import pytest
 from course.evidence import events as kinds
 from course.evidence.events import Event
 from course.evidence.graph import Endpoint, Graph, Qos, Service
+from course.evidence.home_files import HomeEntry
 from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
@@ -22,6 +23,7 @@ from course.rosenv import find_ros, node_environment, prepare
 TIMEOUT = 120.0
 STRING = "std_msgs/msg/String"
 NUMBER = "std_msgs/msg/Int32"
+ADD = "example_interfaces/srv/AddTwoInts"
 HELLO = b"\0\1\0\0\6\0\0\0hello\0"
 GRAPH = Graph(
     ("/listener", "/talker"),
@@ -29,7 +31,10 @@ GRAPH = Graph(
         Endpoint("/talk", "publisher", "/talker", STRING, "RIHS01_1", Qos()),
         Endpoint("/talk", "subscription", "", STRING, "RIHS01_1", Qos("best_effort", deadline=0.5)),
     ),
-    (Service("/add", "example_interfaces/srv/AddTwoInts", "RIHS01_2", "RIHS01_3"), Service("/x", "a/srv/B")),
+    (
+        Service("/add", ADD, "RIHS01_2", "RIHS01_3", ("/adder",), ("/asker", "/robot/asker")),
+        Service("/x", "a/srv/B"),
+    ),
 )
 
 # At least one of each kind; some at the same moment, which must stay in their order.
@@ -47,12 +52,26 @@ EVENTS: tuple[Event, ...] = (
     kinds.MessagesLost(0.5, "/talk", 3),
     kinds.MessagesCut(0.6, "/talk"),
     kinds.OutputCut(0.7, "talker", 10**12),
+    kinds.ServiceCalled(0.75, "/add", ADD, "client", "1.0", "client 1", b"\0\1\0\0"),
+    kinds.ServiceCalled(0.76, "/add", ADD, "server", "2.1", "", b"\xff"),
+    kinds.ServiceAnswered(0.77, "/add", ADD, "client", "1.0", b""),
+    kinds.ProcessLeft(0.78, "talker", 4711, ("python3", "häufig")),
     kinds.FileKept(0.8, "notes.txt", "one\ntwo\n"),
     kinds.FileKept(0.8, "lost.txt", None),
     kinds.Marked(0.9, "gave up: a message", "details"),
     kinds.Marked(0.9, "done"),
     kinds.SignalSent(1.0, "talker", 2),
+    kinds.LimitReached(1.05, "memory", 1024.0),
     kinds.ProcessExited(1.1, "talker", 1, None),
+    kinds.ProgramMissing(1.1, "script", "python/script.py"),
+    kinds.ShellPrompt(1.1, "bash", 127),
+    kinds.ShellReady(1.1, "bash", ("bash: alias: =: not found",)),
+    kinds.ShellRan(1.1, "bash", "say_hello", ("hello",), 0, 1.0),
+    kinds.ShellRan(1.1, "bash", "sleep 100", (), None, 1.0),
+    kinds.ShellStuck(1.1, "bash", "running", "sleep 100", ()),
+    kinds.Drawn(1.1, 2**62 + 7),
+    kinds.Acted(1.1, "greeted", "good evening"),
+    kinds.Probed(1.1, "probe", ('{"question": "sum", "value": 3, "type": "int"}',), True),
     kinds.ProcessExited(1.2, "walker", None, 9),
 )
 
@@ -69,6 +88,9 @@ def recording() -> Recording:
         Sources({"src/talk/setup.py": "häufig\n"}, ("picture.png",)),
         BuiltPackages((BuiltPackage("talk", "src/talk", "/store/talk", ("talker",)),), feedback),
         1.5,
+        (HomeEntry("a_folder", "folder", 0o755, 4096), HomeEntry("way", "link", target="/elsewhere")),
+        local=False,
+        scenario="abc",
     )
 
 
@@ -86,13 +108,13 @@ class Sample:
 SERIALISE = Path(__file__).with_name("serialise.py")
 
 
-def ros_python(script: Path, **variables: str) -> str:
+def ros_python(script: Path, *arguments: str, **variables: str) -> str:
     """What a Python of this machine's ROS prints."""
     ros = find_ros()
     prepare(ros)
     environment = node_environment(ros)
     done = subprocess.run(
-        [str(ros.python), str(script)],
+        [str(ros.python), str(script), *arguments],
         env={**environment, **variables, "PYTHONPATH": _path(environment)},
         capture_output=True,
         text=True,

@@ -96,6 +96,12 @@ with Recorder(timeline) as recorder:
         except OurFault as error:
             found[name] = error.what
     found["graphs"] = any(timeline.of(GraphSeen))
+    module.MAX_ENDPOINTS, kept = 0, len(list(timeline.of(GraphSeen)))
+    for name in ("/more", "/and_more"):
+        talker.create_publisher(String, name, 1)
+        timeline.wait_until(lambda name=name: name in recorder.graph.topics_of("publisher"), WAIT)
+    found["graphs kept after the cut"] = len(list(timeline.of(GraphSeen))) - kept
+    found["still looking"] = "/and_more" in recorder.graph.topics_of("publisher")
     recording = Recording("x", timeline.events(), recorder.definitions)
 
 found["log"] = [(line.node, line.level, line.text) for line in recording.log]

@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from course.evidence.graph import Endpoint, Qos, Service
-from course.evidence.graph_reader import GraphReader, full_name
+from course.evidence.graph_reader import GraphReader
+from course.evidence.service_reader import full_name
 
 STRING = "std_msgs/msg/String"
 ADD = "example_interfaces/srv/AddTwoInts"
@@ -18,7 +19,13 @@ FOR_EVER = 9223372036854775807
 UNKNOWN = "_NODE_NAME_UNKNOWN_"
 
 
-def info(node: str, reliability: str = "RELIABLE", deadline: int = FOR_EVER, namespace: str = "/") -> Any:
+def info(
+    node: str,
+    reliability: str = "RELIABLE",
+    deadline: int = FOR_EVER,
+    namespace: str = "/",
+    type_name: str = STRING,
+) -> Any:
     def policy(name: str) -> SimpleNamespace:
         return SimpleNamespace(name=name)
 
@@ -31,7 +38,7 @@ def info(node: str, reliability: str = "RELIABLE", deadline: int = FOR_EVER, nam
     return SimpleNamespace(
         node_name=node,
         node_namespace=namespace,
-        topic_type=STRING,
+        topic_type=type_name,
         topic_type_hash="RIHS01_1",
         qos_profile=profile,
     )
@@ -73,6 +80,9 @@ class World:
 
     def count_services(self, service: str) -> int:
         return len(self.subscriptions.get(f"rq{service}Request", []))
+
+    def count_clients(self, service: str) -> int:
+        return len(self.publishers.get(f"rq{service}Request", []))
 
     def get_service_names_and_types(self) -> list[tuple[str, list[str]]]:
         return list(self.services)
@@ -151,7 +161,7 @@ def test_services_with_the_hashes_of_their_server() -> None:
     graph = GraphReader(world).read_if_changed()
     assert graph is not None
     assert graph.services == (
-        Service("/add", "example_interfaces/srv/AddTwoInts", "RIHS01_1", "RIHS01_1"),
+        Service("/add", ADD, "RIHS01_1", "RIHS01_1", ("/adder",)),
         Service("/client_only", "example_interfaces/srv/AddTwoInts"),
     )
 
@@ -165,12 +175,12 @@ def test_a_server_is_known_by_both_hashes_or_none(first: str) -> None:
     ends[first][first] = [info("adder")]
     graph = reader.read_if_changed()
     assert graph is not None
-    assert graph.services == (Service("/add", ADD),)
+    assert [(s.request_hash, s.response_hash) for s in graph.services] == [("", "")]
     for name, end in ends.items():
         end[name] = [info("adder")]
     graph = reader.read_if_changed()
     assert graph is not None
-    assert graph.services == (Service("/add", ADD, "RIHS01_1", "RIHS01_1"),)
+    assert graph.services == (Service("/add", ADD, "RIHS01_1", "RIHS01_1", ("/adder",)),)
     assert reader.read_if_changed() is None
 
 
@@ -181,7 +191,63 @@ def test_a_server_that_comes_after_its_client_is_seen() -> None:
     world.subscriptions["rq/addRequest"] = world.publishers["rr/addReply"] = [info("adder")]
     graph = reader.read_if_changed()
     assert graph is not None
-    assert graph.services == (Service("/add", ADD, "RIHS01_1", "RIHS01_1"),)
+    assert graph.services == (Service("/add", ADD, "RIHS01_1", "RIHS01_1", ("/adder",)),)
+
+
+def test_servers_and_clients_by_their_nodes() -> None:
+    world = World(services=[("/add", [ADD])])
+    world.subscriptions["rq/addRequest"] = world.publishers["rr/addReply"] = [info("adder"), info("other")]
+    world.publishers["rq/addRequest"] = [info("asker", namespace="/robot"), info("recorder")]
+    graph = GraphReader(world).read_if_changed()
+    assert graph is not None
+    (service,) = graph.services
+    assert (service.servers, service.clients) == (("/adder", "/other"), ("/robot/asker",))
+
+
+def test_a_client_that_comes_later_is_seen() -> None:
+    world = World(services=[("/add", [ADD])])
+    reader = GraphReader(world)
+    reader.read_if_changed()
+    world.publishers["rq/addRequest"] = [info("asker")]
+    graph = reader.read_if_changed()
+    assert graph is not None
+    assert graph.services[0].clients == ("/asker",)
+
+
+def test_it_looks_again_until_a_client_has_a_name() -> None:
+    world = World(services=[("/add", [ADD])])
+    world.publishers["rq/addRequest"] = [info(UNKNOWN)]
+    reader = GraphReader(world)
+    reader.read_if_changed()
+    world.publishers["rq/addRequest"] = [info("asker")]
+    graph = reader.read_if_changed()
+    assert graph is not None
+    assert graph.services[0].clients == ("/asker",)
+    assert reader.read_if_changed() is None
+
+
+@pytest.mark.parametrize("end", ["server", "client"])
+def test_services_that_only_the_reading_node_knows_are_left_out(end: str) -> None:
+    world = World(services=[("/add", [ADD])])
+    if end == "client":
+        world.publishers["rq/addRequest"] = [info("recorder")]
+    else:
+        world.subscriptions["rq/addRequest"] = world.publishers["rr/addReply"] = [info("recorder")]
+    graph = GraphReader(world).read_if_changed()
+    assert graph is not None
+    assert graph.services == ()
+
+
+def test_two_types_on_one_name_are_kept_apart() -> None:
+    """The reading node's own client has the right type, the server another one."""
+    set_bool, trigger = "std_srvs::srv::dds_::SetBool_{}_", "std_srvs::srv::dds_::Trigger_{}_"
+    world = World(services=[("/x", ["std_srvs/srv/SetBool", "std_srvs/srv/Trigger"])])
+    world.publishers["rq/xRequest"] = [info("recorder", type_name=set_bool.format("Request"))]
+    world.subscriptions["rq/xRequest"] = [info("server", type_name=trigger.format("Request"))]
+    world.publishers["rr/xReply"] = [info("server", type_name=trigger.format("Response"))]
+    graph = GraphReader(world).read_if_changed()
+    assert graph is not None
+    assert graph.services == (Service("/x", "std_srvs/srv/Trigger", "RIHS01_1", "RIHS01_1", ("/server",)),)
 
 
 @pytest.mark.parametrize(

@@ -12,8 +12,9 @@ from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
 from course.errors import StorageError
+from course.evidence import event_json
 from course.evidence.events import MessageSeen, OutputLine
-from course.evidence.mcap_file import EVENTS, BadRecording, load, save
+from course.evidence.mcap_file import EVENTS, BadRecording, OtherFormat, load, save
 from course.evidence.recording import Recording
 
 from .conftest import HELLO, NUMBER, STRING
@@ -116,6 +117,7 @@ def damaged(file: Path, recording: Recording, data: bytes) -> bool:
         assert load(other) == recording
     except BadRecording as error:
         assert str(other) in str(error)
+        assert not isinstance(error, OtherFormat)
         return True
     return False
 
@@ -159,8 +161,29 @@ def test_a_later_version_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     with monkeypatch.context() as patch:
         patch.setattr("course.evidence.mcap_file._VERSION", "2")
         save(Recording("x"), tmp_path / "x", began_ns=BEGAN)
-    with pytest.raises(BadRecording, match="version 2"):
+    with pytest.raises(OtherFormat, match="version 2"):
         load(tmp_path / "x")
+
+
+def test_an_event_that_is_not_known_here_is_no_damage(
+    file: Path, recording: Recording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    known = {name: kind for name, kind in event_json._KINDS.items() if name != "Marked"}
+    monkeypatch.setattr(event_json, "_KINDS", known)
+    with pytest.raises(OtherFormat, match="Marked"):
+        load(file)
+
+
+def test_a_recording_from_before_scenarios_were_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from mcap.writer import Writer
+
+    def as_before(writer: Writer, name: str, data: dict[str, str]) -> None:
+        add(writer, name, {key: value for key, value in data.items() if key != "scenario"})
+
+    add = Writer.add_metadata
+    monkeypatch.setattr(Writer, "add_metadata", as_before)
+    save(Recording("x", scenario="abc"), tmp_path / "x", began_ns=BEGAN)
+    assert load(tmp_path / "x") == Recording("x")
 
 
 # storage

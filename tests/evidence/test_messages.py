@@ -77,6 +77,20 @@ def test_the_first_prefix_that_has_it_counts(tmp_path: Path) -> None:
     assert full_definition("talk/msg/Word", [tmp_path / "0", one, other]) == "int8 a"
 
 
+def test_both_halves_of_a_service(tmp_path: Path) -> None:
+    root = prefix(tmp_path, talk__Word="string text\n")
+    file = root / "share" / "talk" / "srv" / "Say.srv"
+    file.parent.mkdir()
+    file.write_text("Word word\nstring line  # --- no\n---\nbool heard\n")
+    request = full_definition("talk/srv/Say_Request", [root])
+    assert request.startswith("Word word\nstring line")
+    assert f"{SEPARATOR}\nMSG: talk/Word\nstring text" in request
+    assert "heard" not in request
+    assert full_definition("talk/srv/Say_Response", [root]) == "bool heard\n"
+    file.write_text("---\n")
+    assert [full_definition(f"talk/srv/Say_{half}", [root]) for half in ("Request", "Response")] == ["", ""]
+
+
 @pytest.mark.parametrize("missing", ["talk/msg/Word", "talk/msg/Other"])
 def test_an_unknown_type_is_named(tmp_path: Path, missing: str) -> None:
     root = prefix(tmp_path, talk__Talk="Word w\n", talk__Word="Other o\n")

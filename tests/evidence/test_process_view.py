@@ -137,3 +137,11 @@ def test_only_what_was_printed_after_a_time_counts() -> None:
     assert view(*early).traceback(after=1.0) != ()
     assert view(*early).traceback(after=1.1) == ()
     assert view(*early, text=SYNTAX, t=2.0).traceback(after=1.5) == tuple(SYNTAX.splitlines())
+
+
+@pytest.mark.parametrize("kind", ["SyntaxError: expected ':'", "IndentationError: unexpected indent"])
+def test_a_script_that_python_cannot_read_has_no_traceback_line(kind: str) -> None:
+    lines = ("hello", '  File "~/a.py", line 3', "    while True", "              ^", kind)
+    view = ProcessView.of("p", tuple(OutputLine(n / 10, "p", text) for n, text in enumerate(lines)))
+    assert view.traceback() == lines[1:]
+    assert ProcessView.of("p", (OutputLine(0.0, "p", kind),)).traceback() == ()

@@ -50,6 +50,11 @@ def test_the_graph_is_without_the_recorder(found: dict[str, Any]) -> None:
     assert found["graphs"]
 
 
+def test_a_graph_that_grows_without_end_is_watched_and_not_kept(found: dict[str, Any]) -> None:
+    assert found["still looking"]
+    assert found["graphs kept after the cut"] == 0
+
+
 def test_an_unknown_type_is_our_fault(found: dict[str, Any]) -> None:
     for name in ("no_such_package/msg/String", "std_msgs/msg/Strin"):
         assert name in found[name]

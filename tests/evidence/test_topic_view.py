@@ -93,8 +93,8 @@ def test_of_a_topic() -> None:
 
 def test_a_message_that_cannot_be_read_has_no_data() -> None:
     decoder = Decoder({STRING: "string data"})
-    assert Message.of(1.0, STRING, HELLO, decoder).data.data == "hello"
-    assert Message.of(1.0, STRING, b"\0\1\0\0", decoder).data is None
+    assert Message.of(1.0, "/talk", STRING, HELLO, decoder).data.data == "hello"
+    assert not Message.of(1.0, "/talk", STRING, b"\0\1\0\0", decoder).data
 
 
 @pytest.mark.parametrize(("level", "name"), [(10, "DEBUG"), (20, "INFO"), (40, "ERROR"), (21, "21")])

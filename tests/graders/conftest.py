@@ -11,6 +11,8 @@ from course.build import Store
 from course.content import Course, Exercise, open_course
 from course.grading.check import check_exercise
 from course.grading.result import Result
+from course.grading.trial_answers import SEED
+from course.home import create_home
 from course.rosenv import find_ros
 
 Check = Callable[[Exercise, Path], Result]
@@ -29,12 +31,10 @@ def store(tmp_path_factory: pytest.TempPathFactory) -> Store:
 
 @pytest.fixture
 def home(tmp_path: Path) -> Path:
-    folder = tmp_path / "home"
-    (folder / "ros2_tutorial_workspace" / "src").mkdir(parents=True)
-    return folder
+    return create_home(tmp_path / "home").path
 
 
 @pytest.fixture
 def check(store: Store) -> Check:
     ros = find_ros()
-    return lambda exercise, home: check_exercise(exercise, home, ros=ros, store=store)
+    return lambda exercise, home: check_exercise(exercise, home, ros=ros, store=store, seed=SEED)

@@ -15,6 +15,8 @@ from .conftest import Check
 pytestmark = pytest.mark.slow
 
 EXERCISES = open_course().exercises()
+# No tree of files solves what is about the learner's own machine; see test_own_machine.py.
+SOLVED = [exercise for exercise in EXERCISES if not exercise.local_only]
 OTHER_WAYS = [(exercise, other) for exercise in EXERCISES for other in exercise.alternatives()]
 
 
@@ -25,7 +27,7 @@ def complaints(result: Result) -> list[str]:
     return [*fault, *(f"{check.id}: {check.feedback or check.skipped_because}" for check in others)]
 
 
-@pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.id)
+@pytest.mark.parametrize("exercise", SOLVED, ids=lambda e: e.id)
 def test_the_reference_earns_all_points(exercise: Exercise, course: Course, home: Path, check: Check) -> None:
     trial.lay_solution(course, exercise, home)
     result = check(exercise, home)
@@ -51,4 +53,5 @@ def test_the_starter_runs_but_does_not_pass(
     trial.lay_starter(course, exercise, home)
     result = check(exercise, home)
     assert result.verdict is Verdict.NOT_PASSED, complaints(result)
-    assert next(c for c in result.checks if c.id == "builds").outcome is Outcome.PASSED
+    if exercise.starter.is_dir() and exercise.packages:  # else the learner begins with an empty workspace
+        assert next(c for c in result.checks if c.id == "builds").outcome is Outcome.PASSED

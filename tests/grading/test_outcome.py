@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from course.errors import OurFault
-from course.feedback import Failure, Feedback
+from course.feedback import Failure, Feedback, NotApplicable, Spoilt
 from course.grading.author import CheckSpec
-from course.grading.outcome import our_error, passed, raised, skipped, unmet
+from course.grading.outcome import is_spoilt, our_error, out_of_reach, passed, raised, skipped, unmet
 from course.grading.result import CheckResult, Outcome
 
 SPEC = CheckSpec("rate", "it is quick", 2, True, ("builds", "starts"), "01-toy")
@@ -35,6 +35,16 @@ def test_anything_else_is_ours(error: BaseException) -> None:
     assert found.feedback is not None
     assert type(error).__name__ in found.feedback.summary
     assert "not yours" in str(found.feedback.advice)
+
+
+def test_a_spoilt_recording_is_ours_and_worth_another() -> None:
+    found = raised(SPEC, Spoilt("rclpy fell over."))
+    assert found.outcome is Outcome.ERROR
+    assert found.feedback is not None
+    assert found.feedback.summary == "The recording is spoilt: rclpy fell over."
+    assert found.feedback.details == ()
+    assert is_spoilt([passed(SPEC), found])
+    assert not is_spoilt([passed(SPEC), raised(SPEC, Failure(FEEDBACK)), raised(SPEC, ValueError("x"))])
 
 
 def test_our_error_tells_where_it_was_in_a_few_lines() -> None:
@@ -72,3 +82,16 @@ def test_what_a_check_needs_must_have_passed(outcome: Outcome) -> None:
 def test_all_needs_are_met() -> None:
     done = {name: result(name, Outcome.PASSED) for name in SPEC.needs}
     assert unmet(SPEC, done, {}) is None
+
+
+def test_what_cannot_be_judged_here_is_nobodys_fault() -> None:
+    found = raised(SPEC, NotApplicable("No package index can be reached."))
+    assert (found.outcome, found.earned) == (Outcome.NOT_APPLICABLE, 0)
+    assert found.skipped_because == "No package index can be reached."
+    assert found.feedback is None
+
+
+def test_what_needs_it_cannot_be_judged_either() -> None:
+    gone = CheckResult("starts", "starts", 1, Outcome.NOT_APPLICABLE, skipped_because="no index")
+    assert out_of_reach(SPEC, {"builds": result("builds", Outcome.PASSED), "starts": gone}) == "no index"
+    assert out_of_reach(SPEC, {name: result(name, Outcome.FAILED) for name in SPEC.needs}) is None

@@ -18,6 +18,7 @@ from course.grading.result import (
     Timing,
     Verdict,
     from_json,
+    not_applicable,
     to_dict,
     to_json,
     verdict_of,
@@ -39,6 +40,7 @@ def check(outcome: Outcome, points: float = 1, **more: Any) -> CheckResult:
 
 PASSED, FAILED = check(Outcome.PASSED), check(Outcome.FAILED, 2, feedback=FEEDBACK)
 SKIPPED = check(Outcome.SKIPPED, 3, skipped_because="needs «a title»")
+NOT_HERE = check(Outcome.NOT_APPLICABLE, 7, skipped_because="no package index")
 ERROR = check(Outcome.ERROR, 4, feedback=Feedback("our fault"))
 BONUS, NO_BONUS = check(Outcome.PASSED, 5, bonus=True), check(Outcome.FAILED, 6, bonus=True)
 
@@ -55,6 +57,8 @@ BONUS, NO_BONUS = check(Outcome.PASSED, 5, bonus=True), check(Outcome.FAILED, 6,
         Result("x", Verdict.OUR_ERROR, (), Timing(), FEEDBACK, "namespaces", ("one note", "another")),
         Result("y", Verdict.NOT_AVAILABLE),
         Result("", Verdict.PASSED, (PASSED,)),
+        Result("z", Verdict.NOT_APPLICABLE, (NOT_HERE,), bonus=True),
+        not_applicable("z", "it is about your own machine"),
     ],
 )
 @pytest.mark.parametrize("indent", [None, 2])
@@ -124,6 +128,12 @@ def test_a_damaged_result_is_refused(field: str, value: object) -> None:
         ((PASSED, ERROR), Verdict.OUR_ERROR),
         ((FAILED, ERROR), Verdict.OUR_ERROR),
         ((PASSED, replace(ERROR, bonus=True)), Verdict.OUR_ERROR),
+        # What does not apply takes no part.
+        ((PASSED, NOT_HERE), Verdict.PASSED),
+        ((FAILED, NOT_HERE), Verdict.NOT_PASSED),
+        ((BONUS, NOT_HERE), Verdict.NOT_APPLICABLE),
+        ((NOT_HERE,), Verdict.NOT_APPLICABLE),
+        ((NOT_HERE, ERROR), Verdict.OUR_ERROR),
         # Nothing passes for lack of evidence.
         ((BONUS,), Verdict.NOT_PASSED),
         ((SKIPPED,), Verdict.NOT_PASSED),
@@ -134,9 +144,10 @@ def test_verdicts(checks: tuple[CheckResult, ...], verdict: Verdict) -> None:
 
 
 def test_points() -> None:
-    result = Result("x", Verdict.NOT_PASSED, (PASSED, FAILED, SKIPPED, ERROR, BONUS, NO_BONUS))
+    checks = (PASSED, FAILED, SKIPPED, ERROR, BONUS, NO_BONUS, NOT_HERE)
+    result = Result("x", Verdict.NOT_PASSED, checks)
     assert (result.points, result.max_points) == (1 + 5, 1 + 2 + 3 + 4)
-    assert [one.earned for one in result.checks] == [1, 0, 0, 0, 5, 0]
+    assert [one.earned for one in result.checks] == [1, 0, 0, 0, 5, 0, 0]
 
 
 def test_places_as_text() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -69,3 +70,13 @@ def test_a_solution_that_lacks_the_file_is_our_fault(home: CourseHome, light: Ex
     with pytest.raises(ContentError, match="not in the reference solution") as caught:
         solution_diff(home, light)
     assert caught.value.file == Path(light.solution / LIGHT)
+
+
+def test_of_a_bashrc_the_addition_is_shown(home: CourseHome, light: Exercise, tmp_path: Path) -> None:
+    (tmp_path / ".bashrc").write_text("alias a=b\n")
+    exercise = replace(light, files=(".bashrc",), solution=tmp_path)
+    (home.path / ".bashrc").write_text("mine\n")
+    ((_, diff),) = solution_diff(home, exercise)
+    assert [line for line in diff.splitlines()[2:] if line[0] in "+-"] == ["+", "+alias a=b"]
+    (home.path / ".bashrc").write_text("alias a=b\nmine\n")
+    assert solution_diff(home, exercise)[0].diff == ""

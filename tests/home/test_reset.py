@@ -6,6 +6,7 @@ import errno
 import multiprocessing
 import os
 import stat
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
@@ -183,3 +184,12 @@ def test_a_folder_that_leads_out_is_not_written(
 
 def contents(folder: Path) -> dict[Path, bytes]:
     return {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_the_bashrc_is_saved_and_stays(worked: CourseHome, light: Exercise) -> None:
+    (worked.path / ".bashrc").write_text("mine\n")
+    report = reset(worked, replace(light, files=(*light.files, ".bashrc")))
+    assert (worked.path / ".bashrc").read_text() == "mine\n"
+    assert report.backup is not None
+    assert (report.backup / ".bashrc").read_text() == "mine\n"
+    assert ".bashrc" in report.kept

@@ -39,16 +39,19 @@ def test_the_two_commands(clone: Path) -> None:
     found = shell(clone, f'{tests} -m "not slow" --collect-only -q')
     assert "test_layers.py" in found.stdout
     assert shell(clone, "./ros2course list").stderr == ""
+    opened = shell(clone, f"{readme()[2].strip()} -c 'pwd && ros2 pkg list'").stdout.splitlines()
+    assert opened[0] == str(clone.parent / "home/ros2course")
+    assert {"rclpy", "ros2cli", "launch_ros", "example_interfaces"} <= set(opened)
 
 
 @pytest.mark.slow
 def test_without_the_launcher(clone: Path) -> None:
-    commands = readme()[2]
+    commands = readme()[3]
     assert "pip install '.[jazzy]'" in commands
     shell(clone, f"{sys.executable} -m venv venv")  # the README's python3, whatever is first on the PATH
     shell(clone, "\n".join(line for line in commands.splitlines() if "-m venv" not in line))
     # What was installed stands alone: the clone may go.
-    for name in ("course", "chapters", "graders", "solutions"):
+    for name in ("course", "chapters", "graders", "solutions", "underlay"):
         shutil.rmtree(clone / name)
     listed = shell(clone, "cd / && $OLDPWD/venv/bin/ros2course list").stdout
     chapters = [folder.name for folder in (REPO / "chapters").iterdir() if folder.is_dir()]
@@ -56,8 +59,10 @@ def test_without_the_launcher(clone: Path) -> None:
     for name in chapters:
         assert name.split("-")[0] in listed
     package = next(clone.glob("venv/lib/python3.*/site-packages/course/_course"))
-    for folder in ("chapters", "graders", "solutions"):
+    for folder in ("chapters", "graders", "solutions", "underlay/src"):
         assert names(package / folder) == names(REPO / folder)
+    told = shell(clone, "cd / && $OLDPWD/venv/bin/ros2course shell -c 'ros2 pkg prefix ros2cli'").stdout
+    assert told.strip() == f"{clone}/venv/share/ros2course/underlay"
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ import pytest
 
 from tests.launcher.machine import GUARD, REPO, Machine
 
-PACKAGES = {"git": "git", "g++": "g++", "cmake": "cmake", "make": "make", "bwrap": "bubblewrap"}
+PACKAGES = {"git": "git", "g++": "g++", "cmake": "cmake", "make": "make", "bwrap": "bubblewrap", "zsh": "zsh"}
 
 
 @pytest.fixture
@@ -39,7 +39,7 @@ def test_it_sets_up_then_lints_then_tests(checks: Machine) -> None:
         "ros2course --setup-only test",
         "ruff check .",
         "mypy ",
-        "shellcheck ros2course run-tests .ci/run",
+        "shellcheck ros2course run-tests .ci/run course/report/gradebook/scripts/*",  # none in this copy
         "python -m pytest -n 3 -m not slow",
     ]
 

@@ -6,7 +6,16 @@ import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from course.grading.result import CheckResult, Feedback, Location, Outcome, Result, Timing, Verdict
+from course.grading.result import (
+    CheckResult,
+    Feedback,
+    Location,
+    Outcome,
+    Result,
+    Timing,
+    Verdict,
+    not_applicable,
+)
 from course.report.terminal import render_result
 
 if TYPE_CHECKING:
@@ -146,3 +155,19 @@ def test_hostile_amounts_are_cut(page: Page) -> None:
     render_result(page.console, hostile_result(), Named())
     assert len(page.text) < 100_000
     assert "... 460 more lines ..." in page.text
+
+
+def test_what_does_not_apply_says_why_and_costs_nothing(page: Page) -> None:
+    gone = CheckResult(
+        "index", "Is installed", 2, Outcome.NOT_APPLICABLE, skipped_because="No `index` can be reached."
+    )
+    render_result(page.console, Result("x", Verdict.PASSED, (BUILDS, gone)), Named())
+    assert re.search(r"^  \.\.  Is installed$", page.text, re.M)
+    assert "      Does not count here: No `index` can be reached." in page.lines
+    assert "  Passed: 1 of 1 point." in page.text
+
+
+def test_a_whole_exercise_that_does_not_apply(page: Page) -> None:
+    render_result(page.console, not_applicable("x", "It is about your own machine."), Named())
+    assert "  Does not apply here. This attempt does not count." in page.text
+    assert "  Note: It is about your own machine." in page.text

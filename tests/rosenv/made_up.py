@@ -97,6 +97,11 @@ def write(path: Path, text: str) -> None:
     path.write_text(text, encoding="utf-8")
 
 
+def underlay(ros: Ros) -> Path:
+    """Where the packages that the course itself brings are offered for these wheels."""
+    return ros.prefix / "share/ros2course/underlay"
+
+
 def pip_ros(host: Host) -> Ros:
     """The wheels of this host, found without looking at the environment of the test."""
     return find_ros({}, host)

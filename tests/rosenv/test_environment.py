@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from course.rosenv import find_ros, node_environment
-from tests.rosenv.made_up import installed, no_wheels, pip_ros, wheels, workspace
+from tests.rosenv.made_up import installed, no_wheels, pip_ros, underlay, wheels, workspace
 
 
 def outer(tmp_path: Path, **more: str) -> dict[str, str]:
@@ -13,11 +13,12 @@ def outer(tmp_path: Path, **more: str) -> dict[str, str]:
 
 def test_the_wheels_get_everything_they_need(tmp_path: Path) -> None:
     ros = pip_ros(wheels(tmp_path / "venv"))
-    prefix, packages = ros.prefix, ros.python_packages
+    prefix, packages, ours = ros.prefix, ros.python_packages, underlay(ros)
     environment = node_environment(ros, environ=outer(tmp_path))
-    assert environment["AMENT_PREFIX_PATH"] == environment["CMAKE_PREFIX_PATH"] == str(prefix)
-    assert environment["PATH"] == f"{prefix}/bin:/usr/bin:/bin"
-    libraries = [f"{prefix}/lib", f"{packages}/ros_fastrtps.libs", f"{packages}/ros_rcl.libs"]
+    assert environment["AMENT_PREFIX_PATH"] == environment["CMAKE_PREFIX_PATH"] == f"{ours}:{prefix}"
+    assert environment["PATH"] == f"{ours}/bin:{prefix}/bin:/usr/bin:/bin"
+    assert environment["PYTHONPATH"].split(":")[0] == f"{ours}/lib/python3.11/site-packages"
+    libraries = [f"{ours}/lib", f"{prefix}/lib", f"{packages}/ros_fastrtps.libs", f"{packages}/ros_rcl.libs"]
     assert environment["LD_LIBRARY_PATH"].split(":") == libraries
     assert environment["_ROS_WHEELS_BOOTSTRAP_COMPLETE"] == "1"
     assert environment["VIRTUAL_ENV"] == str(prefix)
@@ -57,10 +58,11 @@ def test_overlays_lie_on_top_and_the_last_one_wins(tmp_path: Path) -> None:
     ros = pip_ros(wheels(tmp_path / "venv"))
     one, two = workspace(tmp_path / "store", "one", "two")
     environment = node_environment(ros, [one, two], outer(tmp_path))
-    assert environment["AMENT_PREFIX_PATH"] == f"{two}:{one}:{ros.prefix}"
-    assert environment["CMAKE_PREFIX_PATH"] == f"{two}:{one}:{ros.prefix}"
-    assert environment["PATH"].startswith(f"{two}/bin:{one}/bin:{ros.prefix}/bin:")
-    assert environment["LD_LIBRARY_PATH"].startswith(f"{two}/lib:{one}/lib:{ros.prefix}/lib:")
+    assert environment["AMENT_PREFIX_PATH"] == f"{two}:{one}:{underlay(ros)}:{ros.prefix}"
+    assert environment["CMAKE_PREFIX_PATH"] == f"{two}:{one}:{underlay(ros)}:{ros.prefix}"
+    assert environment["PATH"].startswith(f"{two}/bin:{one}/bin:{underlay(ros)}/bin:{ros.prefix}/bin:")
+    libraries = f"{two}/lib:{one}/lib:{underlay(ros)}/lib:{ros.prefix}/lib:"
+    assert environment["LD_LIBRARY_PATH"].startswith(libraries)
     site = "lib/python3.11/site-packages"
     assert environment["PYTHONPATH"].startswith(f"{two}/{site}:{one}/{site}")
     assert environment["PKG_CONFIG_PATH"] == f"{two}/lib/pkgconfig:{one}/lib/pkgconfig"
@@ -87,7 +89,7 @@ def test_another_ros_that_is_sourced_is_not_mixed_into_the_wheels(tmp_path: Path
         PYTHONPATH=f"{tmp_path}/humble/lib/python3.10/site-packages",
     )
     environment = node_environment(ros, environ=environ)
-    assert environment["PATH"] == f"{ros.prefix}/bin:/usr/bin"
+    assert environment["PATH"] == f"{underlay(ros)}/bin:{ros.prefix}/bin:/usr/bin"
     assert f"{tmp_path}/humble" not in ":".join(environment.values())
     assert str(mine) not in ":".join(environment.values())
 
@@ -126,6 +128,7 @@ def test_an_installed_ros_is_sourced_and_the_wheels_stay_out(tmp_path: Path) -> 
     assert environment["PATH"] == f"{tmp_path}/opt/bin:/usr/bin"
     assert "GZ_PATH" not in environment
     assert f"{tmp_path}/venv" not in ":".join(environment.values()), "the wheels were mixed in"
+    assert "underlay" not in ":".join(environment.values()), "our own packages were mixed in"
     assert environment["FASTDDS_BUILTIN_TRANSPORTS"] == "UDPv4"
 
 

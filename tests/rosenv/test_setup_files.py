@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from course.rosenv import Ros, node_environment, prepare, setup_script
-from tests.rosenv.made_up import installed, no_wheels, pip_ros, wheels, workspace
+from tests.rosenv.made_up import installed, no_wheels, pip_ros, underlay, wheels, workspace
 
 PLAIN = {"PATH": "/usr/bin:/bin", "HOME": "/nowhere"}
 SHELLS = ["bash", "dash", "zsh"]
@@ -59,13 +59,13 @@ def test_no_function_or_variable_of_ours_stays_behind(ros: Ros) -> None:
 
 
 def test_what_was_sourced_on_top_stays_on_top(ros: Ros, tmp_path: Path) -> None:
-    environ = {**PLAIN, "AMENT_PREFIX_PATH": f"/mine:{ros.prefix}"}
-    assert after("bash", '. "$1"', ros.prefix / "setup.bash", environ=environ)["AMENT_PREFIX_PATH"] == (
-        f"/mine:{ros.prefix}"
-    )
+    prefixes = f"/mine:{underlay(ros)}:{ros.prefix}"
+    environ = {**PLAIN, "AMENT_PREFIX_PATH": prefixes}
+    sourced = after("bash", '. "$1"', ros.prefix / "setup.bash", environ=environ)
+    assert sourced["AMENT_PREFIX_PATH"] == prefixes
     environ = {**PLAIN, "LD_LIBRARY_PATH": "/mine"}
     libraries = after("bash", '. "$1"', ros.prefix / "setup.bash", environ=environ)["LD_LIBRARY_PATH"]
-    assert libraries.startswith(f"{ros.prefix}/lib:")
+    assert libraries.startswith(f"{underlay(ros)}/lib:{ros.prefix}/lib:")
     assert libraries.endswith(":/mine")
 
 
@@ -86,3 +86,37 @@ def test_that_of_a_ros_built_from_source_lies_one_folder_higher(tmp_path: Path) 
     (rclpy,) = workspace(tmp_path / "install", "rclpy")
     (tmp_path / "install/setup.bash").touch()
     assert setup_script(Ros("sourced", "jazzy", rclpy, rclpy, "x"), {}) == tmp_path / "install/setup.bash"
+
+
+@pytest.mark.parametrize("name", ["setup", "local_setup"])
+@pytest.mark.parametrize(
+    ("shell", "asked"), [("bash", "complete -p ros2"), ("zsh", 'echo "${_comps[ros2]}"')]
+)
+def test_the_tab_key_knows_ros2_where_somebody_types(name: str, shell: str, asked: str, ros: Ros) -> None:
+    script = script_for(shell, ros, name)
+    assert "_ros2_complete" in said(shell, f'. "$1"; {asked}', script, "-i")
+    assert "_ros2_complete" not in said(shell, f'. "$1"; {asked} || true', script)
+
+
+def test_without_our_own_packages_there_is_nothing_to_complete(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("course.rosenv.setup_files.source_root", lambda: None)
+    ros = pip_ros(wheels(tmp_path / "wheels"))
+    prepare(ros, {"HOME": str(tmp_path)})
+    assert said("bash", '. "$1"; complete -p ros2 || echo none', script_for("bash", ros), "-i") == "none\n"
+
+
+def said(shell: str, script: str, path: Path, *options: str) -> str:
+    """What a shell prints that runs a script, which has the path as $1.
+
+    Its errors are not looked at: an interactive one complains that it has no terminal.
+    """
+    if (program := shutil.which(shell)) is None:
+        pytest.skip(f"{shell} is not installed")
+    quiet = {"bash": ["--norc", "--noprofile"], "zsh": ["-f"]}[shell]
+    command = [program, *quiet, *options, "-c", script, shell, str(path)]
+    done = subprocess.run(
+        command, env={**PLAIN, "HOME": str(path.parent)}, capture_output=True, text=True, check=True
+    )
+    return done.stdout

@@ -10,11 +10,11 @@ import re
 from pathlib import Path
 
 from course.build.digest import cmake, compiler, python, rosidl
-from course.build.digest.case import Case, readable
+from course.build.digest.case import Case, log_text, readable
 from course.build.outcome import BuildFailure
 from course.build.refusal import manifest_place
 
-__all__ = ["Case", "explain", "explain_success", "readable"]
+__all__ = ["Case", "explain", "explain_success", "log_text", "readable"]
 
 _NOISE = re.compile(
     r"^\s*$|^gmake|^make|^\[ *\d+%\]|^-- |^\[\d+\.\d+s\] WARNING:colcon|^Traceback|^ +\^+ *$|^running "

@@ -8,12 +8,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from course.build.outcome import BuildFailure
+from course.build.sources import within
 from course.build.workspace import Package, Workspace
 from course.feedback import Feedback, Location
 
-_COLOUR = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b\][^\x07]*\x07")
+_COLOUR = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b\][^\x07\x1b\n]*\x07")
 _ENTRY = r"/[0-9a-f]{32}/"
 MOST_DETAILS = 6
+# What is looked for a cause in, in bytes and characters: a build prints what it likes.
+_MOST_TEXT = 256 * 1024
+_LONGEST_LINE = 2000
 
 
 @dataclass(frozen=True)
@@ -52,9 +56,14 @@ class Case:
         return Location(f"{self.package.source}/{file}", line)
 
     def text(self, file: str) -> str:
-        """The content of a file of the package, empty if there is none."""
-        path = self.source / file
-        return path.read_text(encoding="utf-8", errors="replace") if path.is_file() else ""
+        """The content of a file of the package, empty if there is none; of a huge one, how it begins."""
+        path = self._own(file)
+        return _beginning(path) if path else ""
+
+    def _own(self, file: str) -> Path | None:
+        """A log names what it likes, and a link leads anywhere: only what lies in the package counts."""
+        path = within(self.source / file, self.source.resolve()) if "\0" not in file else None
+        return path if path and path.is_file() else None
 
     def line_of(self, file: str, pattern: str) -> int | None:
         """The first line of `file` that matches the pattern anywhere."""
@@ -68,7 +77,7 @@ class Case:
     def own_file(self, shown: str) -> str | None:
         """A path from the log, relative to the package; None for files of others."""
         relative = shown.removeprefix(f"{self.package.source}/")
-        return relative if (self.source / relative).is_file() and not relative.startswith("/") else None
+        return relative if not relative.startswith("/") and self._own(relative) else None
 
     def failure(
         self,
@@ -91,6 +100,22 @@ def line_matching(text: str, pattern: str) -> int | None:
     return next((number for number, line in lines if re.search(pattern, line)), None)
 
 
+def _beginning(path: Path) -> str:
+    with path.open("rb") as file:
+        return file.read(_MOST_TEXT).decode("utf-8", errors="replace")
+
+
+def log_text(file: Path) -> str:
+    """What a build printed; of very much, the beginning and the end."""
+    size = file.stat().st_size
+    text = _beginning(file)
+    if size > _MOST_TEXT:
+        with file.open("rb") as opened:
+            opened.seek(max(_MOST_TEXT, size - _MOST_TEXT))
+            text = f"{text}\n{opened.read().decode('utf-8', errors='replace')}"
+    return text
+
+
 def readable(text: str, store: Path, copy: Path, source: str) -> tuple[str, ...]:
     """The lines of a log, with the learner's paths instead of the store's, and without colours."""
     text = _COLOUR.sub("", text).replace("\r\n", "\n")
@@ -98,4 +123,4 @@ def readable(text: str, store: Path, copy: Path, source: str) -> tuple[str, ...]
         text = text.replace(f"{top}/{copy.parent.name}/src/", f"{source}/")
         text = text.replace(f"{top}/{copy.parent.name}/src", source)
         text = re.sub(re.escape(top) + _ENTRY, "", text)
-    return tuple(text.splitlines())
+    return tuple(line[:_LONGEST_LINE] for line in text.splitlines())

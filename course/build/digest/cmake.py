@@ -12,6 +12,8 @@ from course.build.refusal import like, manifest_place
 from course.feedback import Location
 
 _LONGEST = 160  # characters of CMake's own words in a summary
+# Of them, and in one of them, as far as they are looked at: the log may hold forged ones without end.
+_MOST_ERRORS, _MOST_LINES, _LONGEST_TEXT = 50, 100, 4000
 
 _HEAD = re.compile(
     r"^CMake Error(?: at (?P<file>.+?):(?P<line>\d+)(?: \((?P<command>\w+)\))?| in (?P<list>\S+?))?:"
@@ -72,8 +74,8 @@ def explained(
 
 def cmake_errors(case: Case) -> list[CMakeError]:
     """The errors in the log, in their order."""
-    heads = [number for number, line in enumerate(case.lines) if _HEAD.match(line)]
-    return [_read(case, case.lines[start:]) for start in heads]
+    heads = [number for number, line in enumerate(case.lines) if _HEAD.match(line)][:_MOST_ERRORS]
+    return [_read(case, case.lines[start : start + _MOST_LINES]) for start in heads]
 
 
 def _read(case: Case, lines: Sequence[str]) -> CMakeError:
@@ -83,7 +85,7 @@ def _read(case: Case, lines: Sequence[str]) -> CMakeError:
     calls = lines[1 + len(body) :]
     frames = [head, *(found for line in _indented(calls[1:]) if (found := _FRAME.match(line)))]
     own = [frame for frame in frames if case.own_file(frame["file"] or "")]
-    text = re.sub(r"\s+", " ", " ".join((head["rest"], *body))).strip()
+    text = re.sub(r"\s+", " ", " ".join((head["rest"], *body))).strip()[:_LONGEST_TEXT]
     printed = tuple(line.strip() for line in (head["rest"], *body) if line.strip())
     if own:
         return CMakeError(

@@ -41,6 +41,10 @@ def _no_setup_py(case: Case) -> BuildFailure:
         summary = f"package.xml of `{name}` says ament_python, but there is a CMakeLists.txt and no setup.py."
         advice = "If it is a CMake package, write `<build_type>ament_cmake</build_type>`."
         return case.failure("build-type", summary, where=where, advice=advice)
+    if (case.source / "setup.py").is_symlink():
+        summary = f"setup.py of `{name}` is a link that leads out of the course home, or nowhere."
+        advice = "Put the file itself in its place."
+        return case.failure("setup-py", summary, where=[case.place("setup.py")], advice=advice)
     if (case.source / "setup.py").exists():
         return case.failure("setup-py", f"setup.py of `{name}` is empty.", where=[case.place("setup.py")])
     summary = f"`{name}` has no setup.py, which a package of type ament_python is built with."
@@ -166,6 +170,10 @@ def _import_advice(message: str) -> str:
         return f"Add `{line}` at the top of setup.py."
     if message.startswith(("No module named", "cannot import name")):
         return "Correct or remove that import: setup.py needs little more than setuptools, os and glob."
+    if message.startswith("'module' object is not callable"):
+        return "A module is called there, not a function of it: `from glob import glob`, not `import glob`."
+    if message.startswith(("'tuple' object is not callable", "'list' object is not callable")):
+        return "A comma is missing before the brackets that follow: end each entry of a list with one."
     return "Run `python3 setup.py --name` in the package's folder to see it for yourself."
 
 

@@ -280,14 +280,17 @@ def _no_such_message(case: Case, package: str, message: str, folder: str) -> Bui
         unlisted = [file for file in interface_files(case) if file == f"msg/{message}.msg"]
         advice = f"List `{unlisted[0]}` in CMakeLists.txt, too." if unlisted else _type_advice(case, message)
     else:
-        known = _messages(folder, package)
+        known = _messages(case, folder, package)
         near = like(message, known)
         advice = f"Did you mean `{near}`?" if near else f"See `ros2 interface package {package}`."
     return case.failure("field-type", summary, where=uses, advice=advice)
 
 
-def _messages(folder: str, package: str) -> list[str]:
-    return [file.stem for file in Path(folder, package, "msg").glob("*.msg")]
+def _messages(case: Case, folder: str, package: str) -> list[str]:
+    """The folder is as the log says, so it counts only where packages lie that the build could use."""
+    place = Path(folder, package, "msg").resolve()
+    known = any(place.is_relative_to(prefix.resolve()) for prefix in case.prefixes)
+    return [file.stem for file in place.glob("*.msg")] if known else []
 
 
 # ---------------------------------------------------------------------------------------- helpers

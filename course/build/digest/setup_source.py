@@ -38,7 +38,7 @@ def entry_points(source: str) -> list[EntryPoint]:
     try:
         strings = list(_strings(source))
         nodes = list(ast.walk(ast.parse(source)))
-    except (SyntaxError, tokenize.TokenError, ValueError):
+    except (SyntaxError, tokenize.TokenError, ValueError, RecursionError, MemoryError):
         return []
     found = []
     for node in nodes:

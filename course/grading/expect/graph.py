@@ -81,16 +81,18 @@ def expect_type(recording: Recording, kind: Kind, topic: str, type_name: str) ->
 
 
 def expect_same_definition(
-    recording: Recording, kind: Kind, topic: str, type_name: str, type_hash: str
+    recording: Recording, kind: Kind, topic: str, type_name: str, type_hash: str, *, advice: str
 ) -> None:
-    """The type of that name was built from the definition that the course knows."""
+    """The type of that name was built from the definition that the course knows.
+
+    advice: says where the learner finds that definition.
+    """
     for endpoint in _on(recording, kind, topic):
         if endpoint.type == type_name and endpoint.type_hash != type_hash:
             raise Failure(
                 Feedback(
                     summary=f"Your `{type_name}` has other fields than the exercise asks for.",
-                    advice="Compare its fields with chapter 17: names, types and order. `check "
-                    "17` tells which.",
+                    advice=advice,
                 )
             )
 

@@ -8,6 +8,7 @@ from course.evidence.recording import Recording
 from course.evidence.topic_view import LogLine
 from course.feedback import Failure, Feedback
 from course.grading.explain.python_code import calls, text_places
+from course.grading.explain.spinning import never_spun
 from course.grading.explain.timers import timer_cause
 
 _SHOWN = 3
@@ -87,7 +88,7 @@ def _silent(recording: Recording, example: str) -> Feedback:
             where=(debug[0].where,),
             advice="Log it at level INFO: `self.get_logger().info(...)`.",
         )
-    cause = timer_cause(recording.sources)
+    cause = timer_cause(recording.sources) or never_spun(recording.sources)
     return Feedback(
         summary="The node runs, but it logs nothing.",
         expected=example,

@@ -7,6 +7,11 @@ from course.feedback import Failure, Feedback
 from course.grading.explain.names import nearest
 from course.grading.explain.package_xml import RUN_TAGS, Manifest, manifest
 
+_LUCK = (
+    " Without it, colcon does not know which of the two packages must be built first: "
+    "if it builds and runs today, that is luck."
+)
+
 
 def expect_manifest(recording: Recording, package: str) -> Manifest:
     """The package's manifest. Raises Failure when there is none that can be read."""
@@ -17,12 +22,31 @@ def expect_manifest(recording: Recording, package: str) -> Manifest:
     return found
 
 
+def expect_build_type(recording: Recording, package: str, wanted: str) -> None:
+    """package.xml names this build type, and so `ros2 pkg create` was given it."""
+    found = expect_manifest(recording, package)
+    if found.build_type == wanted:
+        return
+    other = found.build_type
+    raise Failure(
+        Feedback(
+            summary=f"The package has {f'the build type `{other}`' if other else 'no build type'}, "
+            f"not `{wanted}`.",
+            expected=f"<build_type>{wanted}</build_type>",
+            seen=f"<build_type>{other}</build_type>" if other else "no build type",
+            where=(found.place_of(other or "<export>") or found.where,),
+            advice=f"Remove the folder, and create the package again with `--build-type {wanted}`.",
+        )
+    )
+
+
 def expect_dependency(recording: Recording, package: str, *names: str) -> None:
     """package.xml declares each of these packages as needed to run."""
     found = expect_manifest(recording, package)
     missing = [name for name in names if not found.depends(name, *RUN_TAGS)]
     if missing:
-        raise Failure(_undeclared(found, missing[0], names))
+        own = recording.packages.get(missing[0]) is not None
+        raise Failure(_undeclared(found, missing[0], names, own=own))
 
 
 def expect_tag(
@@ -45,7 +69,8 @@ def expect_tag(
     )
 
 
-def _undeclared(found: Manifest, name: str, wanted: tuple[str, ...]) -> Feedback:
+def _undeclared(found: Manifest, name: str, wanted: tuple[str, ...], *, own: bool) -> Feedback:
+    """own: the missing package is one of the learner's own, so the order of the builds depends on it."""
     line = f"<depend>{name}</depend>"
     other_tags = [tag for tag, text in found.tags if text == name]
     if other_tags:
@@ -64,5 +89,5 @@ def _undeclared(found: Manifest, name: str, wanted: tuple[str, ...]) -> Feedback
         expected=line,
         seen=f"<depend>{close}</depend>" if close else None,
         where=(found.place_of(close or "<depend>") or found.where,),
-        advice=f"Add the line `{line}` to package.xml.",
+        advice=f"Add the line `{line}` to package.xml." + (_LUCK if own else ""),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 from math import inf
 
@@ -10,26 +11,40 @@ from course.evidence.events import ProcessExited
 from course.evidence.process_view import ProcessView
 from course.evidence.recording import Recording
 from course.evidence.topic_view import seconds
-from course.feedback import Failure, Feedback
+from course.feedback import Failure, Feedback, Spoilt
+from course.grading.expect.files import expect_file
 from course.grading.explain.crashes import crash_feedback
 from course.grading.explain.executables import no_executable
 from course.grading.explain.python_code import calls
+from course.grading.explain.spinning import SPINS
 from course.grading.explain.tracebacks import Crash, crash
 
 INTERRUPT_GRACE = 3.0
 _QUIET_EXITS = (0, 1, 128 + signal.SIGINT)
 _LAST_LINES = 6
-_SPINS = ("spin", "spin_once", "spin_until_future_complete")
+_WITH_CODE_0 = (
+    "What `main` returns becomes the exit code, and a text counts as 1: let it return nothing. "
+    "`sys.exit()` needs no number, or 0."
+)
+_WITH_AN_END = "Let `main` come to its end: look for a loop without end, or for an `input()` that waits."
+_WITH_SPIN = "Put `rclpy.spin(node)` into a `try:` and add `except KeyboardInterrupt:` with `pass`."
+_WITH_LOOP = (
+    "Ctrl+C raises KeyboardInterrupt in Python. Put the loop into a `try:`, and add "
+    "`except KeyboardInterrupt:` after it."
+)
 
 
 def expect_executable(recording: Recording, process: str) -> None:
-    """The executable that the scenario was to run is installed, and was started.
+    """The executable that the scenario was to run is installed (a script: is there), and was started.
 
     Raises OurFault when the scenario never came to it: then nothing can be said of the program.
     """
     missing = recording.missing_executable(process)
     if missing:
         raise Failure(no_executable(missing, recording.packages, recording.sources))
+    lost = recording.missing_program(process)
+    if lost:
+        expect_file(recording, lost.file)
     if recording.process(process).started is None:
         raise OurFault(f"the scenario did not run {process}")
 
@@ -44,7 +59,19 @@ def expect_running(recording: Recording, process: str, *, until: float = inf) ->
     found = crash(view.traceback(), recording.packages, recording.sources)
     if found:
         raise Failure(crash_feedback(found, recording.packages, recording.sources))
-    raise Failure(_ended_early(recording, view, ended))
+    early = _ended_early if recording.packages.built else _script_ended
+    raise Failure(early(recording, view, ended))
+
+
+def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
+    return Feedback(
+        summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; "
+        "it should go on for ever.",
+        expected="it runs until Ctrl+C",
+        seen=_how(ended),
+        advice="A loop that never ends keeps it running: `while True:`. Is `main()` called at all?",
+        details=view.text[-_LAST_LINES:],
+    )
 
 
 def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
@@ -53,7 +80,7 @@ def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) 
         "`rclpy.spin` should keep it running.",
         expected="it runs until Ctrl+C",
         seen=_how(ended),
-        where=tuple(call.where for name in _SPINS for call in calls(recording.sources, name))[:2],
+        where=tuple(call.where for name in SPINS for call in calls(recording.sources, name))[:2],
         advice=_advice_to_keep_running(recording),
         details=view.text[-_LAST_LINES:],
     )
@@ -86,14 +113,21 @@ def expect_clean_end(recording: Recording, process: str) -> None:
     found = crash(view.traceback(), recording.packages, recording.sources) if ended else None
     if found:
         raise Failure(crash_feedback(found, recording.packages, recording.sources))
+    asked = view.interrupted_at or inf
     raise Failure(
         Feedback(
             summary=f"`{process}` should end by itself with exit code 0.",
             expected="exit code 0",
             seen=_how(ended) if ended else "it still ran",
-            details=view.text[-_LAST_LINES:],
+            advice=_WITH_CODE_0 if ended else _WITH_AN_END,
+            details=tuple(line.text for line in view.lines if line.t < asked)[-_LAST_LINES:],
         )
     )
+
+
+# rclpy looks whether it is still to spin, and then makes what it waits with. A SIGINT in between shuts it
+# down, and what it raises then is none of the exceptions that a program is to expect.
+_SHUT_DOWN_IN_BETWEEN = re.compile(r"RCLError: failed to initialize wait set: the given context is not valid")
 
 
 def expect_clean_interrupt(recording: Recording, process: str) -> None:
@@ -107,8 +141,10 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
     if ended is None or ended.signal == signal.SIGKILL:
         raise Failure(_deaf(recording))
     found = crash(view.traceback(after=asked), recording.packages, recording.sources)
+    if found and _SHUT_DOWN_IN_BETWEEN.search(found.error):
+        raise Spoilt("rclpy stumbled over its own shutdown when Ctrl+C was pressed.")
     if found:
-        raise Failure(_unhandled(found))
+        raise Failure(_unhandled(found, _WITH_SPIN if recording.packages.built else _WITH_LOOP))
     if ended.code is not None and ended.code not in _QUIET_EXITS:
         raise Failure(
             Feedback(
@@ -130,12 +166,12 @@ def _deaf(recording: Recording) -> Feedback:
     )
 
 
-def _unhandled(found: Crash) -> Feedback:
+def _unhandled(found: Crash, advice: str) -> Feedback:
     return Feedback(
         summary=f"Ctrl+C ends the program with a traceback: {found.error}",
         expected="a quiet end",
         seen="a traceback",
         where=(found.where,) if found.where else (),
-        advice="Put `rclpy.spin(node)` into a `try:` and add `except KeyboardInterrupt:` with `pass`.",
+        advice=advice,
         details=found.shown,
     )

@@ -11,9 +11,16 @@ from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
 from course.feedback import Feedback, Location
 from course.grading.explain.names import listed
+from course.grading.explain.parameters import undeclared, value_forgotten
 from course.grading.explain.python_code import parsed
+from course.grading.explain.services import (
+    fields_of_the_request,
+    no_response,
+    not_the_response,
+    result_too_early,
+)
 from course.grading.explain.setup_py import EntryPoint, entry_points
-from course.grading.explain.timers import called_callback
+from course.grading.explain.timers import Cause, called_callback
 from course.grading.explain.tracebacks import Crash
 
 _NO_MODULE = re.compile(r"No module named '(?P<name>[\w.]+)'")
@@ -21,6 +28,7 @@ _NO_NAME = re.compile(
     r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'"
     r"|module '(?P<module2>[\w.]+)' has no attribute '(?P<name2>\w+)'"
 )
+_ON_THE_REQUEST = re.compile(r"'\w+_Request' object has no attribute")
 _INIT = "Call `rclpy.init()` at the beginning of `main()`, before the node is made."
 _SUPER = "Call `super().__init__('name_of_the_node')` first in the class's `__init__`."
 _NO_NODE = "The class must derive from Node: `class ...(Node):`."
@@ -33,6 +41,15 @@ _KNOWN = (
     (("__init__() missing", "node_name"), "A node needs a name: `super().__init__('name_of_the_node')`."),
     (("missing", "'qos_profile'"), "The depth is missing: end the brackets with `, 10)`."),
     (("object.__init__() takes exactly one argument",), _NO_NODE),
+    (
+        ("ParameterAlreadyDeclaredException",),
+        "A parameter is declared once, in `__init__`: not in a callback, which comes again and again.",
+    ),
+    (
+        ("InvalidParameterTypeException",),
+        "A parameter has the type of its default value: `0.5` is a double, `1` an integer, `'0.5'` a string.",
+    ),
+    (("in parameters list is not a str",), "It takes a name and a value: `declare_parameter('name', 0.5)`."),
     (("'function' object has no attribute",), _BRACKETS),
     (("'method' object has no attribute",), _BRACKETS),
     (
@@ -90,6 +107,8 @@ def _remedy(found: Crash, packages: BuiltPackages, sources: Sources) -> _Remedy:
         or _missing_function(found.error, packages, sources)
         or _entry_without_function(found.error, packages, sources)
         or _callback_called(found.error, sources)
+        or _of_a_cause(undeclared(found.error, sources) or value_forgotten(found.error, sources))
+        or _in_a_service(found.error, sources)
         or _known(found.error)
     )
 
@@ -141,7 +160,8 @@ def _elsewhere(module: str, packages: BuiltPackages, sources: Sources) -> tuple[
 def _neighbour(module: str, packages: BuiltPackages, sources: Sources) -> str | None:
     """`talk.words`, when the package `talk` has such a module and `words` alone was imported."""
     for package in packages.built:
-        if f"{package.source}/{package.name}/{module.replace('.', '/')}.py" in sources.files:
+        path = f"{package.source}/{package.name}/{module.replace('.', '/')}"
+        if f"{path}.py" in sources.files or f"{path}/__init__.py" in sources.files:
             return f"{package.name}.{module}"
     return None
 
@@ -175,7 +195,21 @@ def _entry_without_function(error: str, packages: BuiltPackages, sources: Source
 def _callback_called(error: str, sources: Sources) -> _Remedy | None:
     if "NoneType" not in error and "callable" not in error:
         return None
-    cause = called_callback(sources)
+    return _of_a_cause(called_callback(sources))
+
+
+def _in_a_service(error: str, sources: Sources) -> _Remedy | None:
+    """rclpy raises a bare TypeError when the callback of a server returns no response."""
+    if error == "TypeError":
+        return _of_a_cause(no_response(sources) or not_the_response(sources))
+    if _ON_THE_REQUEST.search(error):
+        return _of_a_cause(fields_of_the_request(sources))
+    if "'NoneType' object has no attribute" in error:
+        return _of_a_cause(result_too_early(sources))
+    return None
+
+
+def _of_a_cause(cause: Cause | None) -> _Remedy | None:
     return _Remedy(cause.text, cause.where) if cause else None
 
 

@@ -11,11 +11,16 @@ from course.feedback import Location
 
 @dataclass(frozen=True)
 class Manifest:
-    """The tags of a package.xml with their texts, in order. where: the file."""
+    """The tags of a package.xml with their texts, in order. where: the file.
+
+    format: the number in `<package format="3">`. build_type: what its export names.
+    """
 
     where: Location
     tags: tuple[tuple[str, str], ...]
     text: str
+    format: str = "1"
+    build_type: str | None = None
 
     def values(self, *tags: str) -> tuple[str, ...]:
         """Texts of all elements with one of these tags."""
@@ -45,7 +50,9 @@ def manifest(sources: Sources, package_folder: str) -> Manifest | None:
         root = ElementTree.fromstring(text)
     except (ElementTree.ParseError, ValueError):
         return None
-    return Manifest(Location(file), tuple((child.tag, (child.text or "").strip()) for child in root), text)
+    tags = tuple((child.tag, (child.text or "").strip()) for child in root)
+    build_type = (root.findtext("export/build_type") or "").strip() or None
+    return Manifest(Location(file), tags, text, root.get("format", "1"), build_type)
 
 
 RUN_TAGS = ("depend", "exec_depend")

@@ -43,7 +43,7 @@ def functions(sources: Sources, name: str) -> tuple[ast.FunctionDef | ast.AsyncF
     """All functions and methods of this name that the learner defines."""
     return tuple(
         node
-        for _, tree in _trees(sources)
+        for _, tree in trees(sources)
         for node in ast.walk(tree)
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and node.name == name
     )
@@ -53,7 +53,7 @@ def calls(sources: Sources, name: str) -> tuple[Call, ...]:
     """All calls of a function or method of this name (`create_timer`), file by file."""
     return tuple(
         Call(Location(file, node.lineno), tuple(node.args), {k.arg: k.value for k in node.keywords if k.arg})
-        for file, tree in _trees(sources)
+        for file, tree in trees(sources)
         for node in ast.walk(tree)
         if isinstance(node, ast.Call) and called_name(node) == name
     )
@@ -89,7 +89,7 @@ def _plain_name(node: ast.AST | None) -> str | None:
 
 def _assigned(sources: Sources, name: str) -> Iterator[ast.expr]:
     """Literals that are assigned to this name anywhere (other names are not followed)."""
-    for _, tree in _trees(sources):
+    for _, tree in trees(sources):
         for node in ast.walk(tree):
             targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
             value = getattr(node, "value", None)
@@ -114,7 +114,8 @@ def text_places(sources: Sources, text: str) -> tuple[Location, ...]:
     )
 
 
-def _trees(sources: Sources) -> Iterator[tuple[str, ast.Module]]:
+def trees(sources: Sources) -> Iterator[tuple[str, ast.Module]]:
+    """Each of the learner's Python files that can be read, without setup.py and the tests."""
     for file, text in sources.files.items():
         if file.endswith(".py") and "/test/" not in file and not file.endswith("/setup.py"):
             tree = parsed(text)

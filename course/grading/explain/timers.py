@@ -11,7 +11,7 @@ from course.grading.explain.python_code import called_name, calls, functions, nu
 
 _LONG = 10.0
 # Where each takes its callback, counted from 0.
-_TAKERS = {"create_timer": 1, "create_subscription": 2, "create_service": 2}
+TAKERS = {"create_timer": 1, "create_subscription": 2, "create_service": 2, "add_done_callback": 0}
 
 
 @dataclass(frozen=True)
@@ -34,9 +34,12 @@ def timer_cause(sources: Sources) -> Cause | None:
 
 def called_callback(sources: Sources) -> Cause | None:
     """`self.timer_callback()` handed over where `self.timer_callback` belongs."""
-    takers = ((call, position) for name, position in _TAKERS.items() for call in calls(sources, name))
+    takers = ((call, position) for name, position in TAKERS.items() for call in calls(sources, name))
     for taker, position in takers:
         callback = taker.argument(position, "callback")
+        if isinstance(callback, ast.Constant) and callback.value is None:
+            text = "`None` stands where the callback belongs: name the function to call."
+            return Cause(text, (taker.where,))
         if isinstance(callback, ast.Call) and _gives_nothing(sources, callback):
             written = ast.unparse(callback)
             return Cause(

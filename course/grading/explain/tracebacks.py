@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from dataclasses import dataclass
 from pathlib import PurePosixPath
@@ -58,7 +59,14 @@ def learners_file(path: str, packages: BuiltPackages, sources: Sources) -> str |
         prefix = package.prefix.rstrip("/") + "/"
         if path.startswith(prefix):
             return _source_of(PurePosixPath(path[len(prefix) :]).parts, package.source, sources)
-    return None
+    return _in_home(path, sources)
+
+
+def _in_home(path: str, sources: Sources) -> str | None:
+    """A script runs in a copy of the home, so its path ends just as it does there."""
+    whole = posixpath.normpath(path)
+    found = [name for name in sources.files if whole.endswith(f"/{name}")]
+    return max(found, key=len) if found else None
 
 
 def _source_of(installed: tuple[str, ...], folder: str, sources: Sources) -> str | None:

@@ -32,6 +32,8 @@ def test_a_bad_setup_cfg(case: Callable[..., Case], src: Path, where: list[str])
     ("error", "advice"),
     [
         ("NameError: name 'glob' is not defined", "Add `from glob import glob` at the top"),
+        ("TypeError: 'module' object is not callable", "`from glob import glob`, not `import glob`"),
+        ("TypeError: 'tuple' object is not callable", "A comma is missing"),
         ("ModuleNotFoundError: No module named 'numpie'", "Correct or remove that import"),
         ("ValueError: odd", "Run `python3 setup.py --name`"),
     ],

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from course.build.digest import Case, explain, readable
-from course.build.digest.machine import raise_if_machine
+from course.build.digest.machine import Killed, Machine, raise_if_machine
 from course.errors import MissingHere, StorageError
 
 
@@ -27,6 +28,15 @@ def test_paths_are_the_learners(tmp_path: Path) -> None:
     assert found == ("ws/src/mine/main.cpp:3: in install/other/x.hpp", "cd ws/src/mine")
 
 
+class Poor(Machine):
+    """Lacks everything."""
+
+    def is_full(self) -> bool:
+        return True
+
+    lacks_headers = lacks_compiler = is_full
+
+
 @pytest.mark.parametrize(
     ("line", "error", "words"),
     [
@@ -41,5 +51,6 @@ def test_the_machines_faults_are_not_the_learners(
     tmp_path: Path, line: str, error: type[Exception], words: str
 ) -> None:
     with pytest.raises(error) as caught:
-        raise_if_machine(["fine", line], tmp_path, tmp_path / "python3")
+        raise_if_machine(["fine", line], Poor(tmp_path, tmp_path / "python3", Killed(-1)))
     assert words in str(caught.value)
+    raise_if_machine(["fine", line], Machine(tmp_path, Path(sys.executable), Killed()))

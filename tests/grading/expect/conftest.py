@@ -21,6 +21,8 @@ STARTED = ProcessStarted(0.1, "talker", ("talker",))
 DEFINITIONS = {
     QUOTE: "int32 id\nstring quote\nstring author\n",
     ROSOUT_TYPE: "uint32 level\nstring name\nstring msg\n",
+    "words/srv/Point_Request": "",
+    "words/srv/Point_Response": "",
 }
 
 

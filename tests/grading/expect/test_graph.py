@@ -112,7 +112,7 @@ def test_the_other_end_of_the_topic_does_not_count() -> None:
 
 def test_the_right_type() -> None:
     assert said(expect_type, seen(end()), "publisher", TOPIC, QUOTE) is None
-    assert said(expect_same_definition, seen(end()), "publisher", TOPIC, QUOTE, HASH) is None
+    assert said(expect_same_definition, seen(end()), "publisher", TOPIC, QUOTE, HASH, advice="x") is None
 
 
 def test_one_wrong_type_among_two() -> None:
@@ -129,8 +129,10 @@ def test_types_of_the_other_end_do_not_count() -> None:
 
 
 def test_another_definition_of_the_same_name() -> None:
-    found = told(expect_same_definition, seen(end()), "publisher", TOPIC, QUOTE, "RIHS01_2")
+    arguments = ("publisher", TOPIC, QUOTE, "RIHS01_2")
+    found = told(expect_same_definition, seen(end()), *arguments, advice="Look at chapter 3.")
     assert found.summary == f"Your `{QUOTE}` has other fields than the exercise asks for."
+    assert found.advice == "Look at chapter 3."
 
 
 # QoS

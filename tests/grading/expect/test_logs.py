@@ -98,7 +98,8 @@ def test_silent_below_info() -> None:
     [
         ("", "No timer is made anywhere"),
         ("self.create_timer(500, self.tick)", "in seconds"),
-        ("self.create_timer(0.5, self.tick)", "Is the callback ever called"),
+        ("self.create_timer(0.5, self.tick)\nrclpy.spin(node)", "Is the callback ever called"),
+        ("self.create_timer(0.5, self.tick)", "hand the node to `rclpy.spin(node)`"),
     ],
 )
 def test_silent(code: str, words: str) -> None:

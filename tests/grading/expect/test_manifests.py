@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
+from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.evidence.recording import Recording
-from course.grading.expect.manifests import expect_dependency, expect_manifest, expect_tag
+from course.grading.expect.manifests import (
+    expect_build_type,
+    expect_dependency,
+    expect_manifest,
+    expect_tag,
+)
 
-from .conftest import record, said, told, where
+from .conftest import PACKAGES, record, said, told, where
 
 
 def with_manifest(*lines: str) -> Recording:
@@ -80,3 +88,31 @@ def test_an_element_under_another_tag() -> None:
     found = told(expect_tag, recording, "talk", ("member_of_group",), "group", purpose="x")
     assert found.seen == "<group_depend>group</group_depend>"
     assert where(found) == ["package.xml:4"]
+
+
+def test_an_own_package_that_is_not_declared() -> None:
+    """The order of the builds is at stake."""
+    built = (*PACKAGES.built, BuiltPackage("words", "src/words", "/store/words"))
+    recording = replace(with_manifest(), packages=BuiltPackages(built))
+    assert "luck" in (told(expect_dependency, recording, "talk", "words").advice or "")
+    assert "luck" not in (told(expect_dependency, recording, "talk", "rclpy").advice or "")
+
+
+def with_build_type(name: str) -> Recording:
+    return with_manifest("<export>", f"  <build_type>{name}</build_type>", "</export>")
+
+
+def test_a_build_type_that_is_right() -> None:
+    assert said(expect_build_type, with_build_type("ament_python"), "talk", "ament_python") is None
+
+
+def test_a_build_type_that_is_not() -> None:
+    found = told(expect_build_type, with_build_type("ament_cmake"), "talk", "ament_python")
+    assert found.summary == "The package has the build type `ament_cmake`, not `ament_python`."
+    assert where(found) == ["package.xml:4"]
+    assert "--build-type ament_python" in (found.advice or "")
+
+
+def test_no_build_type() -> None:
+    found = told(expect_build_type, with_manifest(), "talk", "ament_python")
+    assert found.seen == "no build type"

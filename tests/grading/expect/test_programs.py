@@ -11,6 +11,7 @@ import pytest
 from course.errors import OurFault
 from course.evidence.events import Event, ExecutableMissing, OutputLine, ProcessExited, SignalSent
 from course.evidence.recording import Recording
+from course.feedback import Spoilt
 from course.grading.expect.programs import (
     expect_clean_end,
     expect_clean_interrupt,
@@ -133,6 +134,15 @@ def test_another_end(events: list[Event], seen: str) -> None:
     assert (found.seen, found.details) == (seen, ("hello",))
 
 
+def test_why_there_was_no_clean_end() -> None:
+    assert "exit code" in (told(expect_clean_end, ran(end(1.0, 1)), "talker").advice or "")
+    endless = told(
+        expect_clean_end, ran(*printed(1.0, "round"), INTERRUPTED, *printed(5.1, "^C"), end(5.2)), "talker"
+    )
+    assert "loop without end" in (endless.advice or "")
+    assert endless.details == ("round",)  # what it says when we end it is no evidence
+
+
 def test_a_crash_in_place_of_an_end() -> None:
     found = told(expect_clean_end, ran(*printed(1.0, CRASH), end(1.1, 1)), "talker")
     assert "ValueError: x" in found.summary
@@ -148,6 +158,14 @@ def test_a_quiet_end(ended: ProcessExited) -> None:
 
 def test_a_traceback_before_ctrl_c_is_no_matter_of_it() -> None:
     assert said(expect_clean_interrupt, ran(*printed(1.0, CRASH), INTERRUPTED, end(5.1)), "talker") is None
+
+
+def test_what_rclpy_stumbles_over_is_nobody_s_failure() -> None:
+    error = "rclpy._rclpy_pybind11.RCLError: failed to initialize wait set: the given context is not valid, "
+    told_by_rcl = "either rcl_init() was not called or rcl_shutdown() was called., at /src/rcl/wait.c:130"
+    lines = printed(5.1, TRACEBACK.format(error + told_by_rcl))
+    with pytest.raises(Spoilt, match="its own shutdown"):
+        expect_clean_interrupt(ran(INTERRUPTED, *lines, end(5.2, 1)), "talker")
 
 
 def test_a_traceback_after_ctrl_c() -> None:

@@ -12,6 +12,11 @@ EXPECTED = {
     "message_class": ("faulty/message_class.py:8", "without quotes"),
     "qos_missing": ("faulty/qos_missing.py:9", ", 10)"),
     "bad_topic": ("faulty/bad_topic.py:9", "A topic's name may hold"),
+    # services and parameters
+    "no_response": ("faulty/no_response.py:14", "The response is not returned: `switch` must end with"),
+    "request_field": ("faulty/request_field.py:15", "belong to the response: `response.success`"),
+    "undeclared": ("faulty/undeclared.py:9", "`self.declare_parameter('author', ...)`"),
+    "undeclared_slip": ("faulty/undeclared_slip.py:9", "declares `quote`, and asks for `qoute`"),
     # the node's class
     "bad_name": ("faulty/bad_name.py:7", "A node's name may hold"),
     "name_digit": ("faulty/name_digit.py:7", "does not begin with a digit"),

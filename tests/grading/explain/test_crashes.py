@@ -112,9 +112,18 @@ def test_without_packages_there_is_still_advice() -> None:
         ("AttributeError: 'Talker' object has no attribute '_clock'", "super().__init__"),
         ("AttributeError: 'Talker' object has no attribute 'declare_parameter'", "derive from Node"),
         ("AttributeError: 'method' object has no attribute 'info'", "brackets"),
+        ("rclpy.exceptions.ParameterAlreadyDeclaredException: Parameter(s)", "declared once"),
+        ("rclpy.exceptions.InvalidParameterTypeException: Trying to set", "its default value"),
+        ("TypeError: First element 1 at index 0 in parameters list is not a str.", "a name and a value"),
         ("AttributeError: 'Talker' object has no attribute '_own'", "The last line of the traceback"),
         ("AttributeError: 'Talker' object has no attribute 'created'", "The last line of the traceback"),
     ],
 )
 def test_texts_of_other_versions(error: str, words: str) -> None:
     assert words in str(said(error).advice)
+
+
+def test_a_folder_of_modules_is_named_with_its_package() -> None:
+    folder = Sources({f"{FOLDER}/faulty/tools/__init__.py": ""})
+    found = said("ModuleNotFoundError: No module named 'tools'", folder)
+    assert found.advice == "Name its package too: `faulty.tools` in place of `tools`."

@@ -37,3 +37,16 @@ def test_listed(names: list[str], text: str) -> None:
 
 def test_listed_nothing_in_other_words() -> None:
     assert listed([], "no node at all") == "no node at all"
+
+
+@pytest.mark.parametrize("slip", ["qoute", "quotes", "qute", "quode", "uqote", "quot"])
+def test_one_slip_in_a_short_name(slip: str) -> None:
+    assert nearest("quote", ["period", slip]) == slip
+
+
+@pytest.mark.parametrize(
+    ("wanted", "other"),
+    [("quote", "qutoes"), ("quote", "route_"), ("quote", "quiet"), ("talk", "tall"), ("quote", "q")],
+)
+def test_two_slips_and_very_short_names_are_other_names(wanted: str, other: str) -> None:
+    assert nearest(wanted, [other]) is None

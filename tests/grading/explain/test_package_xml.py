@@ -82,3 +82,13 @@ def test_the_declared_encoding_does_not_matter(encoding: str) -> None:
     found = read(f'<?xml version="1.0" encoding="{encoding}"?><package><name>häufig</name></package>')
     assert found is not None
     assert found.values("name") == ("häufig",)
+
+
+def test_format_and_build_type(found: Manifest) -> None:
+    assert (found.format, found.build_type) == ("3", "ament_python")
+
+
+def test_without_format_and_build_type() -> None:
+    found = read("<package><name>old</name><build_type>not here</build_type></package>")
+    assert found is not None
+    assert (found.format, found.build_type) == ("1", None)

@@ -94,3 +94,10 @@ def test_a_called_callback_is_the_first_cause() -> None:
 def test_where_timers_are() -> None:
     given = sources("create_timer(1, a)\n\nself.create_timer(1, b)")
     assert [place.line for place in timer_places(given)] == [1, 3]
+
+
+def test_none_for_a_callback() -> None:
+    cause = called_callback(sources("\nself.create_timer(0.5, None)\n"))
+    assert cause is not None
+    assert cause.text.startswith("`None` stands where the callback belongs")
+    assert [str(place) for place in cause.where] == [f"{FILE}:2"]

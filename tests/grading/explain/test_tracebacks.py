@@ -121,3 +121,11 @@ def test_interrupted_in_the_middle_of_rclpy() -> None:
     assert found is not None
     assert (found.error, found.where) == ("KeyboardInterrupt", Location(f"{FOLDER}/faulty/interrupt.py", 13))
     assert PACKAGES.get("faulty") is not None
+
+
+@pytest.mark.parametrize("path", ["~/python/talk.py", "/dev/shm/x/home/python/./talk.py"])
+def test_a_script_that_ran_in_a_copy_of_the_home(path: str) -> None:
+    sources = Sources({"talk.py": "", "python/talk.py": "one\ntwo\n"})
+    found = crash((f'  File "{path}", line 2', "    two", "NameError: two"), BuiltPackages(), sources)
+    assert found is not None
+    assert str(found.where) == "python/talk.py:2"

@@ -8,6 +8,8 @@ from typing import Any
 
 import pytest
 
+from tests.underlay.cli.place import among, typed
+
 MACHINE = (1, 15, 127, 1)
 
 
@@ -50,6 +52,14 @@ def test_one_endpoint_of_a_service_or_the_only_node_is_missing(missing: int) -> 
 def test_an_endpoint_without_its_node_is_waited_for() -> None:
     ends = [*process(1, "own"), *process(2, "other"), endpoint(2, "rt/new", "_NODE_NAME_UNKNOWN_", number=9)]
     assert not complete(ends, 2)
+
+
+@pytest.mark.slow
+def test_listings_without_daemon_are_complete_every_time(workspace: Path) -> None:
+    cases = [typed("ros2", "node", "list", "--no-daemon")] * 8
+    seen = {outcome.stdout for outcome in among(["publisher", "server", "parameters"], cases, workspace)}
+    nodes = ("amazing_quote_configurable_publisher_node", "amazing_quote_publisher_node")
+    assert seen == {"".join(f"/{name}\n" for name in (*nodes, "what_is_the_point_service_server"))}
 
 
 def test_names_and_types() -> None:

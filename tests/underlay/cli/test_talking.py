@@ -1,99 +1,150 @@
-"""`topic echo`, `pub`, `hz` and `service call`: words, exit codes, Ctrl+C."""
+"""`topic echo`, `pub`, `hz`, `bw`, `delay` and `service echo`: what no capture shows."""
 
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
-from tests.underlay.cli.place import Outcome, captured, ros2_among
+from tests.underlay.cli.place import Outcome, among, typed
 
 pytestmark = pytest.mark.slow
 
-_TOPIC, _TYPE = "/amazing_quote", "std_msgs/msg/Int64"
-_SERVICE, _SERVICE_TYPE = "/what_is_the_point", "std_srvs/srv/SetBool"
-_ASKED = "requester: making request: std_srvs.srv.SetBool_Request(data={data})\n\n"
-_ANSWERED = "response:\nstd_srvs.srv.SetBool_Response(success={data}, message='done')\n\n"
+_TOPIC, _TYPE = "/amazing_quote", "package_with_interfaces/msg/AmazingQuote"
+_QUOTE = "quote: Use the force, Pikachu!\nphilosopher_name: Uncle Ben\n---\n"
 
 
-def test_echo() -> None:
-    once = ["topic", "echo", "--once"]
-    cases: list[tuple[list[str], float | None]] = [
-        ([*once, _TOPIC], None),
-        ([*once, "amazing_quote"], None),
-        ([*once, "--csv", _TOPIC], None),
-        ([*once, "--field", "data", _TOPIC], None),
-        ([*once, "--filter", "m.data == 1979", _TOPIC], None),
-        ([*once, "--field", "nosuch", _TOPIC], None),
-        ([*once, "--filter", "m.data ==", _TOPIC], None),
-        (["topic", "echo", "/nosuch", "std_msgs/msg/Nosuch"], None),
-        (["topic", "echo", "/no such"], None),
-    ]
-    found = ros2_among(["publisher"], cases)
-    yaml = Outcome(0, "data: 1979\n---\n", "")
-    assert found[:5] == [yaml, yaml, Outcome(0, "1979\n", ""), Outcome(0, "1979\n---\n", ""), yaml]
-    assert found[5] == Outcome(1, "", "Invalid field 'nosuch': 'Int64' object has no attribute 'nosuch'\n")
-    for outcome in found[6:]:
+def test_echo(workspace: Path) -> None:
+    once = ["ros2", "topic", "echo", "--once"]
+    good, info, shown, bad, none, invalid = among(
+        ["publisher"],
+        [
+            typed(*once, "--field", "philosopher_name", _TOPIC),
+            typed(*once, "-i", _TOPIC),
+            typed(*once, "--no-str", "-l", "5", _TOPIC),
+            typed(*once, "--filter", "m.id ==", _TOPIC),
+            typed("ros2", "topic", "echo", "/nosuch", "std_msgs/msg/Nosuch"),
+            typed("ros2", "topic", "echo", "/no such"),
+        ],
+        workspace,
+    )
+    assert good == Outcome(0, "Uncle Ben\n---\n", "")
+    head, _, message = info.stdout.partition("---\n")
+    assert message.endswith(_QUOTE)
+    assert re.fullmatch(r"(\w+: (\d+|null)\n)+", head)
+    assert {"source_timestamp", "received_timestamp"} <= {line.split(":")[0] for line in head.splitlines()}
+    assert "<string length: <23>>" in shown.stdout
+    for outcome in (bad, none, invalid):
         assert (outcome.code, outcome.stdout, outcome.stderr.count("\n")) == (1, "", 1)
 
 
-def test_ctrl_c_ends_with_2() -> None:
-    cases = [
-        (["topic", "echo", _TOPIC], 3.0),
-        (["topic", "echo", "/nosuch", _TYPE], 3.0),
-        (["topic", "hz", _TOPIC], 5.0),
-        (["topic", "hz", "/nosuch"], 5.0),
-        (["topic", "pub", "-r", "2", "/none", _TYPE, "data: 1"], 3.0),
-        (["service", "call", "/nosuch", _SERVICE_TYPE], 3.0),
-    ]
-    found = ros2_among(["publisher"], cases)
-    assert [outcome.code for outcome in found] == [2] * len(cases)
-    assert {outcome.stderr for outcome in found} == {""}
-    assert found[0].stdout.startswith("data: 1979\n---\n")
-    assert found[1].stdout == ""
-    rate = re.search(r"^average rate: ([\d.]+)\n\tmin: ", found[2].stdout, re.M)
-    assert rate and 9.0 < float(rate[1]) < 11.0
-    assert found[3].stdout == "WARNING: topic [/nosuch] does not appear to be published yet\n"
-    assert found[4].stdout.startswith(
-        "publisher: beginning loop\npublishing #1: std_msgs.msg.Int64(data=1)\n\n"
+def test_a_latched_message_is_heard_though_the_type_is_given(workspace: Path) -> None:
+    lasting = ["--qos-durability", "transient_local", "--qos-reliability", "reliable"]
+    shell = (
+        f"ros2 topic pub --rate 0.01 {' '.join(lasting)} /latched std_msgs/msg/Int64 'data: 5' >/dev/null & "
+        "sleep 3; timeout 20 ros2 topic echo --once /latched std_msgs/msg/Int64; kill $!"
     )
-    assert found[5].stdout == "waiting for service to become available...\n"
+    (outcome,) = among([], [typed("bash", "-c", shell)], workspace)
+    assert outcome.stdout == "data: 5\n---\n"
 
 
-def test_pub() -> None:
-    once = ["topic", "pub", "--once", _TOPIC]
-    good = [[*once, _TYPE, "{data: 7}"], [*once, "std_msgs/Int64", "data: 7"]]
-    bad = {
-        "topic_pub_bad_type": [*once, "std_msgs/msg/Nosuch", "{}"],
-        "topic_pub_bad_pkg": [*once, "nosuch/msg/Nosuch", "{}"],
-        "topic_pub_not_dict": [*once, _TYPE, "5"],
-        "topic_pub_bad_value": [*once, _TYPE, "{data: hello}"],
-        "topic_pub_bad_field": [*once, _TYPE, "{nosuch: 1}"],
-    }
-    found = ros2_among(["subscriber"], [(arguments, None) for arguments in [*good, *bad.values()]])
-    for outcome in found[:2]:
-        said = outcome.stdout.replace("Waiting for at least 1 matching subscription(s)...\n", "")
-        assert (outcome.code, outcome.stderr) == (0, "")
-        assert said == "publisher: beginning loop\npublishing #1: std_msgs.msg.Int64(data=7)\n\n"
-    for name, outcome in zip(bad, found[2:], strict=True):
-        expected = captured(name)[1].stderr.replace("AmazingQuote", "Int64")
-        assert (outcome.code, outcome.stderr) == (1, expected)
+def test_a_closed_pipe_is_no_error(workspace: Path) -> None:
+    line = "{} | head -n 1 >/dev/null; echo ${{PIPESTATUS[0]}}"
+    commands = (f"ros2 topic echo {_TOPIC}", "ros2 topic pub -r 20 /none std_msgs/msg/Int64", "ros2 -h")
+    cases = [typed("bash", "-c", line.format(command)) for command in commands]
+    echo, pub, short = among(["publisher"], cases, workspace)
+    assert echo == pub == Outcome(0, "141\n", "")
+    assert short in (Outcome(0, "0\n", ""), Outcome(0, "141\n", ""))
 
 
-def test_service_call() -> None:
-    call = ["service", "call", _SERVICE]
-    good = [[*call, _SERVICE_TYPE, "{data: true}"], [*call, "std_srvs/SetBool"]]
-    bad = {
-        "service_call_bad_type": [*call, "std_srvs/srv/Nosuch", "{}"],
-        "service_call_malformed_type": [*call, "Nosuch", "{}"],
-        "service_call_not_dict": [*call, _SERVICE_TYPE, "5"],
-        "service_call_bad_field": [*call, _SERVICE_TYPE, "{nosuch: 1}"],
-    }
-    found = ros2_among(["server"], [(arguments, None) for arguments in [*good, *bad.values()]])
-    for outcome, data in zip(found, (True, False), strict=False):
-        assert (outcome.code, outcome.stderr) == (0, "")
-        said = outcome.stdout.replace("waiting for service to become available...\n", "")
-        assert said == (_ASKED + _ANSWERED).format(data=data)
-    for name, outcome in zip(bad, found[2:], strict=True):
-        expected = captured(name)[1].stderr.replace("WhatIsThePoint", "SetBool")
-        assert outcome == Outcome(1, "", expected)
+def test_sigterm_ends_with_15(workspace: Path) -> None:
+    stop = {"signal": "SIGTERM", "after": 1.5}
+    lines = (
+        f"topic echo {_TOPIC}", "topic hz /nosuch", f"topic bw {_TOPIC}", "doctor hello",
+        "topic pub /none std_msgs/msg/Int64", "topic pub --once /none std_msgs/msg/Int64",
+        "service call /nosuch std_srvs/srv/SetBool", "service echo /nosuch std_srvs/srv/SetBool",
+    )  # fmt: skip
+    found = among(["publisher"], [typed("ros2", *line.split(), stop=stop) for line in lines], workspace)
+    assert {line: outcome.code for line, outcome in zip(lines, found, strict=True)} == dict.fromkeys(
+        lines, 15
+    )
+    assert not any("Traceback" in outcome.stderr for outcome in found)
+
+
+def test_pub_reads_values_from_a_pipe_and_nobody_needs_to_listen(workspace: Path) -> None:
+    pub = "ros2 topic pub --once -w 0 /none"
+    cases = [
+        typed("bash", "-c", f"echo 'data: 7' | {pub} --stdin std_msgs/msg/Int64"),
+        typed(*pub.split(), "std_msgs/msg/Int64", "-p", "2", "data: 7"),
+        typed(*pub.split()[:4], "--max-wait-time-secs", "0.2", "/none", "std_msgs/msg/Int64"),
+        typed(*pub.split()[:4], "/no such", "std_msgs/msg/Int64"),
+        typed(*pub.split(), "std_msgs/msg/Int64", "data: [1"),
+    ]
+    piped, unprinted, impatient, unnamed, malformed = among([], cases, workspace)
+    said = "publisher: beginning loop\n"
+    assert piped == Outcome(0, f"{said}publishing #1: std_msgs.msg.Int64(data=7)\n\n", "")
+    assert unprinted == Outcome(0, said, "")
+    assert impatient.code == 1
+    assert "Expected 1 subscribers but only got 0 subscribers" in impatient.stderr
+    for outcome in (unnamed, malformed):
+        assert (outcome.code, outcome.stderr.count("\n")) == (1, 1)
+
+
+def test_hz_and_delay(workspace: Path) -> None:
+    stop = {"when": r"(?s)(average.*window.*){3}"}
+    rate, noslash, filtered, delay, nothing = among(
+        ["stamps", "publisher"],
+        [
+            typed("ros2", "topic", "hz", "/stamped", stop=stop),
+            typed("ros2", "topic", "hz", "stamped", "-w", "5", stop=stop),
+            typed("ros2", "topic", "hz", "--filter", "m.id % 2 == 0", _TOPIC, stop=stop),
+            typed("ros2", "topic", "delay", "/stamped", stop=stop),
+            typed("ros2", "topic", "delay", _TOPIC),
+        ],
+        workspace,
+    )
+    for outcome, wanted in ((rate, 10.0), (noslash, 10.0), (filtered, 1.0)):
+        assert (outcome.code, outcome.stderr) == (2, "")
+        last = float(re.findall(r"average rate: ([\d.]+)", outcome.stdout)[-1])
+        assert last == pytest.approx(wanted, rel=0.1)
+    assert "window: 6\n" in noslash.stdout
+    assert 0.19 < float(re.findall(r"average delay: ([\d.]+)", delay.stdout)[-1]) < 0.5
+    assert nothing == Outcome(1, "", "msg does not have header\n")
+
+
+def test_simulated_time_is_that_of_the_clock(workspace: Path) -> None:
+    """A clock of a tenth of the usual pace makes ten times the rate."""
+    hz = ["ros2", "topic", "hz", "-s", "/stamped"]
+    stop = {"when": r"(?s)(average.*window.*){3}"}
+    cases = [typed(*hz, stop=stop), typed(*hz, "--wall-time", stop=stop)]
+    slow, usual = among(["stamps", "slow_clock"], cases, workspace)
+    rates = [float(re.findall(r"average rate: ([\d.]+)", o.stdout)[-1]) for o in (slow, usual)]
+    assert rates == pytest.approx([100.0, 10.0], rel=0.2)
+
+
+def test_service_echo(workspace: Path) -> None:
+    shell = (
+        "set -m; ros2 service echo {options} /switch > {file} & pid=$!; sleep 2; "
+        "ros2 service call /switch std_srvs/srv/SetBool '{{data: true}}' > /dev/null; sleep 1; "
+        "kill -INT $pid; wait $pid; echo $?; cat {file}; rm {file}"
+    )
+    cases = [
+        typed("bash", "-c", shell.format(options=options, file="/dev/shm/echoed"))
+        for options in ("", "--csv", "--flow-style --no-str")
+    ]
+    cases += [
+        typed("ros2", "service", "echo", "/quiet", stop={"after": 1.5}),
+        typed("ros2", "service", "echo", "/nosuch"),
+        typed("ros2", "service", "echo", "/switch", "std_srvs/srv/Nosuch"),
+    ]
+    plain, csv, flow, quiet, unknown, malformed = among(["introspected"], cases, workspace)
+    assert plain.stdout.startswith("2\ninfo:\n  event_type: REQUEST_RECEIVED\n  stamp:\n")
+    assert "request:\n- data: true\nresponse: []\n---\n" in plain.stdout
+    assert "  event_type: RESPONSE_SENT\n" in plain.stdout
+    assert re.search(r"^1,\d+,\d+,.*,True,$", csv.stdout, re.M)
+    assert "request: [{data: true}]\n" in flow.stdout
+    assert (quiet.code, quiet.stdout, quiet.stderr.count("\n")) == (2, "", 1)
+    assert "introspection is off" in quiet.stderr
+    assert unknown == Outcome(1, "", "Could not determine the type for the passed service\n")
+    assert malformed == Outcome(1, "", "The service type 'std_srvs/srv/Nosuch' is invalid\n")

@@ -8,8 +8,11 @@ from pathlib import Path
 import pytest
 
 from course.rosenv import find_ros, node_environment
-from tests.underlay.launch.machine import SOURCES, Launcher
-from tests.underlay.launch.workspace import make_workspace, prefixes
+
+pytest.register_assert_rewrite("tests.underlay.launch.cases_read")
+
+from tests.underlay.launch.machine import Launcher  # noqa: E402
+from tests.underlay.launch.workspace import make_workspace, prefixes  # noqa: E402
 
 
 @pytest.fixture(scope="session")
@@ -21,8 +24,6 @@ def launch_workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def launcher(launch_workspace: Path, tmp_path: Path, guarded_home: Path) -> Launcher:
     ros = find_ros()
     environment = node_environment(ros, prefixes(launch_workspace))
-    packages = [str(SOURCES / name) for name in ("launch", "launch_ros", "ros2cli")]
-    environment["PYTHONPATH"] = ":".join([*packages, environment.get("PYTHONPATH", "")])
     environment["HOME"] = str(guarded_home)
     environment["TMPDIR"] = str(tmp_path / "tmp")
     (tmp_path / "tmp").mkdir()

@@ -7,12 +7,10 @@ import os
 import signal
 import subprocess
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-REPOSITORY = Path(__file__).parents[3]
-SOURCES = REPOSITORY / "underlay" / "src"
 TIMEOUT = 60.0
 HEADER = """
 import os
@@ -149,8 +147,17 @@ def alive(pid: int) -> bool:
     return state != "Z"
 
 
-def gone(pid: int, within: float = 10.0) -> bool:
+def gone(pid: int) -> bool:
+    return comes_true(lambda: not alive(pid))
+
+
+def there(path: Path) -> None:
+    """Wait for a file, with which a process says that it is ready."""
+    assert comes_true(path.exists), path
+
+
+def comes_true(what: Callable[[], bool], within: float = 10.0) -> bool:
     until = time.monotonic() + within
-    while alive(pid) and time.monotonic() < until:
+    while not what() and time.monotonic() < until:
         time.sleep(0.01)
-    return not alive(pid)
+    return what()

@@ -190,14 +190,6 @@ def test_debug_shows_the_traceback(launcher: Launcher) -> None:
     assert "[INFO] [launch]: Default logging verbosity is set to DEBUG" in answer.stdout
 
 
-def test_what_is_not_offered_says_so(launcher: Launcher) -> None:
-    answer = launcher(launcher.file("from launch_ros.actions import LifecycleNode\n"))
-    assert "launch_ros.actions.LifecycleNode is not offered here: managed nodes are not" in answer.stdout
-    answer = launcher(launcher.file("<launch/>", "x_launch.xml"))
-    assert "launch files in XML are not offered here ('x_launch.xml')" in answer.stdout
-    assert answer.code == 1
-
-
 def test_nothing_is_written_beside_a_launch_file(launcher: Launcher) -> None:
     launcher.run("LogInfo(msg='x')")
     assert [path.name for path in launcher.cwd.iterdir()] == ["test_launch.py"]

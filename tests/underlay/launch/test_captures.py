@@ -10,7 +10,7 @@ import pexpect
 import pytest
 
 from tests.underlay.launch.captured import CAPTURES, Capture, capture, normal
-from tests.underlay.launch.machine import Answer, Launcher, gone
+from tests.underlay.launch.machine import Answer, Launcher, gone, there
 
 AT_ONCE = (
     "bad_arg_syntax",
@@ -83,12 +83,14 @@ def test_two_nodes(launcher: Launcher) -> None:
 def test_on_a_terminal_ctrl_c_ends_children_well(launcher: Launcher) -> None:
     case = capture("pkg_file_tty")
     line = launcher.line(*_words(launcher, case))
-    environment = {**launcher.environment, "ENDS_WELL": "1"}
+    ready = launcher.cwd / "ready"
+    environment = {**launcher.environment, "ENDS_WELL": str(ready)}
     child = pexpect.spawn(
         line[0], line[1:], env=environment, cwd=str(launcher.cwd), encoding="utf-8", echo=False
     )
     child.expect_exact("process started with pid [")
     told = child.before + child.after
+    there(ready)
     child.sendintr()
     child.expect(pexpect.EOF)
     child.close()

@@ -22,6 +22,12 @@ def test_a_path_that_is_not_there(launcher: Launcher) -> None:
     assert (answer.code, answer.stdout) == (1, "")
 
 
+def test_a_path_from_here(launcher: Launcher) -> None:
+    launcher.description("LogInfo(msg=ThisLaunchFileDir()), LogInfo(msg=ThisLaunchFile())")
+    answer = launcher("test_launch.py")
+    assert answer.logged == [str(launcher.cwd), str(launcher.cwd / "test_launch.py")]
+
+
 def test_the_same_file_twice(launcher: Launcher) -> None:
     share = launcher.workspace / "install/telling/share/telling"
     for folder in ("a", "b"):

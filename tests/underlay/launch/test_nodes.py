@@ -232,4 +232,4 @@ def test_a_script_of_another_python(launcher: Launcher, tmp_path: Path) -> None:
     script.chmod(0o755)
     answer = launcher.run("Node(package='telling', executable='script', prefix='env A=b', output='screen')")
     assert answer.of("script-1") == [f"{launcher.python} 1"]
-    assert answer.said[0].endswith("its own Python does not know this ROS")
+    assert answer.said[0].endswith("does not know this ROS")

@@ -70,6 +70,15 @@ def test_where_output_goes(launcher: Launcher, output: str, screen: list[str], l
         assert (folder / name).read_text(encoding="utf-8").replace("[p-1] ", "") == text
 
 
+def test_every_line_has_its_time_in_the_log(launcher: Launcher) -> None:
+    launcher.run("ExecuteProcess(cmd=['seq', '300'], output='log')")
+    (folder,) = (launcher.home / ".ros" / "log").iterdir()
+    logged = (folder / "launch.log").read_text(encoding="utf-8").splitlines()
+    lines = [line.partition(" ") for line in logged if "[seq-1] " in line]
+    assert [line for _, _, line in lines] == [f"[seq-1] {number}" for number in range(1, 301)]
+    assert all(float(stamp) > 1e9 for stamp, _, _ in lines)
+
+
 def test_show_all_output(launcher: Launcher) -> None:
     path = launcher.description("ExecuteProcess(cmd=['echo', 'x'], output='log')")
     assert launcher(path).of("echo-1") == []

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 WITH_A_NODE = "python_package_with_a_node"
 WITH_LAUNCH = "python_package_that_uses_parameters_and_launch_files"
 LAUNCH_FILE = "peanut_butter_falcon_quote_publisher_launch.py"
+
+# What the package `telling` shares besides.
+_SHARED = Path(__file__).with_name("cases") / "share"
 
 # A node as far as launch can see: it says what it says and dies of SIGINT.
 _FOREVER = """#!/bin/sh
@@ -23,14 +27,14 @@ echo "Hi from python_package_with_a_node."
 # Dies of the launch's SIGINT; a terminal's Ctrl+C it answers by ending well.
 _QUIET = """#!/bin/sh
 if [ -t 0 ]; then trap 'exit 0' INT; fi
-if [ -n "$ENDS_WELL" ]; then trap 'exit 0' INT; fi
+if [ -n "$ENDS_WELL" ]; then trap 'exit 0' INT; : >"$ENDS_WELL"; fi
 while :; do sleep 0.05; done
 """
 # Tells what it was started with.
 _TELL = """#!/bin/sh
 for word in "$@"; do printf 'arg %s\\n' "$word"; done
 while [ $# -gt 0 ]; do
-  if [ "$1" = --params-file ]; then sed 's/^/file /' "$2"; fi
+  if [ "$1" = --params-file ]; then echo "begin $2"; sed 's/^/file /' "$2"; fi
   shift
 done
 """
@@ -55,6 +59,7 @@ def make_workspace(root: Path) -> Path:
     _program(root, WITH_A_NODE, "sample_python_node", _ONCE)
     _program(root, WITH_LAUNCH, "amazing_quote_configurable_publisher_node", _QUIET)
     _program(root, "telling", "tell", _TELL)
+    shutil.copytree(_SHARED, root / "install/telling/share/telling", dirs_exist_ok=True)
     folder = root / "install" / WITH_LAUNCH / "share" / WITH_LAUNCH / "launch"
     folder.mkdir(parents=True)
     (folder / LAUNCH_FILE).write_text(_LAUNCH, encoding="utf-8")

@@ -86,8 +86,7 @@ def ros2_command(cwd: Path, workspace: Path, python_folders: Sequence[Path] = ()
     environment = node_environment(ros)
     prefixes = sorted((workspace / "install").iterdir())
     environment["AMENT_PREFIX_PATH"] = _joined(*prefixes, environment.get("AMENT_PREFIX_PATH", ""))
-    sources = [folder for folder in sorted(PACKAGES.iterdir()) if folder.is_dir()]
-    environment["PYTHONPATH"] = _joined(*python_folders, *sources, environment.get("PYTHONPATH", ""))
+    environment["PYTHONPATH"] = _joined(*python_folders, environment.get("PYTHONPATH", ""))
     environment |= {"COLUMNS": "80", "USER": "root", "LOGNAME": "root"}
     return Ros2(ros.python, environment, cwd, workspace)
 

@@ -15,17 +15,14 @@ from pathlib import Path
 import pytest
 
 from course.arena.enclosure import enclosure
-from course.rosenv import find_ros, node_environment, prepare
+from course.rosenv import find_ros, node_environment
 from tests.underlay.runtime.captured import capture
-from tests.underlay.runtime.command import PACKAGES, SOLUTIONS, Ros2, ros2_command
-
-EXAMPLES = PACKAGES / "example_interfaces"
-COMPILED = ("msg/String.msg", "srv/AddTwoInts.srv", "action/Fibonacci.action")
-BUILD_TIMEOUT = 600.0
+from tests.underlay.runtime.colcon import EXAMPLES, colcon_build, copy_interfaces, definitions
+from tests.underlay.runtime.command import PACKAGES, Ros2, ros2_command
 
 
 def test_example_interfaces_offers_what_the_real_one_does() -> None:
-    ours = {f"{file.parent.name}/{file.stem}" for file in _definitions()}
+    ours = {f"{file.parent.name}/{file.stem}" for file in definitions()}
     real = {
         line.strip().removeprefix("example_interfaces/")
         for line in capture("interface_list").stdout.splitlines()
@@ -42,7 +39,7 @@ def test_every_definition_is_compiled_and_well_formed(tmp_path: Path) -> None:
         ".action": adapter.parse_action_file,
     }
     listed = (EXAMPLES / "CMakeLists.txt").read_text()
-    for file in _definitions():
+    for file in definitions():
         assert f'"{file.parent.name}/{file.name}"' in listed
         assert parse[file.suffix]("example_interfaces", str(file))
 
@@ -52,13 +49,11 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A workspace with packages of the underlay, of the course and new ones, after `colcon build`."""
     workspace = tmp_path_factory.mktemp("built")
     source = workspace / "src"
-    for name in ("ament_lint_auto", "ament_lint_common", "demo_nodes_py", "rosidl_runtime_py"):
+    for name in ("ament_lint_auto", "ament_lint_common", "demo_nodes_py", "ros2cli", "rosidl_runtime_py"):
         shutil.copytree(PACKAGES / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
-    _copy_some_examples(source / "example_interfaces")
-    (interfaces,) = SOLUTIONS.glob("*/ros2_tutorial_workspace/src/package_with_interfaces")
-    shutil.copytree(interfaces, source / interfaces.name)
+    copy_interfaces(source)
     _create_packages(source)
-    _colcon_build(workspace)
+    colcon_build(workspace)
     return workspace
 
 
@@ -69,7 +64,7 @@ def ros2(built: Path, tmp_path: Path) -> Iterator[Ros2]:
     ros = find_ros()
     sourced = node_environment(ros, sorted((built / "install").glob("*/")))
     with enclosure(namespaces=False) as place:
-        variables = {"PYTHONPATH": f"{base.environment['PYTHONPATH']}:{sourced['PYTHONPATH']}"}
+        variables = {"PYTHONPATH": f"{sourced['PYTHONPATH']}:{base.environment['PYTHONPATH']}"}
         yield replace(base, environment={**sourced, **variables, **place.environment, "COLUMNS": "80"})
 
 
@@ -81,6 +76,19 @@ def test_a_created_cpp_package_with_its_test_block_builds_and_runs(ros2: Ros2) -
     )  # not in the index: it does without ament
     said = subprocess.run([plain], capture_output=True, text=True, check=True)
     assert said.stdout == "hello world cpp_plain package\n"
+
+
+@pytest.mark.slow
+def test_the_command_itself_is_complete_when_built(ros2: Ros2) -> None:
+    prefix = ros2.workspace / "install/ros2cli"
+    assert ros2.environment["PYTHONPATH"].startswith(str(ros2.workspace))
+    create = [prefix / "bin/ros2", "pkg", "create", "licensed", "--license", "BSD-2.0"]
+    done = subprocess.run(
+        create, cwd=ros2.cwd, env=ros2.environment, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.startswith("going to create a new package\n")
+    assert "Redistributions in binary form" in (ros2.cwd / "licensed/LICENSE").read_text()
+    assert len(list((prefix / "share/ros2cli/environment").iterdir())) == 2
 
 
 @pytest.mark.slow
@@ -122,21 +130,6 @@ def test_the_demo_topic(ros2: Ros2) -> None:
         assert "[listener]: I heard: [Hello World: " in listener.stdout.readline()
 
 
-def _definitions() -> list[Path]:
-    return sorted(file for kind in ("msg", "srv", "action") for file in (EXAMPLES / kind).iterdir())
-
-
-def _copy_some_examples(folder: Path) -> None:
-    for name in ("package.xml", *COMPILED):
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(EXAMPLES / name, folder / name)
-    others = {f'  "{file.parent.name}/{file.name}"' for file in _definitions()} - {
-        f'  "{name}"' for name in COMPILED
-    }
-    lines = (EXAMPLES / "CMakeLists.txt").read_text().splitlines()
-    (folder / "CMakeLists.txt").write_text("\n".join(line for line in lines if line not in others))
-
-
 def _create_packages(source: Path) -> None:
     nothing = source.parent / "install" / "nothing"
     nothing.mkdir(parents=True)
@@ -146,20 +139,3 @@ def _create_packages(source: Path) -> None:
     create("pkg", "create", "cpp_plain", "--build-type", "cmake", "--node-name", "hello")
     create("pkg", "create", "py_with_both", "--build-type", "ament_python", *both)
     nothing.rmdir()
-
-
-def _colcon_build(workspace: Path) -> None:
-    ros = find_ros()
-    prepare(ros)
-    command = [ros.python, "-m", "colcon", "build", "--cmake-args", f"-DPython3_EXECUTABLE={ros.python}"]
-    environment = {**node_environment(ros), "COLCON_LOG_LEVEL": "error"}
-    done = subprocess.run(
-        command,
-        cwd=workspace,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=BUILD_TIMEOUT,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr

@@ -28,6 +28,14 @@ def test_as_the_real_one(name: str, ros2: Ros2) -> None:
     assert answer.code == case.code
 
 
+def test_as_the_real_one_but_for_the_comments(ros2: Ros2) -> None:
+    """The definitions of example_interfaces are explained in words of our own."""
+    case = capture("interface_show_std_string")
+    answer = ros2(*case.arguments)
+    assert (answer.code, answer.stderr) == (case.code, case.stderr)
+    assert _fields(answer.stdout) == _fields(case.stdout) == ["string data"]
+
+
 @pytest.mark.parametrize(
     "name", ["interface_list", "interface_list_s", "interface_packages", "interface_packages_m"]
 )
@@ -87,3 +95,7 @@ def test_show_of_an_unknown_package(ros2: Ros2) -> None:
 
 def _package(line: str) -> str:
     return line.strip().split("/")[0]
+
+
+def _fields(definition: str) -> list[str]:
+    return [line for line in definition.splitlines() if not line.startswith("#")]

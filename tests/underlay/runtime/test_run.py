@@ -195,7 +195,7 @@ def test_it_takes_little_longer_than_the_node_itself(tools: Ros2) -> None:
     began = time.monotonic()
     for _ in range(5):
         tools("run", "tools", "tell")
-    assert (time.monotonic() - began) / 5 < 1.0  # about 0.13 s
+    assert (time.monotonic() - began) / 5 < 3.0  # about 0.13 s on a quiet machine
 
 
 def _line(process: subprocess.Popen[str]) -> str:

@@ -12,6 +12,10 @@ setup(
     data_files=[
         ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
         (f"share/{NAME}", ["package.xml", "README.md"]),
+        (
+            f"share/{NAME}/environment",
+            ["completion/ros2-argcomplete.bash", "completion/ros2-argcomplete.zsh"],
+        ),
     ],
     install_requires=["setuptools"],
     zip_safe=False,

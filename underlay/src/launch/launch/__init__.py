@@ -23,8 +23,8 @@ _NAMES = {
     "Substitution": "substitution",
 }
 _MODULES = (
-    "actions", "conditions", "descriptions", "event_handlers", "events", "launch_description_sources",
-    "logging", "substitutions", "utilities",
+    "actions", "conditions", "descriptions", "event_handlers", "events", "frontend",
+    "launch_description_sources", "logging", "substitutions", "utilities",
 )  # fmt: skip
 
 __all__ = list(_NAMES)

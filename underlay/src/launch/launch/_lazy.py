@@ -14,17 +14,28 @@ def lazily(
     """The `__getattr__` of a package: `names` maps a name to the module (below the package) that has it.
 
     `absent` are names that the real package has and this one has not, with what to do about it: whoever
-    imports one is told so, and not that it never existed.
+    uses one is told so (see launch.absent).
     """
 
     def find(name: str) -> Any:
         if absent and name in absent:
-            raise ImportError(f"{package}.{name} is not offered here: {absent[name]}")
-        if name not in names:
+            value = _absent(package, name, absent[name])
+        elif name in names:
+            value = _imported(package, name, names[name])
+        else:
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
-        module = importlib.import_module(f"{package}.{names[name]}")
-        value = module if names[name] == name else getattr(module, name)
         setattr(sys.modules[package], name, value)
         return value
 
     return find
+
+
+def _imported(package: str, name: str, source: str) -> Any:
+    module = importlib.import_module(f"{package}.{source}")
+    return module if source == name else getattr(module, name)
+
+
+def _absent(package: str, name: str, instead: str) -> type:
+    from launch.absent import stand_in
+
+    return stand_in(package, name, instead)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from launch.launch_description_entity import LaunchDescriptionEntity
 
@@ -22,6 +22,11 @@ class Action(LaunchDescriptionEntity):
     @property
     def condition(self) -> Condition | None:
         return self.__condition
+
+    @classmethod
+    def parse(cls, entity: Any, parser: Any) -> tuple[type[Action], dict[str, Any]]:
+        """What every tag of a launch file in XML or YAML may say; for actions that are exposed there."""
+        return cls, {"condition": parser.parse_condition(entity)}
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         if self.__condition is not None and not self.__condition.evaluate(context):

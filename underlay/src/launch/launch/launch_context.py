@@ -8,6 +8,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Mapping, MutableMapping
 from typing import Any
 
+from launch.child.guard import Guard
 from launch.event import Event
 from launch.event_handlers.base import BaseEventHandler
 from launch.substitution import Substitution
@@ -38,6 +39,7 @@ class LaunchContext:
         self.__loop: asyncio.AbstractEventLoop | None = None
         self.__is_shutdown = False
         self._starting = asyncio.Lock()
+        self._guard = Guard()
         self._events: deque[Event] = deque()
         self._event_handlers: deque[BaseEventHandler] = deque()
         self._wake: Callable[[], None] = lambda: None

@@ -23,6 +23,8 @@ class LaunchDescription(LaunchDescriptionEntity):
         deprecated_reason: str | None = None,
     ) -> None:
         self.__entities = list(initial_entities) if initial_entities is not None else []
+        for entity in self.__entities:
+            _require_entity(entity)
         self.__deprecated_reason = deprecated_reason
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
@@ -65,6 +67,12 @@ class LaunchDescription(LaunchDescriptionEntity):
     ) -> list[Declared]:
         """The arguments, each with the includes that it lies below."""
         return list(declared_arguments(self.__entities, (), conditional_inclusion))
+
+
+def _require_entity(entity: object) -> None:
+    if not isinstance(entity, LaunchDescriptionEntity):
+        kind = type(entity).__name__
+        raise TypeError(f"LaunchDescription expected a list of actions, but found {entity!r} ({kind}) in it")
 
 
 def _warn_deprecated(reason: str, context: LaunchContext) -> None:

@@ -19,7 +19,7 @@ from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.logging import get_logger, launch_config, log_launch_config
 from launch.logging.screen import ScreenHandler
 from launch.termination import Interruptions
-from launch.utilities import visit_all_entities_and_collect_futures
+from launch.utilities.visit import Visited, visit_all
 
 
 class LaunchService:
@@ -120,6 +120,7 @@ class LaunchService:
 
     def _finish(self) -> None:
         self.__context._wake = lambda: None
+        self.__context._guard.close()
         self.__context._set_asyncio_loop(None)
         self.__context._set_is_shutdown(True)
         self.__futures.clear()
@@ -160,9 +161,13 @@ class LaunchService:
             self.__context._pop_locals()
 
     def _visit(self, entity: LaunchDescriptionEntity) -> None:
-        for visited, future in visit_all_entities_and_collect_futures(entity, self.__context):
-            self.__futures[future] = visited
-            future.add_done_callback(lambda _: self.__context._wake())
+        begun: Visited = []
+        try:
+            visit_all(entity, self.__context, begun)
+        finally:
+            for visited, future in begun:
+                self.__futures[future] = visited
+                future.add_done_callback(lambda _: self.__context._wake())
 
     def _drop_done_futures(self) -> None:
         for future in [future for future in self.__futures if future.done()]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from launch._lazy import lazily
 
 _MODULES = (
-    "actions", "descriptions", "parameter_descriptions", "parameters_type", "remap_rule_type",
-    "substitutions", "utilities",
+    "actions", "descriptions", "event_handlers", "events", "frontend", "parameter_descriptions",
+    "parameters_type", "remap_rule_type", "substitutions", "utilities",
 )  # fmt: skip
 
 __all__ = list(_MODULES)

@@ -74,12 +74,13 @@ class ParameterFile:
         return self.__allow_substs
 
     def evaluate(self, context: LaunchContext) -> Path:
-        from launch_ros.utilities.text_substitutions import replaced
+        from launch.frontend.parse_substitution import parse_substitution
 
         path = Path(perform_substitutions(context, self.__param_file))
         if not self._allows(context):
             return path
-        return temporary_file(replaced(context, path.read_text(encoding="utf-8")))
+        parts = parse_substitution(path.read_text(encoding="utf-8"))
+        return temporary_file(perform_substitutions(context, parts))
 
     def _allows(self, context: LaunchContext) -> bool:
         given = self.__allow_substs

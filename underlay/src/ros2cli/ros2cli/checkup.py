@@ -24,12 +24,15 @@ def network(known: Snapshot) -> list[str]:
     return [] if others else ["Only loopback IP address is found."]
 
 
+def of_users(known: Snapshot) -> list[str]:
+    """The topics, without those that every node has."""
+    return [name for name in known.topics() if name not in _ALWAYS_THERE]
+
+
 def topics(known: Snapshot) -> list[str]:
     """Whoever publishes is heard, and whoever listens has something to hear."""
     warnings = []
-    for name in sorted(known.topics()):
-        if name in _ALWAYS_THERE:
-            continue
+    for name in of_users(known):
         if not known.subscriptions(name):
             warnings.append(f"Publisher without subscriber detected on {name}.")
         elif not known.publishers(name):

@@ -8,9 +8,9 @@ whom no port gives away.
 
 from __future__ import annotations
 
+import socket
 import time
 from collections.abc import Callable, Iterable
-from pathlib import Path
 
 from ros2cli.ports import local_participants
 from ros2cli.rcl import Handle, domain_id
@@ -66,6 +66,5 @@ def _halves_match(endpoints: Iterable[Endpoint]) -> bool:
 
 
 def _quiet() -> float:
-    links = Path("/sys/class/net")
-    alone = not links.is_dir() or all(link.name == "lo" for link in links.iterdir())
+    alone = all(name == "lo" for _, name in socket.if_nameindex())
     return _QUIET if alone else _QUIET_WITH_OTHERS

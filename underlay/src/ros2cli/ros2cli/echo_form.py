@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ros2cli.errors import CommandError
+from ros2cli.form_arguments import limits
 
 _INFO = ("source_timestamp", "received_timestamp", "publication_sequence_number", "reception_sequence_number")
 
@@ -19,11 +20,7 @@ class Form:
         self._args = args
         self._fields = args.field.split(".") if args.field else []
         self._wants = wanted(args.filter_expr)
-        self._limits = {
-            "truncate_length": None if args.full_length else args.truncate_length,
-            "no_arr": args.no_arr,
-            "no_str": args.no_str,
-        }
+        self._limits = limits(args)
 
     def show(self, message: Any, info: dict[str, Any]) -> bool:
         """Print the message; False when the filter left it out."""

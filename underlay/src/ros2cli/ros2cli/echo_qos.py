@@ -1,4 +1,4 @@
-"""The quality of service with which `echo` hears every publisher of a topic."""
+"""The quality of service that hears every publisher of a topic."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ import sys
 from argparse import Namespace
 from typing import Any
 
-from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
+from ros2cli.discovery import discover
+from ros2cli.node import handle_of
 from ros2cli.qos_options import chosen_qos, is_chosen
 
 # Deep enough for a burst while a terminal is slow.
@@ -21,8 +23,12 @@ _MIXED = (
 def qos_for(args: Namespace, node: Any, topic: str) -> Any:
     """What the options say; where they do not, as strict as all publishers are and no stricter."""
     qos = chosen_qos(args, "sensor_data", DEPTH)
-    if is_chosen(args):
-        return qos
+    return qos if is_chosen(args) else fitting(node, topic, qos, args.spin_time)
+
+
+def fitting(node: Any, topic: str, qos: QoSProfile, patience: float | None = None) -> QoSProfile:
+    """The profile with the reliability and durability of all publishers that are there by now."""
+    discover(handle_of(node), patience)
     offered = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
     reliable = [offer.reliability == ReliabilityPolicy.RELIABLE for offer in offered]
     lasting = [offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offered]

@@ -27,10 +27,10 @@ def add_direct_arguments(parser: ArgumentParser) -> None:
 
 def graph(args: Namespace) -> Snapshot:
     """The complete graph. Without a daemon it takes longer, so one is started for the next time."""
-    if getattr(args, "no_daemon", False):
-        return _look(args)
     from ros2cli import daemon
 
+    if getattr(args, "no_daemon", False) or not daemon.is_allowed():
+        return _look(args)
     told = daemon.ask("graph")
     if told is not None:
         return from_data(told)

@@ -10,11 +10,10 @@ import sys
 from argparse import Namespace
 from collections.abc import Sequence
 
-from ros2cli.errors import CommandError
+from ros2cli.errors import TERMINATED, CommandError
 from ros2cli.parser import ros2_parser
 
 INTERRUPTED = 2
-TERMINATED = 15
 CLOSED_PIPE = 141  # as the shell tells it: 128 + SIGPIPE
 
 
@@ -45,9 +44,9 @@ def _guarded(argv: Sequence[str] | None) -> int:
 def _run(argv: Sequence[str] | None) -> int | str | None:
     parser = ros2_parser()
     if "_ARGCOMPLETE" in os.environ:
-        import argcomplete
+        from ros2cli.completion import complete
 
-        argcomplete.autocomplete(parser, exclude=["-h", "--help"])
+        complete(parser)
     args = parser.parse_args(argv)
     _buffer_lines(args)
     result: int | str | None = args.main(args)

@@ -13,6 +13,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.signals import SignalHandlerOptions
 
+from ros2cli.errors import TERMINATED, CommandError
 from ros2cli.rcl import Handle, extension, hidden_name
 
 _STEP = 0.005
@@ -34,6 +35,11 @@ def own_node(args: Namespace | None = None, name: str = "", *, survives: bool = 
     )
     try:
         yield node
+    except Exception as error:
+        if survives or node.context.ok():
+            raise
+        # A signal took the context away, under whatever was being asked of it.
+        raise CommandError("", TERMINATED) from error
     finally:
         node.destroy_node()
         rclpy.try_shutdown()

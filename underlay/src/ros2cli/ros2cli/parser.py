@@ -6,12 +6,15 @@ import argparse
 import importlib
 import importlib.util
 import os
+import sys
 from collections.abc import Callable, Mapping
 from functools import partial
 from types import ModuleType
 from typing import Any
 
+from ros2cli.examples import epilog
 from ros2cli.registry import ALIASES, COMMANDS, ELSEWHERE, HIDDEN, VERBS
+from ros2cli.word_order import options_first
 
 DESCRIPTION = "ros2 is an extensible command-line tool for ROS 2."
 _BUFFERING = (
@@ -36,7 +39,8 @@ class LazyParser(argparse.ArgumentParser):
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         self.fill()
-        return super().parse_known_args(args, namespace)
+        words = sys.argv[1:] if args is None else args
+        return super().parse_known_args(options_first(self, words), namespace)
 
 
 def ros2_parser() -> LazyParser:
@@ -53,6 +57,7 @@ def _fill_command(name: str, parser: LazyParser) -> None:
         return _fill_elsewhere(name, parser)
     parser.description = COMMANDS[ALIASES.get(name, name)]
     name = ALIASES.get(name, name)
+    parser.epilog = epilog(name)
     module = _command_module(name)
     if module is not None:
         _fill_from(module, parser)
@@ -64,6 +69,7 @@ def _fill_command(name: str, parser: LazyParser) -> None:
 
 def _fill_verb(command: str, verb: str, parser: LazyParser) -> None:
     parser.description = VERBS[command][verb]
+    parser.epilog = epilog(f"{command} {verb}")
     _fill_from(importlib.import_module(f"ros2cli.verbs.{command}.{verb}"), parser)
 
 
@@ -95,7 +101,8 @@ def _add_choices(
     listing = "\n".join(f"{name.ljust(width)}  {text}" for name, text in listed.items())
     hint = f"Call `{prog} <command> -h` for more detailed usage."
     sub = parser.add_subparsers(title="Commands", description=listing, metavar=hint)
-    parser.set_defaults(main=lambda args: parser.print_help())
+    if parser.get_default("main") is None:
+        parser.set_defaults(main=lambda args: parser.print_help())
     # Completion looks into a parser before anything is parsed by it.
     asked = os.environ.get("COMP_LINE", "").split() if "_ARGCOMPLETE" in os.environ else []
     for name, fill in choices.items():

@@ -21,12 +21,13 @@ COMMANDS = {
 }
 
 # Answered, but not listed.
-HIDDEN = ("bag", "extension_points", "extensions", "security")
+HIDDEN = ("bag", "control", "extension_points", "extensions", "security")
 
 # What the real command has and this one has not: the package that brings it.
 ELSEWHERE = {
     "bag": "ros-jazzy-ros2bag",
     "component": "ros-jazzy-ros2component",
+    "control": "ros-jazzy-ros2controlcli",
     "extension_points": "ros-jazzy-ros2cli",
     "extensions": "ros-jazzy-ros2cli",
     "lifecycle": "ros-jazzy-ros2lifecycle",
@@ -47,6 +48,9 @@ VERBS = {
         "start": "Start the daemon if it isn't running",
         "status": "Output the status of the daemon",
         "stop": "Stop the daemon if it is running",
+    },
+    "doctor": {
+        "hello": "Check network connectivity between multiple hosts",
     },
     "interface": {
         "list": "List all interface types available",
@@ -77,6 +81,7 @@ VERBS = {
     },
     "service": {
         "call": "Call a service",
+        "echo": "Echo a service",
         "find": "Output a list of available services of a given type",
         "info": "Print information about a service",
         "list": "Output a list of available services",

@@ -44,7 +44,7 @@ def class_of_topic(node: Any, name: str, patience: float | None, *, block: bool)
         if not block:
             return None
         wait_until(lambda: not node.context.ok() or _types(node, name))
-        found = _types(node, name)
+        found = _types(node, name) if node.context.ok() else []
     return _class(name, found)
 
 

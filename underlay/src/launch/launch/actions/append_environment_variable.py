@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from launch.action import Action, texts
+from launch.action import texts
+from launch.actions.named import NamedValue
 from launch.launch_context import LaunchContext
 from launch.substitution import Substitution
 from launch.utilities import perform_substitutions
 
 
-class AppendEnvironmentVariable(Action):
+class AppendEnvironmentVariable(NamedValue):
     """At its end, or with `prepend` before all that is there."""
 
     def __init__(
@@ -22,19 +23,9 @@ class AppendEnvironmentVariable(Action):
         separator: object = os.pathsep,
         **kwargs: Any,
     ) -> None:
-        super().__init__(**kwargs)
-        self.__name = texts(name)
-        self.__value = texts(value)
+        super().__init__(name, value, **kwargs)
         self.__prepend = texts(str(prepend) if isinstance(prepend, bool) else prepend)
         self.__separator = texts(separator)
-
-    @property
-    def name(self) -> list[Substitution]:
-        return self.__name
-
-    @property
-    def value(self) -> list[Substitution]:
-        return self.__value
 
     @property
     def prepend(self) -> list[Substitution]:
@@ -47,8 +38,7 @@ class AppendEnvironmentVariable(Action):
     def execute(self, context: LaunchContext) -> None:
         from launch.conditions import evaluate_condition_expression
 
-        name = perform_substitutions(context, self.__name)
-        value = perform_substitutions(context, self.__value)
+        name, value = self._performed(context)
         before = [context.environment[name]] if name in context.environment else []
         first = evaluate_condition_expression(context, self.__prepend)
         between = perform_substitutions(context, self.__separator)

@@ -18,6 +18,7 @@ from launch.event import Event
 from launch.event_handler import EventHandler
 from launch.event_handlers.base import BaseEventHandler
 from launch.event_handlers.on_shutdown import OnShutdown
+from launch.events.matchers import matches_action
 from launch.events.process.process_exited import ProcessExited
 from launch.events.process.process_io import ProcessStderr, ProcessStdin, ProcessStdout
 from launch.events.process.process_started import ProcessStarted
@@ -50,7 +51,7 @@ class ExecuteLocal(Action):
         log_cmd: bool = False,
         on_exit: Any = None,
         respawn: object = False,
-        respawn_delay: float | None = None,
+        respawn_delay: object | None = None,
         respawn_max_retries: int = -1,
         **kwargs: Any,
     ) -> None:
@@ -66,7 +67,7 @@ class ExecuteLocal(Action):
         self.__log_cmd = log_cmd
         self.__on_exit = on_exit
         self.__respawn = respawn
-        self.__respawn_delay = respawn_delay
+        self.__respawn_delay = texts("0" if respawn_delay is None else _number(respawn_delay))
         self.__respawn_max_retries = respawn_max_retries
         self.__handlers: list[BaseEventHandler] = []
         self.__child: Child | None = None
@@ -149,6 +150,9 @@ class ExecuteLocal(Action):
             )
         self.__executed = True
         self.prepare(context)
+        self.__timeouts = [
+            _seconds(context, timeout) for timeout in (self.__sigterm_timeout, self.__sigkill_timeout)
+        ]
         if context.is_shutdown or context.asyncio_loop is None:
             return None
         self.__completed_future = context.asyncio_loop.create_future()
@@ -170,7 +174,9 @@ class ExecuteLocal(Action):
         retries = 0
         while True:
             await self._run_once(context)
-            if not self._respawns(context, retries) or await self._ended_during(self.__respawn_delay):
+            if not self._respawns(context, retries):
+                return
+            if await self._ended_during(float(perform_substitutions(context, self.__respawn_delay))):
                 return
             retries += 1
 
@@ -178,12 +184,15 @@ class ExecuteLocal(Action):
         description = self.__process_description
         self.__outlet = Output(self.__loggers, self._formed, self.__cached_output)
         async with context._starting:  # in the order of the launch file, and told in that order
+            if self._is_ending:
+                return
             child = await Child.start(
                 description.started_cmd,
                 shell=self.__shell,
                 cwd=description.final_cwd,
                 env=description.final_env or {},
                 emulate_tty=self._wants_tty(context),
+                guard=context._guard,
             )
             self._on_started(context, child)
         try:
@@ -225,10 +234,10 @@ class ExecuteLocal(Action):
         allowed = self.__respawn_max_retries < 0 or retries < self.__respawn_max_retries
         return allowed and not self._is_ending and not context.is_shutdown and _truth(context, self.__respawn)
 
-    async def _ended_during(self, delay: float | None) -> bool:
+    async def _ended_during(self, delay: float) -> bool:
         assert self.__ending is not None
         try:
-            await asyncio.wait_for(self.__ending.wait(), delay or 0.0)
+            await asyncio.wait_for(self.__ending.wait(), delay)
         except asyncio.TimeoutError:
             return self._is_ending
         return True
@@ -275,12 +284,10 @@ class ExecuteLocal(Action):
         """SIGINT, unless the terminal has sent it; what comes later if that does not help."""
         if self.__child is None or not self.__child.running:
             return
-        if send_sigint:
-            self._send(signal.SIGINT)
-        self.__escalation.begin(
-            perform_substitutions(context, self.__sigterm_timeout),
-            perform_substitutions(context, self.__sigkill_timeout),
-        )
+        if send_sigint:  # as an event: what a launch file does at a shutdown is done before
+            wanted = SignalProcess(signal_number=signal.SIGINT, process_matcher=matches_action(self))
+            context.emit_event_sync(wanted)
+        self.__escalation.begin(*self.__timeouts)
 
     def _send(self, number: signal.Signals) -> None:
         if self.__child is None or not self.__child.running:
@@ -318,7 +325,7 @@ class ExecuteLocal(Action):
     def _collected(self, fd: int) -> bytes:
         if not self.__cached_output:
             raise RuntimeError("Output is not cached: the action needs cached_output=True")
-        return self.__outlet.collected[fd]
+        return bytes(self.__outlet.collected[fd])
 
     def _is_input(self, event: Event) -> bool:
         return isinstance(event, ProcessStdin) and event.action is self
@@ -341,7 +348,19 @@ class _ForThis(BaseEventHandler):
 
 def _timeout(name: str, given: object | None) -> list[Substitution]:
     value = LaunchConfiguration(name, default=5) if given is None else given
-    return texts(str(value) if isinstance(value, int | float) else value)
+    return texts(_number(value))
+
+
+def _number(given: object) -> object:
+    """A number is as good as a text that says it."""
+    return str(given) if isinstance(given, int | float) else given
+
+
+def _seconds(context: LaunchContext, given: list[Substitution]) -> str:
+    """As it was written, as it is told so; what is no number is told now, not when the launch ends."""
+    text = perform_substitutions(context, given)
+    float(text)
+    return text
 
 
 def _truth(context: LaunchContext, value: object) -> bool:

@@ -37,15 +37,13 @@ class GroupAction(Action):
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         setting = [SetLaunchConfiguration(name, value) for name, value in self.__configurations.items()]
-        inner = [*setting, *self.__actions]
         if not self.__scoped:
-            return inner
-        fresh = [] if self.__forwarding else [ResetEnvironment(), self._reset()]
+            return [*setting, *self.__actions]
         begin = [PushLaunchConfigurations(), PushEnvironment()]
-        return [*begin, *fresh, *inner, PopEnvironment(), PopLaunchConfigurations()]
-
-    def _reset(self) -> Action:
-        return ResetLaunchConfigurations(self.__configurations)
+        # What is given is found out before all else is forgotten.
+        fresh = [ResetEnvironment(), ResetLaunchConfigurations(self.__configurations)]
+        own = setting if self.__forwarding else fresh
+        return [*begin, *own, *self.__actions, PopEnvironment(), PopLaunchConfigurations()]
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
         return [] if self.condition is not None else self.__actions

@@ -56,8 +56,8 @@ class IncludeLaunchDescription(Action):
         return [*setting, description, OpaqueFunction(function=_go_back, args=[before])]
 
     def _enter(self, context: LaunchContext) -> None:
-        path = Path(self.__source.location)
-        folder = str(path.parent) if str(path) != "." else ""
+        path = Path(self.__source.location).absolute()
+        folder = str(path.parent) if self.__source.location else ""
         context.extend_globals(dict(zip(_PLACES, (str(path), folder), strict=True)))
 
     def _check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:

@@ -1,9 +1,8 @@
 """Back to the environment that was put by."""
 
-from launch.action import Action
+from launch.actions.named import Step
 from launch.launch_context import LaunchContext
 
 
-class PopEnvironment(Action):
-    def execute(self, context: LaunchContext) -> None:
-        context._pop_environment()
+class PopEnvironment(Step):
+    _step = staticmethod(LaunchContext._pop_environment)

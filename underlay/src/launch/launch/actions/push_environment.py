@@ -1,9 +1,8 @@
 """Put by the environment."""
 
-from launch.action import Action
+from launch.actions.named import Step
 from launch.launch_context import LaunchContext
 
 
-class PushEnvironment(Action):
-    def execute(self, context: LaunchContext) -> None:
-        context._push_environment()
+class PushEnvironment(Step):
+    _step = staticmethod(LaunchContext._push_environment)

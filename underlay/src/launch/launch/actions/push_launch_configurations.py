@@ -1,9 +1,8 @@
 """Put by the launch configurations."""
 
-from launch.action import Action
+from launch.actions.named import Step
 from launch.launch_context import LaunchContext
 
 
-class PushLaunchConfigurations(Action):
-    def execute(self, context: LaunchContext) -> None:
-        context._push_launch_configurations()
+class PushLaunchConfigurations(Step):
+    _step = staticmethod(LaunchContext._push_launch_configurations)

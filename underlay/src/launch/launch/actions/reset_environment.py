@@ -1,9 +1,8 @@
 """Back to the environment in which the launch began."""
 
-from launch.action import Action
+from launch.actions.named import Step
 from launch.launch_context import LaunchContext
 
 
-class ResetEnvironment(Action):
-    def execute(self, context: LaunchContext) -> None:
-        context._reset_environment()
+class ResetEnvironment(Step):
+    _step = staticmethod(LaunchContext._reset_environment)

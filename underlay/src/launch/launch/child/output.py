@@ -16,8 +16,8 @@ class Output:
         self._lines = {1: Lines(), 2: Lines()}
         self._form = form
         self._cached = cached
-        self._waiting: list[tuple[int, str]] = []
-        self.collected = {1: b"", 2: b""}
+        self._waiting: list[tuple[int, list[str]]] = []
+        self.collected = {1: bytearray(), 2: bytearray()}
 
     def take(self, fd: int, data: bytes) -> None:
         if self._cached:
@@ -28,16 +28,17 @@ class Output:
         """Shows what has no end of line, and all that was held back."""
         for fd, lines in self._lines.items():
             self._pass_on(fd, lines.rest())
-        for fd, line in self._waiting:
-            self._show(fd, line)
+        for fd, held in self._waiting:
+            self._show(fd, held)
         self._waiting.clear()
 
     def _pass_on(self, fd: int, lines: list[str]) -> None:
-        for line in lines:
-            if self._cached:
-                self._waiting.append((fd, line))
-            else:
-                self._show(fd, line)
+        if self._cached:
+            self._waiting.append((fd, lines))
+        else:
+            self._show(fd, lines)
 
-    def _show(self, fd: int, line: str) -> None:
-        self._loggers[fd].info("%s", self._form(line))
+    def _show(self, fd: int, lines: list[str]) -> None:
+        """All at once: a process that floods its output leaves time for everything else."""
+        if lines:
+            self._loggers[fd].info("%s", "\n".join(map(self._form, lines)))

@@ -8,7 +8,7 @@ from launch.launch_description_sources.any_launch_file import get_launch_descrip
 
 
 class AnyLaunchDescriptionSource(LaunchDescriptionSource):
-    """Python is the only kind that is offered; others are refused in plain words."""
+    """In Python, XML or YAML."""
 
     def __init__(self, launch_file_path: object) -> None:
         super().__init__(None, launch_file_path, "any launch file")

@@ -1,4 +1,4 @@
-"""Launch files of any kind: in Python, or refused in words that the real launch uses."""
+"""Launch files of any kind: the file's name tells of which."""
 
 from __future__ import annotations
 
@@ -6,32 +6,34 @@ from pathlib import Path
 
 import yaml
 
+from launch.absent import NotOfferedError
+from launch.frontend.errors import InvalidFrontendLaunchFileError
 from launch.invalid_launch_file_error import InvalidLaunchFileError
 from launch.launch_description import LaunchDescription
 from launch.launch_description_sources.python_launch_file import (
     get_launch_description_from_python_launch_file,
 )
 
-_FRONTENDS = {".xml": "XML", ".yaml": "YAML", ".yml": "YAML"}
-
-
-class InvalidFrontendLaunchFileError(InvalidLaunchFileError):
-    """Neither XML nor YAML, either."""
-
 
 def get_launch_description_from_any_launch_file(launch_file_path: str) -> LaunchDescription:
+    """Raises InvalidLaunchFileError, which tells what each way of reading the file said."""
     path = Path(launch_file_path)
-    if path.suffix in _FRONTENDS:
-        raise RuntimeError(
-            f"launch files in {_FRONTENDS[path.suffix]} are not offered here ('{path.name}'): write it in "
-            "Python, or install ROS 2 (ros-jazzy-launch-xml, ros-jazzy-launch-yaml)"
-        )
+    if path.suffix != ".py":
+        return _from_frontend(launch_file_path)
     try:
         return get_launch_description_from_python_launch_file(launch_file_path)
+    except NotOfferedError:
+        raise
     except Exception as error:
-        raise InvalidLaunchFileError(
-            path.suffix[1:], likely_errors=[error, _not_a_frontend_file(path)]
-        ) from error
+        raise InvalidLaunchFileError("py", likely_errors=[error, _not_a_frontend_file(path)]) from error
+
+
+def _from_frontend(launch_file_path: str) -> LaunchDescription:
+    from launch.launch_description_sources.frontend_launch_file import (
+        get_launch_description_from_frontend_launch_file,
+    )
+
+    return get_launch_description_from_frontend_launch_file(launch_file_path)
 
 
 def _not_a_frontend_file(path: Path) -> Exception:

@@ -29,5 +29,14 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
             f"launch file at '{python_launch_file_path}' does not contain the required function "
             "'generate_launch_description()'"
         )
-    description: LaunchDescription = generate()
+    description = generate()
+    if not isinstance(description, LaunchDescription):
+        raise InvalidPythonLaunchFileError(
+            f"launch file at '{python_launch_file_path}': generate_launch_description() must return a "
+            f"LaunchDescription, but it returned {_told(description)}"
+        )
     return description
+
+
+def _told(value: object) -> str:
+    return "nothing (None)" if value is None else f"{value!r} ({type(value).__name__})"

@@ -71,9 +71,22 @@ def _formed(handler: logging.Handler, form: str) -> logging.Handler:
     return handler
 
 
+class _EveryLine(logging.Formatter):
+    """What a process wrote comes as many lines at once: each gets what stands around a message."""
+
+    def formatMessage(self, record: logging.LogRecord) -> str:
+        return "\n".join(self._line(record, line) for line in record.message.split("\n"))
+
+    def _line(self, record: logging.LogRecord, line: str) -> str:
+        record.message = line
+        return super().formatMessage(record)
+
+
 def _formatter(form: str) -> logging.Formatter:
     # The real launch calls the message `msg`.
-    return logging.Formatter(form.replace("{msg}", "{message}"), style="{", validate=False)
+    form = form.replace("{msg}", "{message}")
+    kind = _EveryLine if "levelname" not in form and form != "{message}" else logging.Formatter
+    return kind(form, style="{", validate=False)
 
 
 launch_config = LaunchConfig()

@@ -14,6 +14,8 @@ _NAMES = {
     "EqualsSubstitution": "equals_substitution",
     "FileContent": "file_content",
     "FindExecutable": "find_executable",
+    "ForEachVar": "for_substitutions",
+    "ForLoopIndex": "for_substitutions",
     "IfElseSubstitution": "if_else_substitution",
     "LaunchConfiguration": "launch_configuration",
     "LaunchLogDir": "launch_log_dir",
@@ -31,8 +33,4 @@ _NAMES = {
     "ThisLaunchFileDir": "this_launch_file_dir",
 }
 __all__ = list(_NAMES)
-_ABSENT = {
-    name: "it belongs to launch files in XML and YAML; in Python the loop hands its value to the function"
-    for name in ("ForEachVar", "ForLoopIndex")
-}
-__getattr__ = lazily(__name__, _NAMES, _ABSENT)
+__getattr__ = lazily(__name__, _NAMES)

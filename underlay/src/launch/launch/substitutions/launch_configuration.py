@@ -4,34 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from launch.action import texts
 from launch.launch_context import LaunchContext
 from launch.substitution import Substitution
-from launch.substitutions.substitution_failure import SubstitutionFailure
-from launch.utilities import perform_substitutions
+from launch.substitutions.looked_up import LookedUp
 
 
-class LaunchConfiguration(Substitution):
-    """`default` is taken where the configuration is not set."""
+class LaunchConfiguration(LookedUp):
+    _shown = "LaunchConfig"
+    _missing = "launch configuration '{}' does not exist"
 
     def __init__(self, variable_name: object, *, default: object | None = None) -> None:
-        self.__name = texts(variable_name)
-        self.__default = None if default is None else texts(_as_text(default))
+        super().__init__(variable_name, None if default is None else _as_text(default))
 
     @property
     def variable_name(self) -> list[Substitution]:
-        return self.__name
+        return self._name
 
-    def describe(self) -> str:
-        return "LaunchConfig({})".format(" + ".join(sub.describe() for sub in self.__name))
-
-    def perform(self, context: LaunchContext) -> str:
-        name = perform_substitutions(context, self.__name)
-        if name in context.launch_configurations:
-            return str(context.launch_configurations[name])
-        if self.__default is None:
-            raise SubstitutionFailure(f"launch configuration '{name}' does not exist")
-        return perform_substitutions(context, self.__default)
+    def _find(self, context: LaunchContext, name: str) -> object | None:
+        found: object | None = context.launch_configurations.get(name)
+        return found
 
 
 def _as_text(default: object) -> object:

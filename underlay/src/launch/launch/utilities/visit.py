@@ -17,9 +17,16 @@ def visit_all_entities_and_collect_futures(
     entity: LaunchDescriptionEntity, context: LaunchContext
 ) -> Visited:
     """Visit an entity and all that come of it; those that take time, with their futures."""
+    visited: Visited = []
+    visit_all(entity, context, visited)
+    return visited
+
+
+def visit_all(entity: LaunchDescriptionEntity, context: LaunchContext, visited: Visited) -> None:
+    """The same; what an exception leaves undone does not hide from `visited` what was begun before."""
     following = entity.visit(context)
     future = entity.get_asyncio_future()
-    visited: Visited = [] if future is None else [(entity, future)]
+    if future is not None:
+        visited.append((entity, future))
     for each in following or ():
-        visited += visit_all_entities_and_collect_futures(each, context)
-    return visited
+        visit_all(each, context, visited)

@@ -14,13 +14,16 @@ _NAMES = {
     "SetRemap": "set_remap",
     "SetUseSimTime": "set_use_sim_time",
 }
+COMPONENTS = "components are C++; install ROS 2 (sudo apt install ros-jazzy-launch-ros)"
+MANAGED = "managed nodes need an installed ROS 2 (sudo apt install ros-jazzy-launch-ros)"
+TIMER = "use launch.actions.TimerAction, or install ROS 2 (sudo apt install ros-jazzy-launch-ros)"
 _ABSENT = {
-    "ComposableNodeContainer": "components are C++; install ROS 2 (ros-jazzy-launch-ros)",
-    "LifecycleNode": "managed nodes are not; install ROS 2 (ros-jazzy-launch-ros)",
-    "LifecycleTransition": "managed nodes are not; install ROS 2 (ros-jazzy-launch-ros)",
-    "LoadComposableNodes": "components are C++; install ROS 2 (ros-jazzy-launch-ros)",
-    "ROSTimer": "use launch.actions.TimerAction, or install ROS 2 (ros-jazzy-launch-ros)",
-    "RosTimer": "use launch.actions.TimerAction, or install ROS 2 (ros-jazzy-launch-ros)",
+    "ComposableNodeContainer": COMPONENTS,
+    "LifecycleNode": MANAGED,
+    "LifecycleTransition": MANAGED,
+    "LoadComposableNodes": COMPONENTS,
+    "ROSTimer": TIMER,
+    "RosTimer": TIMER,
 }
-__all__ = list(_NAMES)
+__all__ = [*_NAMES, *_ABSENT]
 __getattr__ = lazily(__name__, _NAMES, _ABSENT)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable
 from typing import Any
 
@@ -108,10 +107,12 @@ class Node(ExecuteProcess):
     def prepare(self, context: LaunchContext) -> None:
         super().prepare(context)
         description = self.process_description
-        if self.__package is not None:
-            description.interpreter = interpreter_for(description.program)
-        if description.interpreter:
-            get_logger(self.name).info(f"starts with {sys.executable}: its own Python does not know this ROS")
+        if self.__package is None:
+            return
+        interpreter = interpreter_for(description.program)
+        description.interpreter = list(interpreter.command)
+        if interpreter.told:
+            get_logger(self.name).info(interpreter.told)
 
     def _expand_names(self, context: LaunchContext) -> None:
         own = self.__node_namespace

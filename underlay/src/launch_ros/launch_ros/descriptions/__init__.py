@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from launch._lazy import lazily
 
-_INSTEAD = "components are C++; install ROS 2 (ros-jazzy-launch-ros)"
+_INSTEAD = "components are C++; install ROS 2 (sudo apt install ros-jazzy-launch-ros)"
 _NAMES: dict[str, str] = {}
 _ABSENT = {"ComposableNode": _INSTEAD}
 __all__: list[str] = []

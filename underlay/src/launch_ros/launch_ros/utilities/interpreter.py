@@ -1,7 +1,7 @@
 """The Python that a script of a package is started with, where its own does not know this ROS.
 
 ROS from pip is known to one Python only; colcon may have been run by another one, whose path then stands in
-the first line of what it installed.
+the first line of what it installed. `ros2 run` asks here, too.
 """
 
 from __future__ import annotations
@@ -10,17 +10,28 @@ import os
 import re
 import shutil
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 _PYTHON = re.compile(r"python[\d.]*")
 
 
-def interpreter_for(program: str) -> list[str]:
-    """What is to be put before the program: nothing, or this Python with the options of its first line."""
+@dataclass(frozen=True)
+class Interpreter:
+    """`command` is to be put before the program, and `told` says why; both are empty if nothing is to be."""
+
+    command: tuple[str, ...] = ()
+    told: str = ""
+
+
+def interpreter_for(program: str) -> Interpreter:
+    """This Python, with the options of the program's first line, if that names one without this ROS."""
     words = _first_line(program)
     if not words or not _PYTHON.fullmatch(Path(words[0]).name) or _is_ours(words[0]):
-        return []
-    return [sys.executable, *words[1:]]
+        return Interpreter()
+    return Interpreter(
+        (sys.executable, *words[1:]), f"started with {sys.executable}, as {words[0]} does not know this ROS"
+    )
 
 
 def _first_line(program: str) -> list[str]:

@@ -13,6 +13,7 @@ from launch.utilities import perform_substitutions
 from launch_ros.utilities.parameter_values import evaluate_parameters
 from launch_ros.utilities.parameter_yaml import file_text, rule
 from launch_ros.utilities.remap_forms import RemapRule
+from launch_ros.utilities.shared_file import SharedFile
 from launch_ros.utilities.temporary_files import temporary_file
 
 
@@ -44,6 +45,8 @@ class NodeArguments:
     def _parameter(self, given: Any) -> list[str]:
         if isinstance(given, tuple):
             return ["-p", rule(*given)]
+        if isinstance(given, SharedFile):
+            return self._file(Path(given.path)) if given.is_for(self._node_name) else []
         if isinstance(given, dict):
             given = temporary_file(file_text(self._node_name, given))
         return self._file(Path(given))

@@ -5,13 +5,14 @@ from __future__ import annotations
 import atexit
 import contextlib
 import os
-import tempfile
 from pathlib import Path
 
 _PREFIX = "launch_params_"
 
 
 def temporary_file(text: str) -> Path:
+    import tempfile  # here: it takes long to import, and few launch files come to need it
+
     with tempfile.NamedTemporaryFile(mode="w", prefix=_PREFIX, delete=False, encoding="utf-8") as file:
         file.write(text)
     atexit.register(_remove, file.name)

@@ -24,7 +24,7 @@ def main(args: Namespace) -> int:
 
     known = known_graph()
     if args.report:
-        print_reports(REPORTS, known)
+        print_reports([name for name in REPORTS if name != "package" or not args.exclude_packages], known)
         return 0
     warnings = {name: check(known) for name, check in CHECKS.items()}
     for warning in (warning for found in warnings.values() for warning in found):
@@ -32,7 +32,7 @@ def main(args: Namespace) -> int:
     failed = [name for name, found in warnings.items() if found and args.include_warnings]
     _print_verdict(failed, len(CHECKS))
     if args.report_failed:
-        print_reports({name: REPORTS[name] for name in failed}, known)
+        print_reports(failed, known)
     return 1 if failed else 0
 
 

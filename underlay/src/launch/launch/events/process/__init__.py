@@ -16,5 +16,14 @@ _NAMES = {
     "ShutdownProcess": "shutdown_process",
     "SignalProcess": "signal_process",
 }
-__all__ = list(_NAMES)
-__getattr__ = lazily(__name__, _NAMES)
+_MATCHERS = ("matches_executable", "matches_name", "matches_pid")
+__all__ = [*_NAMES, *_MATCHERS]
+_find = lazily(__name__, _NAMES)
+
+
+def __getattr__(name: str) -> object:
+    if name in _MATCHERS:
+        from launch.events import matchers
+
+        return getattr(matchers, name)
+    return _find(name)

@@ -12,10 +12,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def main(args: Namespace) -> str | None:
-    if not daemon.is_running():
-        print("The daemon is not running")
-        return None
-    if not daemon.stop():
+    has_ended = daemon.stop()
+    if has_ended is False:
         return "Failed to stop the daemon"
-    print("The daemon has been stopped")
+    print("The daemon is not running" if has_ended is None else "The daemon has been stopped")
     return None

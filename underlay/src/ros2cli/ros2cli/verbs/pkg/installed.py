@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 from ament_index_python.packages import PackageNotFoundError, get_package_prefix, get_packages_with_prefixes
 
@@ -16,6 +18,16 @@ from ros2cli.errors import CommandError
 def packages(prefix: str = "", parsed_args: Any = None, **kwargs: Any) -> list[str]:
     """Return the names of all packages; also completes them."""
     return sorted(get_packages_with_prefixes())
+
+
+def versions() -> dict[str, str]:
+    """Return the version of each package that has a manifest."""
+    found = {}
+    for name, prefix in sorted(get_packages_with_prefixes().items()):
+        with contextlib.suppress(OSError, ElementTree.ParseError):
+            manifest = ElementTree.parse(Path(prefix, "share", name, "package.xml"))
+            found[name] = (manifest.findtext("version") or "unknown").strip()
+    return found
 
 
 def prefix_of(package: str, complaint: str = "Package '{}' not found") -> Path:

@@ -60,7 +60,7 @@ def _is_there(node: Any, client: Any) -> bool:
 
     if not wait_until(client.service_is_ready, _LOOK_FIRST):
         print("waiting for service to become available...")
-        wait_until(lambda: client.service_is_ready() or not node.context.ok())
+        wait_until(lambda: not node.context.ok() or client.service_is_ready())
     return bool(node.context.ok())
 
 

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import time
 from argparse import ArgumentParser, Namespace
 from collections import deque
-from typing import Any
 
 from ros2cli.measuring import add_measuring_arguments, measure
 
@@ -30,18 +28,18 @@ class Bandwidth:
         self._sizes: deque[int] = deque(maxlen=window)
         self._times: deque[float] = deque(maxlen=window)
 
-    def add(self, message: bytes, info: dict[str, Any]) -> None:
+    def add(self, message: bytes, moment: float) -> None:
         self._sizes.append(len(message))
-        self._times.append(info.get("received_timestamp", 0) / 1e9 or time.time())
+        self._times.append(moment)
 
-    def report(self) -> None:
+    def report(self, now: float) -> None:
         count = len(self._sizes)
         if count < 2:
             return
         total = sum(self._sizes)
         # A full window ends with its last message; before, silence counts too.
         is_full = count == self._sizes.maxlen
-        end = self._times[-1] if is_full else time.time()
+        end = self._times[-1] if is_full else now
         per_second = (total - self._sizes[0] * is_full) / max(end - self._times[0], 1e-9)
         mean, least, most = (size_text(size) for size in (total / count, min(self._sizes), max(self._sizes)))
         print(f"{size_text(per_second)}/s from {count} messages")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
@@ -27,14 +26,14 @@ class Delay:
         self._delays = Window(window)
         self._is_new = False
 
-    def add(self, message: Any, info: dict[str, Any]) -> None:
+    def add(self, message: Any, moment: float) -> None:
         if not hasattr(message, "header"):
             raise CommandError("msg does not have header")
         stamp = message.header.stamp
-        self._delays.add(time.time() - stamp.sec - stamp.nanosec / 1e9)
+        self._delays.add(moment - stamp.sec - stamp.nanosec / 1e9)
         self._is_new = True
 
-    def report(self) -> None:
+    def report(self, now: float) -> None:
         if not self._is_new:
             return
         self._is_new = False

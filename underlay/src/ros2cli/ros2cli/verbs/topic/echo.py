@@ -8,6 +8,7 @@ from typing import Any
 
 from ros2cli.arguments import add_completed, positive_float
 from ros2cli.complete import topic_names, topic_types
+from ros2cli.form_arguments import add_form_arguments
 from ros2cli.graph import add_graph_arguments
 from ros2cli.qos_options import add_qos_arguments
 
@@ -15,7 +16,9 @@ from ros2cli.qos_options import add_qos_arguments
 def add_arguments(parser: ArgumentParser) -> None:
     add_graph_arguments(parser)
     add_qos_arguments(parser, "subscribe", "sensor_data")
-    _add_form_arguments(parser)
+    add_form_arguments(parser, with_field=True)
+    parser.add_argument("--no-lost-messages", action="store_true", help="Don't report when a message is lost")
+    parser.add_argument("--raw", action="store_true", help="Echo the raw binary representation")
     parser.add_argument(
         "--filter",
         dest="filter_expr",
@@ -38,41 +41,6 @@ def add_arguments(parser: ArgumentParser) -> None:
         nargs="?",
         help="Type of the ROS message (e.g. 'std_msgs/msg/String')",
     )
-
-
-def _add_form_arguments(parser: ArgumentParser) -> None:
-    add = parser.add_argument
-    add(
-        "--csv",
-        action="store_true",
-        help="Print all fields in one line, separated by commas (e.g. for plotting)",
-    )
-    add(
-        "--field",
-        help="Print only this field; a part of a field is written with dots (e.g. pose.pose.position)",
-    )
-    add(
-        "--full-length",
-        "-f",
-        action="store_true",
-        help="Print arrays, bytes and strings of any length in full",
-    )
-    add(
-        "--truncate-length",
-        "-l",
-        type=int,
-        default=128,
-        help="The length to truncate arrays, bytes, and string to (default: 128)",
-    )
-    add("--no-arr", action="store_true", help="Don't print array fields of messages")
-    add("--no-str", action="store_true", help="Don't print string fields of messages")
-    add(
-        "--flow-style",
-        action="store_true",
-        help="Print arrays in one line (not with --csv)",
-    )
-    add("--no-lost-messages", action="store_true", help="Don't report when a message is lost")
-    add("--raw", action="store_true", help="Echo the raw binary representation")
 
 
 def main(args: Namespace) -> int | str | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
 from typing import Any
@@ -19,7 +18,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--wall-time", action="store_true",
-        help="measure by the wall clock (always so here)",
+        help="measure by the wall clock even with --use-sim-time",
     )  # fmt: skip
 
 
@@ -39,16 +38,15 @@ class Rate:
         self._last: float | None = None
         self._is_new = False
 
-    def add(self, message: Any, info: dict[str, Any]) -> None:
+    def add(self, message: Any, moment: float) -> None:
         if not self._wanted(message):
             return
-        now = info.get("received_timestamp", 0) / 1e9 or time.time()
         if self._last is not None:
-            self._intervals.add(now - self._last)
+            self._intervals.add(moment - self._last)
             self._is_new = True
-        self._last = now
+        self._last = moment
 
-    def report(self) -> None:
+    def report(self, now: float) -> None:
         if not self._is_new:
             return
         self._is_new = False

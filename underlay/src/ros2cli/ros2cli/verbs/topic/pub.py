@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
 from typing import Any
 
 from ros2cli.arguments import add_completed, non_negative_int, positive_float, positive_int
@@ -103,33 +104,47 @@ def main(args: Namespace) -> int | str | None:
 
 
 def _publish(args: Namespace, node: Any, publisher: Any, message: Any, set_times: Any) -> int:
+    from ros2cli.discovery import discover
+    from ros2cli.node import handle_of
+    from ros2cli.sim_time import clock_of
+
     times = 1 if args.once else args.times
+    if args.spin_time is not None:
+        discover(handle_of(node), args.spin_time, enough=lambda: publisher.get_subscription_count() > 0)
     _wait_for_subscriptions(args, node, publisher, times)
     if node.context.ok():
         print("publisher: beginning loop")
-        _loop(args, node, publisher, message, set_times, times)
+        with clock_of(args, node) as clock:
+            _loop(args, node, publisher, message, set_times, times, clock)
     if times and node.context.ok():
         _hand_over(args, publisher)
     return 0 if node.context.ok() else 15
 
 
-def _loop(args: Namespace, node: Any, publisher: Any, message: Any, set_times: Any, times: int) -> None:
-    count, due = 0, time.monotonic()
+def _loop(
+    args: Namespace, node: Any, publisher: Any, message: Any, set_times: Any, times: int, clock: Any
+) -> None:
+    from ros2cli.sim_time import seconds
+
+    def now() -> float:
+        return seconds(clock) if args.use_sim_time else time.monotonic()
+
+    count, due = 0, now()
     while node.context.ok():
         count += 1
-        set_times(node.get_clock().now().to_msg())
+        set_times(clock.now().to_msg())
         if count % args.print == 0:
             print(f"publishing #{count}: {message!r}\n")
         publisher.publish(message)
         if count == times:
             return
-        due = max(due + 1 / args.rate, time.monotonic() - 1 / args.rate)
-        _sleep_until(due, node)
+        due = max(due + 1 / args.rate, now() - 1 / args.rate)
+        _sleep_until(due, now, node)
 
 
-def _sleep_until(due: float, node: Any) -> None:
-    """In small steps: a signal to end does not wake a sleeper."""
-    while (left := due - time.monotonic()) > 0 and node.context.ok():
+def _sleep_until(due: float, now: Callable[[], float], node: Any) -> None:
+    """In small steps: a signal to end does not wake a sleeper, and simulated time goes as it likes."""
+    while (left := due - now()) > 0 and node.context.ok():
         time.sleep(min(left, 0.05))
 
 
@@ -137,7 +152,7 @@ def _wait_for_subscriptions(args: Namespace, node: Any, publisher: Any, times: i
     wanted = args.wait_matching_subscriptions
     wanted = (1 if times else 0) if wanted is None else wanted
     start = said = time.monotonic()
-    while publisher.get_subscription_count() < wanted and node.context.ok():
+    while node.context.ok() and publisher.get_subscription_count() < wanted:
         now = time.monotonic()
         is_first = said == start and now - start > _SAY_EVERY / 10
         if now - said >= _SAY_EVERY or is_first:

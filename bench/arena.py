@@ -1,0 +1,76 @@
+"""What containment adds to a check: the same exercise, alternately contained and in a ROS domain of its own.
+
+A script that prints a line is checked, without ROS, so that little else is timed. The parts are timed
+besides: what of it is opening and closing, seen from outside.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import time
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+
+from solved import solved
+from table import show, spread
+
+from course.arena.containment import Places, containment, sandbox_obstacle
+from course.content import Exercise
+from course.grading.check import check_exercise
+from course.rosenv import find_ros
+
+EXERCISE = "02-script"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rounds", type=int, default=20)
+    parser.add_argument("--exercise", default=EXERCISE)
+    given = parser.parse_args()
+    with solved(given.exercise) as (exercise, home):
+        once(exercise, home, True)
+        taken = {kind: [] for kind in (True, False)}
+        for _ in range(given.rounds):
+            for kind, times in taken.items():
+                times.append(once(exercise, home, kind))
+    with_it, without = taken[True], taken[False]
+    rows = [
+        ["without (a ROS domain)", *spread(without), "0.000"],
+        ["contained", *spread(with_it), f"{median(with_it) - median(without):.3f}"],
+        *parts(given.rounds),
+    ]
+    show(f"A check of {given.exercise} (s)", ("what", "median", "90 %", "slowest", "more"), rows)
+
+
+def once(exercise: Exercise, home: Path, contained: bool) -> float:
+    began = time.monotonic()
+    result = check_exercise(exercise, home, ros=find_ros(), namespaces=contained)
+    taken = time.monotonic() - began
+    expected = "contained" if contained else "domain"
+    if (result.verdict.value, result.containment) != ("passed", expected):
+        raise SystemExit(f"{result.verdict.value}, {result.containment}: {result.notes} {result.fault}")
+    return taken
+
+
+def parts(rounds: int) -> list[list[str]]:
+    def opened() -> None:
+        with containment(Places()) as place:
+            subprocess.run([*place.around.prefix, "/bin/true"], check=True)
+
+    timed: dict[str, Callable[[], object]] = {
+        "  looking whether it can be had": sandbox_obstacle,
+        "  opening and closing the outer layer, with that": opened,
+    }
+    return [[name, *spread([clock(work) for _ in range(rounds)]), ""] for name, work in timed.items()]
+
+
+def clock(work: Callable[[], object]) -> float:
+    began = time.monotonic()
+    work()
+    return time.monotonic() - began
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,128 @@
+"""How long it takes to judge a thousand stored recordings again, and whether the verdicts stay the same.
+
+Solutions and known mistakes of different exercises are graded once; their recordings are copied to a
+thousand files. The floor is to load these files and judge nothing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import resource
+import shutil
+import tempfile
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from itertools import cycle, islice
+from pathlib import Path
+
+from table import show
+from whole_course import homes
+
+from course.content import Exercise
+from course.evidence.mcap_file import load
+from course.grading import trial
+from course.grading.check import check_exercise
+from course.grading.rejudge import Problem, Stored, lacks, moves, regraded, rejudge
+from course.grading.result import Result
+from course.grading.trial_answers import SEED
+from course.rosenv import find_ros
+
+EXERCISES = """
+    01-files 02-script 02-class 08-template-node 12-print-forever 14-library 18-publisher 18-subscriber
+    19-inspect-topics 20-server 20-client 22-parameters 22-launch 24-inspect-parameters
+""".split()
+MB = 1024.0  # of what getrusage counts in
+
+
+class Kept:
+    """One grading: its result and its recording."""
+
+    def __init__(self, exercise: Exercise, home: Path, evidence: Path) -> None:
+        self.exercise, self.home, self.evidence = exercise, home, evidence
+        self.result: Result = check_exercise(exercise, home, ros=find_ros(), seed=SEED, evidence=evidence)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--recordings", type=int, default=1000)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes at once")
+    parser.add_argument("only", nargs="*", default=EXERCISES, help="these exercises")
+    given = parser.parse_args()
+    with homes(given.only) as solved, tempfile.TemporaryDirectory(prefix="ros2course-bench-") as folder:
+        kept = recorded(solved, Path(folder))
+        stored = copies(kept, given.recordings, Path(folder, "copies"))
+        size = sum(one.file.stat().st_size for one in stored) / len(stored)
+        verdicts = ", ".join(sorted({one.result.verdict.value for one in kept}))
+        print(f"{len(kept)} gradings ({verdicts}) of {len(solved)} exercises; {size / 1024:.0f} kB each")
+        floor = timed(lambda: loaded(stored))
+        rows = [row("only loaded, one process", floor, floor, len(stored))]
+        for jobs in sorted({1, given.jobs}):
+            taken = timed(lambda jobs=jobs: judged(stored, jobs))
+            rows.append(row(f"judged again, {jobs} at once", taken, floor, len(stored)))
+    show(f"{given.recordings} recordings", ("what", "s", "ms each", "x floor"), rows)
+    own, workers = (resource.getrusage(who).ru_maxrss / MB for who in (_SELF, _CHILDREN))
+    print(f"\nmost memory: {own:.0f} MB here, {workers:.0f} MB in the largest child (gradings included)")
+
+
+_SELF, _CHILDREN = resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN
+
+
+def recorded(solved: list[tuple[Exercise, Path]], folder: Path) -> list[Kept]:
+    """Each exercise as it is right, and then with its first mistake that is one of files or acts."""
+    with ThreadPoolExecutor(2) as pool:
+        right = list(pool.map(lambda one: Kept(*one, folder / f"{one[0].id}.mcap"), solved))
+        wrong = list(pool.map(lambda one: mistaken(*one, folder), solved))
+    return right + [one for one in wrong if one]
+
+
+def mistaken(exercise: Exercise, home: Path, folder: Path) -> Kept | None:
+    for mistake in exercise.mistakes():
+        if all(edit.answers is None for edit in mistake.edits):
+            trial.apply_mistake(exercise, mistake, home)
+            return Kept(exercise, home, folder / f"{exercise.id} {mistake.id}.mcap")
+    return None
+
+
+def copies(kept: list[Kept], count: int, folder: Path) -> list[Stored[Kept]]:
+    folder.mkdir()
+    stored = []
+    for number, one in enumerate(islice(cycle(kept), count)):
+        file = folder / f"{number}.mcap"
+        shutil.copy(one.evidence, file)
+        stored.append(Stored(one, one.exercise, file))
+    return stored
+
+
+def loaded(stored: list[Stored[Kept]]) -> None:
+    for one in stored:
+        load(one.file)
+
+
+def judged(stored: list[Stored[Kept]], jobs: int) -> None:
+    """Ends the bench where a verdict is another one now, or a recording is said not to suffice."""
+    count = 0
+    for kept, answer in rejudge(stored, jobs=jobs):
+        if isinstance(answer, Problem):
+            raise SystemExit(f"{kept.evidence.name}: {answer}")
+        after = regraded(kept.result, kept.exercise, answer.judgement, kept.home, SEED)
+        moved, lack = moves(kept.result, after), lacks(kept.result, after, answer)
+        if moved or lack or after.verdict is not kept.result.verdict:
+            raise SystemExit(f"{kept.evidence.name}: {after.verdict.value}: {lack} {moved}")
+        count += 1
+    assert count == len(stored)
+
+
+def timed(work: Callable[[], None]) -> float:
+    began = time.monotonic()
+    work()
+    return time.monotonic() - began
+
+
+def row(name: str, taken: float, floor: float, count: int) -> list[str]:
+    return [name, f"{taken:.2f}", f"{taken / count * 1000:.2f}", f"{taken / floor:.1f}"]
+
+
+if __name__ == "__main__":
+    main()

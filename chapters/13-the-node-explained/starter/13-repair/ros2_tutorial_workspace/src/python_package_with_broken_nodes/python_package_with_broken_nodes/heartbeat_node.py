@@ -1,0 +1,37 @@
+"""
+The node heartbeat: it logs "Still alive." twice per second, for ever.
+
+Ctrl+C ends it, with no traceback.
+"""
+# TODO: one thing in this file is wrong. Run it, see what it does, and mend it.
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+PERIOD = 0.5  # seconds
+
+
+class Heartbeat(Node):
+    """Tells the world that it is still there."""
+
+    def __init__(self):
+        super().__init__('heartbeat')
+        self.timer = self.create_timer(PERIOD, self.beat)
+
+    def beat(self):
+        """Say it once."""
+        self.get_logger().info('Still alive.')
+
+
+def main(args=None):
+    """Run the node until Ctrl+C."""
+    try:
+        rclpy.init(args=args)
+        Heartbeat()
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+if __name__ == '__main__':
+    main()

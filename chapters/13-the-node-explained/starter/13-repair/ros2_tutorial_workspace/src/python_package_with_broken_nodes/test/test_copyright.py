@@ -1,0 +1,11 @@
+import pytest
+
+ament_copyright = pytest.importorskip('ament_copyright.main', reason='ament_copyright is not installed')
+
+
+# Take this mark away once your source files begin with a copyright notice.
+@pytest.mark.skip(reason='The files made by ros2 pkg create have no copyright notice.')
+@pytest.mark.copyright
+@pytest.mark.linter
+def test_copyright():
+    assert ament_copyright.main(argv=['.', 'test']) == 0, 'Some files have no copyright notice'

@@ -1,0 +1,243 @@
+"""A ship at night: nine nodes talk on topics; two miss each other by a letter, one waits for a quote."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from itertools import cycle
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+WANTED_ID = 1994
+ACKNOWLEDGED = "/acknowledged"
+QUOTE_TYPE = "package_with_interfaces/msg/AmazingQuote"
+QUOTE_PERIOD = 0.25
+SLOW = 1.0
+
+CREW = (
+    "bosun carpenter cook engineer helmsman lookout navigator purser stoker stowaway surgeon parrot".split()
+)
+PLACES = "bridge cabin deck engine_room galley harbour hold mast".split()
+# What is measured, its type, and the field that holds the number.
+MEASURED = (
+    ("air", "sensor_msgs/msg/RelativeHumidity", "relative_humidity"),
+    ("boiler", "sensor_msgs/msg/Temperature", "temperature"),
+    ("depth", "sensor_msgs/msg/Range", "range"),
+    ("lantern", "sensor_msgs/msg/Illuminance", "illuminance"),
+    ("water_pressure", "sensor_msgs/msg/FluidPressure", "fluid_pressure"),
+    ("drift", "geometry_msgs/msg/Vector3", "x"),
+)
+MISSPELT = ("compass", "barometer", "telescope", "thermometer", "chronometer", "hourglass")
+RATES = (2.0, 3.0, 5.0, 8.0, 12.0)
+PASSWORDS = "marmalade pumpernickel rhubarb saffron turnip walnut cinnamon gooseberry".split()
+THINKERS = (
+    "Admiral Pelican",
+    "Aunt Petronella",
+    "Doctor Drizzle",
+    "Ensign Walrus",
+    "Grandfather Fog",
+    "Mademoiselle Marzipan",
+    "Old Barnacle",
+    "Professor Hammock",
+    "Sister Semaphore",
+    "Uncle Capstan",
+)
+THOUGHTS = (
+    "A calm sea teaches nobody to swim, but it is nicer.",
+    "Whoever coils the rope today finds it tomorrow.",
+    "The horizon is always on time.",
+    "Two anchors are one decision too many.",
+    "Soup knows which way the ship leans.",
+    "Ask the wind once, and your hat twice.",
+    "Every map was blank, and then somebody got lost.",
+    "He who counts the waves never runs out of work.",
+)
+
+
+@dataclass(frozen=True)
+class Said:
+    """One quote of the cycle."""
+
+    id: int
+    quote: str
+    philosopher: str
+
+
+@dataclass(frozen=True)
+class Plan:
+    """All that differs from ship to ship. rate: of `measured`, in hertz. Nodes go without a slash."""
+
+    measured: str
+    type: str
+    field: str
+    rate: float
+    measurer: str
+    reader: str
+    shared: str
+    sharers: tuple[str, str]
+    said: str
+    heard: str
+    sayer: str
+    hearer: str
+    notice: str
+    notifier: str
+    password: str
+    quotes: str
+    reciter: str
+    recited: tuple[Said, ...]
+    asked: Said
+    waiting: str
+    waiter: str
+
+
+def draw(seed: int) -> Plan:
+    chance = random.Random(seed)
+    crew, places = chance.sample(CREW, len(CREW)), chance.sample(PLACES, len(PLACES))
+    thing, type_name, field = chance.choice(MEASURED)
+    right = chance.choice(MISSPELT)
+    names = [right, slip(right, chance)]
+    chance.shuffle(names)
+    recited = _recited(chance)
+    return Plan(
+        measured=f"/{places[0]}/{thing}",
+        type=type_name,
+        field=field,
+        rate=chance.choice(RATES),
+        measurer=crew[0],
+        reader=crew[1],
+        shared=f"/{places[1]}/{chance.choice(('bell', 'whistle', 'drum'))}",
+        sharers=(crew[2], crew[3]),
+        said=f"/{places[2]}/{names[0]}",
+        heard=f"/{places[2]}/{names[1]}",
+        sayer=crew[4],
+        hearer=crew[5],
+        notice=f"/{places[3]}/{chance.choice(('notice', 'blackboard', 'logbook'))}",
+        notifier=crew[6],
+        password=chance.choice(PASSWORDS),
+        quotes=f"/{places[4]}/{chance.choice(('wisdom', 'small_talk', 'stories'))}",
+        reciter=crew[7],
+        recited=recited,
+        asked=chance.choice(recited),
+        waiting=f"/{places[5]}/{chance.choice(('letterbox', 'bottle', 'pigeonhole'))}",
+        waiter=crew[8],
+    )
+
+
+def slip(word: str, chance: random.Random) -> str:
+    """The word with one letter missing, or with two neighbours swapped; never the word itself."""
+    places = [n for n in range(1, len(word) - 2) if word[n] != word[n + 1]]
+    at = chance.choice(places)
+    if chance.random() < 0.5:
+        return word[:at] + word[at + 1 :]
+    return word[:at] + word[at + 1] + word[at] + word[at + 2 :]
+
+
+def _recited(chance: random.Random) -> tuple[Said, ...]:
+    ids = chance.sample(range(100, 1000), len(THOUGHTS))
+    thoughts, thinkers = chance.sample(THOUGHTS, len(THOUGHTS)), chance.sample(THINKERS, len(THOUGHTS))
+    return tuple(map(Said, ids, thoughts, thinkers))
+
+
+def play(plan: Plan, acts: Any) -> list[Node]:
+    talking = [*_instruments(plan), *_sharers(plan), *_strangers(plan)]
+    return [*talking, _notifier(plan), _reciter(plan), _waiter(plan, acts)]
+
+
+def _type(name: str) -> Any:
+    package, _, short = name.split("/")
+    return getattr(import_module(f"{package}.msg"), short)
+
+
+def _repeat(node: Node, period: float, topic: str, make: Callable[[], Any]) -> None:
+    """Publish what `make` makes, again and again."""
+    publisher = node.create_publisher(type(make()), topic, 10)
+    node.create_timer(period, lambda: publisher.publish(make()))
+
+
+def _instruments(plan: Plan) -> list[Node]:
+    """One that measures, and one that reads it."""
+    from rclpy.node import Node
+
+    measurer, reader = Node(plan.measurer), Node(plan.reader)
+    kind, values = _type(plan.type), cycle((0.25, 0.5, 0.75, 0.5))
+    _repeat(measurer, 1 / plan.rate, plan.measured, lambda: kind(**{plan.field: next(values)}))
+    reader.create_subscription(kind, plan.measured, _ignored, 10)
+    return [measurer, reader]
+
+
+def _sharers(plan: Plan) -> list[Node]:
+    """Two that publish on the same topic."""
+    from rclpy.node import Node
+    from std_msgs.msg import Bool
+
+    nodes = [Node(name) for name in plan.sharers]
+    for node in nodes:
+        _repeat(node, SLOW, plan.shared, lambda: Bool(data=True))
+    return nodes
+
+
+def _strangers(plan: Plan) -> list[Node]:
+    """Two that would like to talk, were it not for a letter."""
+    from rclpy.node import Node
+    from std_msgs.msg import Float64
+
+    sayer, hearer = Node(plan.sayer), Node(plan.hearer)
+    _repeat(sayer, SLOW, plan.said, lambda: Float64(data=4.5))
+    hearer.create_subscription(Float64, plan.heard, _ignored, 10)
+    return [sayer, hearer]
+
+
+def _notifier(plan: Plan) -> Node:
+    """Publishes once, before anybody can listen, and keeps it for those who come later."""
+    from rclpy.node import Node
+    from rclpy.qos import DurabilityPolicy, QoSProfile
+    from std_msgs.msg import String
+
+    node = Node(plan.notifier)
+    kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    publisher = node.create_publisher(String, plan.notice, kept)
+    publisher.publish(String(data=f"The password of tonight is {plan.password}"))
+    return node
+
+
+def _reciter(plan: Plan) -> Node:
+    from package_with_interfaces.msg import AmazingQuote
+    from rclpy.node import Node
+
+    node, turns = Node(plan.reciter), cycle(plan.recited)
+
+    def recite() -> AmazingQuote:
+        said = next(turns)
+        return AmazingQuote(id=said.id, quote=said.quote, philosopher_name=said.philosopher)
+
+    _repeat(node, QUOTE_PERIOD, plan.quotes, recite)
+    return node
+
+
+def _waiter(plan: Plan, acts: Any) -> Node:
+    """Waits for one quote, and says what it thinks of every one that comes."""
+    from package_with_interfaces.msg import AmazingQuote
+    from rclpy.node import Node
+    from std_msgs.msg import String
+
+    node = Node(plan.waiter)
+    answer = node.create_publisher(String, ACKNOWLEDGED, 10)
+
+    def hear(message: AmazingQuote) -> None:
+        if message.id == WANTED_ID:
+            answer.publish(String(data=f"That is number {WANTED_ID}, at last. Thank you!"))
+            acts.record("published")
+        else:
+            answer.publish(String(data=f"Number {message.id} is not the one I am waiting for."))
+            acts.record("other_id", str(message.id))
+
+    node.create_subscription(AmazingQuote, plan.waiting, hear, 10)
+    return node
+
+
+def _ignored(_message: Any) -> None:
+    pass

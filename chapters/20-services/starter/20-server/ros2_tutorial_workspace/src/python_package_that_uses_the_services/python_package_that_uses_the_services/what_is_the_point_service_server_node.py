@@ -1,0 +1,35 @@
+"""The node what_is_the_point_service_server: knows the point of a quote."""
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+# TODO 1: import random, and WhatIsThePoint from the package that you made in
+#   chapter 17.
+
+
+class WhatIsThePointServer(Node):
+    """Answers /what_is_the_point."""
+
+    def __init__(self):
+        super().__init__('what_is_the_point_service_server')
+        # TODO 2: begin a count of calls, and create the service; it calls
+        #   point_callback.
+
+    def point_callback(self, request, response):
+        """Choose a point: for quotes about life its sum is 42."""
+        # TODO 3: count the call and log the count, fill in response.point, and
+        #   return the response.
+
+
+def main(args=None):
+    """Run the node until Ctrl+C."""
+    try:
+        rclpy.init(args=args)
+        rclpy.spin(WhatIsThePointServer())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,12 @@
+"""Every source file carries a copyright notice."""
+
+import pytest
+
+copyright_check = pytest.importorskip('ament_copyright.main')
+
+
+@pytest.mark.skip(reason='take this line out once your files have a notice')
+@pytest.mark.copyright
+@pytest.mark.linter
+def test_copyright():
+    assert copyright_check.main(argv=['.', 'test']) == 0

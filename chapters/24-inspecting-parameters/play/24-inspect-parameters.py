@@ -1,0 +1,161 @@
+"""A falcon that publishes quotes, with more parameters than it admits; some may be set, one may not."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+NODE = "peanut_butter_falcon_quote_publisher_node"
+TOPIC = "truly_inspirational_quote"
+EVENTS = "/parameter_events"
+# What learners are given to load.
+GIVEN = "starter/24-inspect-parameters/ros2_tutorial_workspace/src/quote_of_the_day.yaml"
+TEXTS = ("quote", "philosopher_name")
+
+PERIODS = (0.2, 0.25, 0.4, 0.8, 1.6)
+DIALS = "altitude appetite loudness patience speed".split()
+# Some do not look like what they are.
+ODD_ONES = (
+    ("licence", "string", "2027"),
+    ("ring_number", "string", "17.5"),
+    ("awake", "string", "true"),
+    ("wingspan", "double", 1.0),
+    ("weight", "double", 2.0),
+    ("tame", "boolean", True),
+    ("hooded", "boolean", False),
+    ("friends", "string array", ["heron", "otter"]),
+)
+FIXED = (("birthplace", "under a bridge"), ("hatched_from", "a brown egg"), ("first_owner", "a baker"))
+THINKERS = (
+    "A Patient Gardener",
+    "Cousin Thistle",
+    "Lady Thunderclap",
+    "Madam Windmill",
+    "The Old Postman",
+    "Uncle Rainbarrel",
+)
+THOUGHTS = (
+    "Fly first, then ask how high it is.",
+    "A feather is a very small plan.",
+    "Look down only to see how far you have come.",
+    "The wind has no opinion of you.",
+    "Peanut butter holds more together than bread.",
+)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """All that differs from falcon to falcon. dial, odd, fixed: names of parameters. period: seconds.
+
+    given: quote and philosopher in the file that is to be loaded, for all the same.
+    """
+
+    quote: str
+    philosopher: str
+    period: float
+    dial: str
+    low: int
+    high: int
+    set_to: int
+    odd: str
+    odd_type: str
+    odd_value: Any
+    fixed: str
+    fixed_value: str
+    given: tuple[str, ...]
+
+
+def draw(seed: int) -> Plan:
+    chance = random.Random(seed)
+    low, high = chance.randrange(2, 9), chance.randrange(60, 500)
+    odd, odd_type, odd_value = chance.choice(ODD_ONES)
+    fixed, fixed_value = chance.choice(FIXED)
+    return Plan(
+        quote=chance.choice(THOUGHTS),
+        philosopher=chance.choice(THINKERS),
+        period=chance.choice(PERIODS),
+        dial=chance.choice(DIALS),
+        low=low,
+        high=high,
+        set_to=chance.randrange(15, 50),
+        odd=odd,
+        odd_type=odd_type,
+        odd_value=odd_value,
+        fixed=fixed,
+        fixed_value=fixed_value,
+        given=_given(),
+    )
+
+
+def _given() -> tuple[str, ...]:
+    file = Path(__file__).parents[1] / GIVEN
+    values = yaml.safe_load(file.read_text(encoding="utf-8"))[f"/{NODE}"]["ros__parameters"]
+    return tuple(values[name] for name in TEXTS)
+
+
+def play(plan: Plan, acts: Any) -> list[Node]:
+    from rclpy.node import Node
+
+    node = Node(NODE)
+    _declare(node, plan)
+    _publish(node, plan)
+    _watch(node, plan, acts)
+    return [node]
+
+
+def _declare(node: Node, plan: Plan) -> None:
+    from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+
+    node.declare_parameter("quote", plan.quote)
+    node.declare_parameter("philosopher_name", plan.philosopher)
+    node.declare_parameter("topic_name", TOPIC)
+    node.declare_parameter("period", plan.period)
+    node.declare_parameter(plan.odd, plan.odd_value)
+    limits = IntegerRange(from_value=plan.low, to_value=plan.high, step=1)
+    node.declare_parameter(plan.dial, plan.set_to, ParameterDescriptor(integer_range=[limits]))
+    node.declare_parameter(plan.fixed, plan.fixed_value, ParameterDescriptor(read_only=True))
+
+
+def _publish(node: Node, plan: Plan) -> None:
+    """As the node of chapter 22: where and how often is read once, what is said each time."""
+    from package_with_interfaces.msg import AmazingQuote
+
+    publisher = node.create_publisher(AmazingQuote, TOPIC, 10)
+
+    def say() -> None:
+        quote, philosopher = (node.get_parameter(name).value for name in TEXTS)
+        publisher.publish(AmazingQuote(quote=quote, philosopher_name=philosopher))
+
+    node.create_timer(plan.period, say)
+
+
+def _watch(node: Node, plan: Plan, acts: Any) -> None:
+    """Record what is set, as everybody can hear it on /parameter_events."""
+    from rcl_interfaces.msg import ParameterEvent
+
+    def hear(event: ParameterEvent) -> None:
+        if event.node != f"/{NODE}":
+            return
+        for changed in event.changed_parameters:
+            if changed.name == plan.dial:
+                _record_dial(plan, acts, changed.value.integer_value)
+            elif changed.name == "quote" and changed.value.string_value != plan.given[0]:
+                acts.record("other_quote", changed.value.string_value)
+        if tuple(node.get_parameter(name).value for name in TEXTS) == plan.given:
+            acts.record("loaded")
+
+    node.create_subscription(ParameterEvent, EVENTS, hear, 10)
+
+
+def _record_dial(plan: Plan, acts: Any, value: int) -> None:
+    if value == plan.high:
+        acts.record("set")
+    else:
+        acts.record("set_other", str(value))

@@ -1,0 +1,215 @@
+"""Starts programs inside of a sandbox, from outside: no process of the submission can see this one.
+
+It is forked off by the grading process in its first moment, while that has a single thread and holds
+nothing: between fork and exec of each program there is Python to run, which a process with threads must
+not do. It is asked over a socket, one message a packet, and answers in the same order.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import json
+import os
+import resource
+import signal
+import socket
+import sys
+import termios
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, NoReturn
+
+from course.arena.sandbox import linux
+from course.arena.sandbox.control_groups import join
+from course.arena.sandbox.limits import rlimits
+from course.arena.sandbox.plan import Plan, plan_from_dict
+from course.arena.sandbox.system_calls import refusing
+
+# A command line and an environment; the kernel takes less than that for both.
+PACKET = 4 * 1024 * 1024
+MOST_DESCRIPTORS = 8
+_OOM_SCORE = Path("/proc/self/oom_score_adj")
+_PER_PROCESS = ("mnt", "ipc", "uts")
+
+
+@dataclass(frozen=True)
+class Order:
+    """A program to start. descriptors: the numbers that those sent along are to have, after the terminal."""
+
+    command: tuple[str, ...]
+    environment: Mapping[str, str]
+    folder: str
+    descriptors: tuple[int, ...] = ()
+
+
+def serve(link: socket.socket) -> None:
+    """Answer until the other side is gone."""
+    launcher = _Launcher()
+    while True:
+        data, descriptors, _, _ = socket.recv_fds(link, PACKET, MOST_DESCRIPTORS)
+        if not data:
+            return
+        try:
+            answer = launcher.answer(json.loads(data), descriptors)
+        except OSError as error:
+            answer = {"errno": error.errno, "error": error.strerror, "file": str(error.filename or "")}
+        finally:
+            for descriptor in descriptors:
+                os.close(descriptor)
+        link.send(json.dumps(answer).encode())
+
+
+class _Launcher:
+    def __init__(self) -> None:
+        self._plan: Plan
+        self._namespaces: dict[str, int] = {}
+
+    def answer(self, asked: dict[str, Any], descriptors: list[int]) -> dict[str, Any]:
+        kind = asked.pop("kind")
+        if kind == "prepare":
+            self._prepare(plan_from_dict(asked["plan"]))
+            return {}
+        if kind == "enter":
+            self._enter(asked["holder"])
+            return {}
+        if kind == "start":
+            return {"pid": self._start(Order(**asked), descriptors)}
+        _, status = os.waitpid(asked["pid"], 0)
+        return {"code": os.waitstatus_to_exitcode(status)}
+
+    def _prepare(self, plan: Plan) -> None:
+        """Join the control groups, and all children with us: to move a process takes the kernel a while."""
+        self._plan = plan
+        join([Path(group) for group in plan.control_groups])
+        with contextlib.suppress(OSError):  # only root may
+            _OOM_SCORE.write_text("-900", encoding="ascii")  # when memory is used up, it is not by us
+
+    def _enter(self, holder: int) -> None:
+        """From now on, children are in the holder's pid namespace; each enters the others by itself."""
+        for name in ("user", "pid", *_PER_PROCESS):
+            path = f"/proc/{holder}/ns/{name}"
+            self._namespaces[name] = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+        if self._plan.user is None:
+            # The one around it owns the other namespaces: without rights in it, none can be entered.
+            around = linux.parent_namespace(self._namespaces["user"])
+            linux.enter_namespace(around)
+            os.close(around)
+        linux.enter_namespace(self._namespaces["pid"])
+
+    def _start(self, order: Order, descriptors: list[int]) -> int:
+        """The pid of the program, which runs. Raises OSError when it could not be put into the sandbox."""
+        reading, writing = os.pipe()
+        pid = os.fork()
+        if pid == 0:
+            os.close(reading)
+            self._become(order, descriptors, writing)
+        os.close(writing)
+        with os.fdopen(reading, "rb") as trouble:
+            said = trouble.read()  # ends when the program has been executed
+        if said:
+            os.waitpid(pid, 0)
+            number, _, text = said.decode().partition(" ")
+            raise OSError(int(number), text)
+        return pid
+
+    def _become(self, order: Order, descriptors: Sequence[int], trouble: int) -> NoReturn:
+        try:
+            # Out of the way of the numbers that are asked for.
+            trouble = fcntl.fcntl(trouble, fcntl.F_DUPFD_CLOEXEC, 1 + max(3, *order.descriptors, 3))
+            os.setsid()
+            fcntl.ioctl(descriptors[0], termios.TIOCSCTTY, 0)
+            self._confine()
+            os.chdir(order.folder)
+            _hand_on(descriptors, (0, *order.descriptors), keep=trouble)
+        except BaseException as error:  # noqa: BLE001 - the other side of the fork raises it
+            number = error.errno if isinstance(error, OSError) and error.errno else 0
+            os.write(trouble, f"{number} {type(error).__name__}: {error}".encode()[:4000])
+            os._exit(1)  # noqa: TID251 - a forked child must not run our cleanups
+        _execute(order)
+
+    def _confine(self) -> None:
+        plan = self._plan
+        with contextlib.suppress(OSError):
+            _OOM_SCORE.write_text("0", encoding="ascii")
+        for name in _PER_PROCESS:
+            linux.enter_namespace(self._namespaces[name])
+        for number, value in rlimits(plan.limits):
+            hard = resource.getrlimit(number)[1]
+            most = value if hard == resource.RLIM_INFINITY else min(value, hard)
+            resource.setrlimit(number, (most, most))
+        linux.process_control(linux.PR_SET_NO_NEW_PRIVS, 1)
+        os.umask(0o022)
+        if plan.user is None:
+            linux.enter_namespace(self._namespaces["user"])  # all rights in there end with exec
+        linux.drop_all_rights()
+        if plan.user is not None:
+            os.setgroups([])
+            os.setresgid(plan.user, plan.user, plan.user)
+            os.setresuid(plan.user, plan.user, plan.user)
+        linux.filter_calls(refusing())
+
+
+def _hand_on(descriptors: Sequence[int], numbers: Sequence[int], keep: int) -> None:
+    """These descriptors under these numbers, the first one as output and errors, too; and no others."""
+    copies = [fcntl.fcntl(descriptor, fcntl.F_DUPFD, keep + 1) for descriptor in descriptors]
+    wanted = list(zip((*copies, copies[0], copies[0]), (*numbers, 1, 2), strict=True))
+    for copy, number in wanted:
+        os.dup2(copy, number)
+    low = 3
+    for number in sorted({keep, *(number for _, number in wanted if number > 2)}):
+        os.closerange(low, number)
+        low = number + 1
+    os.closerange(low, _limit_of_descriptors())
+
+
+def _limit_of_descriptors() -> int:
+    return min(resource.getrlimit(resource.RLIMIT_NOFILE)[0], 1 << 20)
+
+
+def _execute(order: Order) -> NoReturn:
+    for number in (signal.SIGPIPE, signal.SIGXFSZ):  # which Python ignores
+        signal.signal(number, signal.SIG_DFL)
+    name = order.command[0]
+    try:
+        os.execvpe(name, order.command, dict(order.environment))
+    except OSError as error:
+        # As setsid(1) says it, which starts programs where there is no sandbox.
+        os.write(2, f"setsid: failed to execute {name}: {error.strerror}\n".encode())
+        os._exit(127 if isinstance(error, FileNotFoundError) else 126)  # noqa: TID251 - see above
+
+
+def fork_launcher() -> socket.socket:
+    """Start it; what comes back is asked by `sandbox.Sandbox`. Call it while there is a single thread."""
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    for end in (ours, theirs):
+        end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, PACKET)
+    if os.fork():
+        theirs.close()
+        return ours
+    code = 1
+    with contextlib.suppress(BaseException):
+        ours.close()
+        _let_go_of_everything(theirs.fileno())
+        serve(theirs)
+        code = 0
+    os._exit(code)  # noqa: TID251 - a forked child must not run our cleanups
+
+
+def _let_go_of_everything(link: int) -> None:
+    """Above all of the pipe that verdicts travel over, and of the job."""
+    nothing = os.open(os.devnull, os.O_RDWR)
+    for number in (0, 1):
+        os.dup2(nothing, number)
+    os.closerange(3, link)
+    os.closerange(link + 1, _limit_of_descriptors())
+    sys.stdin = sys.stdout = None  # they are not ours any more
+
+
+def as_message(kind: str, **fields: Any) -> bytes:
+    return json.dumps({"kind": kind, **fields}).encode()
+
+
+def start_message(order: Order) -> bytes:
+    return as_message("start", **asdict(order))

@@ -1,0 +1,160 @@
+"""The files of a submission on disk: walked within bounds, links resolved, leftovers passed over."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from course.batch.intake.model import Part
+from course.home.opening import USUAL, Finding, Limits, Meter, Notes, Unsafe, safe_name
+from course.home.opening.limits import megabytes
+from course.home.opening.names import DEEPEST
+from course.home.opening.unpack import LINK_OUT, NO_FILE, RENAMED
+
+# What systems, tools and editors leave. `.ros2course` is looked into: see `_KEPT_STATE`.
+_LEFT_BY_TOOLS = frozenset(
+    "__MACOSX .DS_Store Thumbs.db desktop.ini .git .hg .svn .github __pycache__ .pytest_cache .mypy_cache "
+    ".ruff_cache .vscode .idea .venv node_modules".split()
+)
+_BUILT = frozenset({"build", "install", "log"})
+_BUILT_BESIDE = frozenset({"src", "package.xml"})
+_BUILT_INSIDE = frozenset({"COLCON_IGNORE", ".built_by", "setup.bash"})
+_NO_NAME = re.compile(r"\A\.{0,2}\Z")  # `..`, which is also what is left of `...zip`
+_STATE = ".ros2course"
+_KEPT_STATE = frozenset({"home.json", "acts"})
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One file or folder; `path` is where it really lies. size: bytes, 0 for a folder."""
+
+    path: Path
+    folder: bool
+    size: int = 0
+    executable: bool = False
+
+
+@dataclass(frozen=True)
+class Tree:
+    """entries: by relative path, in safe characters, folders before what is in them."""
+
+    entries: Mapping[str, Entry]
+    findings: tuple[Finding, ...]
+
+    def folders(self) -> frozenset[str]:
+        return frozenset(path for path, entry in self.entries.items() if entry.folder)
+
+    def files(self) -> frozenset[str]:
+        return frozenset(path for path, entry in self.entries.items() if not entry.folder)
+
+
+def read_tree(parts: Iterable[Part], limits: Limits = USUAL) -> Tree:
+    """All files of the parts. A single folder is the tree itself; of several, each keeps its name.
+
+    Raises Refused when it is too much.
+    """
+    every = tuple(parts)
+    walk = _Walk(limits)
+    for part in every:
+        alone = len(every) == 1 and part.path.is_dir()
+        walk.part(part.path, "" if alone else walk.unique(part.name))
+    return Tree(walk.entries, walk.notes.findings())
+
+
+class _Walk:
+    def __init__(self, limits: Limits) -> None:
+        self.entries: dict[str, Entry] = {}
+        self.notes = Notes()
+        self._limits = limits
+        self._meter = Meter(limits)
+
+    def unique(self, name: str) -> str:
+        first = name = _NO_NAME.sub("part", safe_name(name).replace("/", "_"))
+        number = 1
+        while name in self.entries:
+            number += 1
+            name = f"{first}-{number}"
+        return name
+
+    def part(self, path: Path, name: str) -> None:
+        """A file, or a folder and all in it; `name` "" for a folder that is all there is."""
+        real = Path(os.path.realpath(path))
+        if not real.is_dir():
+            self._add(real, name, real.parent, ())
+            return
+        if name:
+            self.entries[name] = Entry(real, folder=True)
+        self._inside(real, name, real, (real,))
+
+    def _inside(self, folder: Path, prefix: str, top: Path, above: tuple[Path, ...]) -> None:
+        """What a folder holds, but for leftovers. `above`: the real folders that lead to it, itself too."""
+        try:
+            names = self._names(folder)
+        except OSError:
+            self.notes.add("Folders that may not be read were left out.", prefix)
+            return
+        if prefix and "pyvenv.cfg" in names:
+            return
+        state = folder.name == _STATE
+        for name in sorted(names):
+            if not _is_left_over(name, names, state):
+                self._named(folder / name, prefix, top, above)
+
+    def _names(self, folder: Path) -> set[str]:
+        names = set()
+        with os.scandir(folder) as found:
+            for entry in found:
+                self._meter.entry()
+                names.add(entry.name)
+        return names
+
+    def _named(self, path: Path, prefix: str, top: Path, above: tuple[Path, ...]) -> None:
+        try:
+            safe = safe_name(path.name)
+        except Unsafe as error:
+            self.notes.add(f"Entries with {error} were left out.", path.name)
+            return
+        name = f"{prefix}/{safe}" if prefix else safe
+        if safe != path.name:
+            self.notes.add(RENAMED, path.name)
+        if name in self.entries:
+            self.notes.add("Of names that became the same, only the first was taken.", path.name)
+        else:
+            self._add(path, name, top, above)
+
+    def _add(self, path: Path, name: str, top: Path, above: tuple[Path, ...]) -> None:
+        """A link counts as what it leads to, if that is inside `top`."""
+        real = Path(os.path.realpath(path)) if path.is_symlink() else path
+        if real is not path and not (real.is_relative_to(top) and real.exists()):
+            self.notes.add(LINK_OUT, name)
+        elif real.is_dir():
+            self._folder(real, name, top, above)
+        elif real.is_file():
+            self._file(real, name)
+        else:
+            self.notes.add(NO_FILE, name)
+
+    def _folder(self, real: Path, name: str, top: Path, above: tuple[Path, ...]) -> None:
+        if real in above:
+            self.notes.add("Links to a folder that they lie in were left out.", name)
+        elif len(above) > DEEPEST:
+            self.notes.add(f"Folders more than {DEEPEST} deep were left out.", name)
+        elif not (real.name in _BUILT and any((real / mark).exists() for mark in _BUILT_INSIDE)):
+            self.entries[name] = Entry(real, folder=True)
+            self._inside(real, name, top, (*above, real))
+
+    def _file(self, real: Path, name: str) -> None:
+        status = real.stat()
+        if status.st_size > self._limits.file:
+            self.notes.add(f"Files larger than {megabytes(self._limits.file)} were left out.", name)
+            return
+        self._meter.data(status.st_size, status.st_size, name)
+        self.entries[name] = Entry(real, False, status.st_size, bool(status.st_mode & 0o100))
+
+
+def _is_left_over(name: str, beside: set[str], state: bool) -> bool:
+    built = name in _BUILT and not _BUILT_BESIDE.isdisjoint(beside)
+    return built or name in _LEFT_BY_TOOLS or name.startswith("._") or (state and name not in _KEPT_STATE)

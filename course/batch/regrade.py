@@ -1,0 +1,149 @@
+"""Marks of a graded class by the checks as they are now; no submission is run for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import course as package
+from course.batch.model import Graded, Unit
+from course.batch.one import is_lagging, seed_of
+from course.batch.results import Results, Stored
+from course.batch.run import ANSWERS
+from course.content import Course, Exercise
+from course.errors import OurFault, UsageError
+from course.grading import rejudge
+from course.grading.load import runs_programs
+from course.grading.rejudge import Move, Problem, Rejudged, Trouble
+from course.grading.result import Result, Verdict
+
+Key = tuple[str, str]
+
+
+@dataclass(frozen=True)
+class Moved:
+    """A grading whose marks moved. person, name: whose."""
+
+    person: str
+    name: str
+    exercise: str
+    before: float
+    after: float
+    moves: tuple[Move, ...]
+
+
+@dataclass(frozen=True)
+class Lacking:
+    """A grading that stays as it was, because its evidence does not suffice. why: one line."""
+
+    person: str
+    exercise: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Regraded:
+    """What came of it. judged: how many gradings were judged again."""
+
+    judged: int
+    moved: tuple[Moved, ...]
+    lacking: tuple[Lacking, ...]
+
+
+def regrade(
+    out: Path, results: Results, course: Course, on_progress: Callable[[int, int], None], *, jobs: int | None
+) -> Regraded:
+    """Judge everything in the results' folder again. All marks move together, or none.
+
+    on_progress: how many of how many. Raises UsageError when an exercise is not in the course any more.
+    """
+    return _Regrading(out, results, course).run(on_progress, jobs)
+
+
+class _Regrading:
+    def __init__(self, out: Path, results: Results, course: Course) -> None:
+        self._out = out
+        self._results = results
+        self._names = {one.person: one.name for one in results.submissions()}
+        self._stored: dict[Key, Stored] = {}
+        for person in self._names:
+            for stored in results.gradings(person):
+                self._stored[person, stored.unit.exercise] = stored
+        self._exercises = {
+            name: _exercise(course, name) for name in sorted({key[1] for key in self._stored})
+        }
+        self._moved: list[Moved] = []
+        self._lacking: list[Lacking] = []
+
+    def run(self, on_progress: Callable[[int, int], None], jobs: int | None) -> Regraded:
+        done = 0
+        with self._results.all_or_nothing():
+            for key, judged in self._judged(jobs):
+                self._take(key, judged)
+                done += 1
+                on_progress(done, len(self._stored))
+        self._moved.sort(key=lambda one: (one.name, one.person, one.exercise))
+        self._lacking.sort(key=lambda one: (one.person, one.exercise))
+        return Regraded(done, tuple(self._moved), tuple(self._lacking))
+
+    def _judged(self, jobs: int | None) -> Iterator[tuple[Key, Rejudged | Problem | None]]:
+        """None for an exercise of questions alone, whose answers are all the evidence there is."""
+        recorded = []
+        for key, stored in self._stored.items():
+            exercise = self._exercises[key[1]]
+            if not runs_programs(exercise):
+                yield key, None
+            elif stored.evidence:
+                recorded.append(rejudge.Stored(key, exercise, self._out / stored.evidence))
+            elif stored.result.verdict is not Verdict.NOT_APPLICABLE:
+                yield key, Problem(Trouble.MISSING, "Nothing was recorded.")
+        yield from rejudge.rejudge(recorded, jobs=jobs)
+
+    def _take(self, key: Key, judged: Rejudged | Problem | None) -> None:
+        person, exercise = key
+        stored = self._stored[key]
+        if isinstance(judged, Problem):
+            self._lacking.append(Lacking(person, exercise, judged.what))
+            return
+        answers = self._out / ANSWERS / person
+        judgement = judged.judgement if judged else None
+        if judgement and judgement.fault:
+            step = "Mend the grader. No marks were changed."
+            raise OurFault(f"{exercise} cannot be judged: {judgement.fault.summary}", step)
+        seed = seed_of(person, answers)
+        after = rejudge.regraded(stored.result, self._exercises[exercise], judgement, answers, seed)
+        why = rejudge.lacks(stored.result, after, judged) if judged else None
+        if is_lagging(after):
+            why = "The machine was too busy when it was recorded."
+        if why is not None:
+            self._lacking.append(Lacking(person, exercise, why))
+        else:
+            self._record(stored, after)
+
+    def _record(self, stored: Stored, after: Result) -> None:
+        if after == stored.result:
+            return
+        unit, before = stored.unit, stored.result
+        graded = Graded(unit, after, stored.seconds)
+        self._results.record(graded, package.__version__, stored.evidence)
+        moves = rejudge.moves(before, after)
+        if moves:
+            name = self._names[unit.person]
+            moved = Moved(unit.person, name, unit.exercise, before.points, after.points, moves)
+            self._moved.append(moved)
+
+
+def _exercise(course: Course, name: str) -> Exercise:
+    found = next((exercise for exercise in course.exercises() if exercise.id == name), None)
+    if found is None:
+        step = "Name the course that graded it: ros2course --course DIR regrade ..."
+        raise UsageError(f"The course has no exercise {name} any more.", step)
+    return found
+
+
+def forget_lacking(results: Results, lacking: tuple[Lacking, ...]) -> None:
+    """So that the next `grade` does these anew."""
+    with results.all_or_nothing():
+        for one in lacking:
+            results.forget(Unit(one.person, one.exercise))

@@ -1,0 +1,197 @@
+"""A class, graded: takes up where an earlier run was ended, however that was."""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import os
+from collections import deque
+from collections.abc import Callable, Generator, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import course
+from course.batch.homes import Homes
+from course.batch.model import Graded, Task, Unit
+from course.batch.plan import Planned, submission_of
+from course.batch.pool import NextTask, Pool
+from course.batch.results import Results
+from course.errors import CourseError, UsageError
+from course.feedback import Feedback
+from course.grading.result import Result, Verdict
+from course.home.opening import Refused
+from course.home.storage import storing
+from course.rosenv.files import wipe
+
+# With nothing beside it, a second look at what was our error; and a third one.
+ATTEMPTS = 3
+WORK, EVIDENCE, ANSWERS = "work", "evidence", "answers"
+
+
+@dataclass(frozen=True)
+class Batch:
+    """out: the results' folder. jobs: how many gradings at once. course: root of the course, None for ours.
+
+    contained: refuse whatever is not.
+    """
+
+    out: Path
+    planned: Planned
+    jobs: int
+    course: Path | None = None
+    contained: bool = True
+
+
+@dataclass(frozen=True)
+class Progress:
+    """total: all that is to be graded. before: how many of them an earlier run had graded."""
+
+    total: int
+    before: int
+
+
+class Rounds(Protocol):
+    """What grades a round of tasks: the workers of this machine, or those of a cluster."""
+
+    def __call__(self, next_task: NextTask, *, waiting: int, alone: bool) -> Generator[Graded, None, None]:
+        """Gradings as they come, until next_task gives None; whatever ends the iteration ends them.
+
+        waiting: how many tasks there may be. alone: each with nothing beside it on its machine.
+        """
+
+
+def default_jobs() -> int:
+    """A grading mostly waits for messages: three share a core without disturbing each other's measurements.
+
+    With four, bench/batch.py sees the first ones that must be graded again.
+    """
+    return 3 * len(os.sched_getaffinity(0))
+
+
+@contextlib.contextmanager
+def results_folder(out: Path) -> Iterator[Results]:
+    """Nobody else may grade into it meanwhile. Raises UsageError and StorageError."""
+    with _alone_in(out), Results.open(out) as results:
+        yield results
+
+
+@contextlib.contextmanager
+def _alone_in(out: Path) -> Iterator[None]:
+    with storing(f"results cannot be kept in {out}"):
+        out.mkdir(parents=True, exist_ok=True)
+        lock = (out / "lock").open("a", encoding="utf-8")
+    with lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise UsageError(
+                f"Somebody is grading into {out} at this moment.", "Wait for it, or name another --out."
+            ) from None
+        yield
+
+
+def run(
+    batch: Batch,
+    results: Results,
+    on_progress: Callable[[Progress, Graded | None], None],
+    rounds: Rounds | None = None,
+) -> None:
+    """Grade what has not been graded yet; each result is in `results` before `on_progress` hears of it.
+
+    rounds: what does the gradings; None for `batch.jobs` workers on this machine.
+    Ctrl+C ends the gradings at once, in order; what was graded stays.
+    """
+    results.enter([submission_of(found) for found in batch.planned.found])
+    done = results.done()
+    units = list(batch.planned.units())
+    todo = [unit for unit in units if (unit.person, unit.exercise) not in done]
+    progress = Progress(len(units), len(units) - len(todo))
+    on_progress(progress, None)
+    work = batch.out / WORK / "homes"
+    try:
+        homes = Homes(work, batch.out / ANSWERS, batch.planned.found)
+        for graded in _Schedule(batch, homes, todo, rounds or _local(batch.jobs)).graded():
+            results.record(graded, course.__version__, _evidence_of(batch, graded.unit))
+            on_progress(progress, graded)
+    finally:
+        wipe(work)
+
+
+def _local(jobs: int) -> Rounds:
+    def rounds(next_task: NextTask, *, waiting: int, alone: bool) -> Generator[Graded, None, None]:
+        return Pool(1 if alone else min(jobs, max(1, waiting)), next_task).results()
+
+    return rounds
+
+
+class _Schedule:
+    """First all, several at once; then, one by one, what could not be judged with others beside it."""
+
+    def __init__(self, batch: Batch, homes: Homes, todo: list[Unit], rounds: Rounds) -> None:
+        self._batch = batch
+        self._rounds = rounds
+        self._homes = homes
+        self._waiting = deque(todo)
+        self._later: deque[Unit] = deque()
+        self._refused: list[Graded] = []
+        self._exercises = {exercise.id: exercise for exercise in batch.planned.exercises}
+
+    def graded(self) -> Iterator[Graded]:
+        """Each unit once, with its last attempt."""
+        yield from self._round(alone=False)
+        while self._later:
+            self._waiting, self._later = self._later, deque()
+            yield from self._round(alone=True)
+
+    def _round(self, *, alone: bool) -> Iterator[Graded]:
+        graded_now = self._rounds(self._next, waiting=len(self._waiting), alone=alone)
+        with contextlib.closing(graded_now) as found:
+            for graded in found:
+                self._homes.give_back(graded.unit)
+                if self._deserves_another(graded):
+                    self._later.append(graded.unit.again())
+                else:
+                    yield graded
+        yield from self._refused
+        self._refused = []
+
+    def _deserves_another(self, graded: Graded) -> bool:
+        return graded.result.verdict is Verdict.OUR_ERROR and graded.unit.attempt < ATTEMPTS
+
+    def _next(self) -> Task | None:
+        while self._waiting:
+            unit = self._waiting.popleft()
+            try:
+                home = self._homes.take(unit, self._exercises[unit.exercise])
+            except (CourseError, Refused) as error:
+                self._refused.append(not_laid(unit, error))
+                continue
+            evidence = self._batch.out / _evidence(unit)
+            _clear(evidence)
+            root = str(self._batch.course) if self._batch.course else None
+            return Task(unit, str(home), str(evidence), root, self._batch.contained)
+        return None
+
+
+def _clear(evidence: Path) -> None:
+    """What is there is of another attempt, or half-written by one that was killed."""
+    for file in evidence.parent.glob(f"*{evidence.name}*"):
+        file.unlink(missing_ok=True)
+
+
+def not_laid(unit: Unit, error: CourseError | Refused) -> Graded:
+    """What becomes of a unit that could not even be begun: a fault of ours."""
+    if isinstance(error, Refused):
+        fault = Feedback(summary=error.finding.what, advice=error.finding.advice)
+    else:
+        fault = Feedback(summary=error.what, advice=error.next_step)
+    return Graded(unit, Result(unit.exercise, Verdict.OUR_ERROR, fault=fault), 0.0)
+
+
+def _evidence(unit: Unit) -> str:
+    return f"{EVIDENCE}/{unit.person}/{unit.exercise}.mcap"
+
+
+def _evidence_of(batch: Batch, unit: Unit) -> str | None:
+    return _evidence(unit) if (batch.out / _evidence(unit)).is_file() else None

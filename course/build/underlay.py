@@ -1,0 +1,82 @@
+"""Building packages of the underlay, when something needs them for the first time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from course.build.builder import Progress, build
+from course.build.interrupt import Interrupt
+from course.build.sources import TooMuch, source_files
+from course.build.store import Store, storage
+from course.build.workspace import Package, Workspace
+from course.errors import OurFault
+from course.rosenv import Ros, add_to_underlay, missing_of_underlay, underlay_builds
+from course.rosenv.underlay import source_root
+
+# Files in which a package's interfaces are named by those who use them.
+_TEXTS = (".py", ".cpp", ".hpp", ".h", ".msg", ".srv", ".action", ".txt", ".xml")
+
+
+def provide(
+    workspace: Workspace,
+    names: Iterable[str],
+    ros: Ros,
+    *,
+    on_progress: Progress = lambda text: None,
+    interrupt: Interrupt | None = None,
+) -> None:
+    """Have in place whatever of the underlay the packages `names` of the workspace may need.
+
+    Installed ROS packages can be used without declaring them, so a mention in a source file counts, too.
+    Costs next to nothing when all is there. Raises what `build_underlay` raises.
+    """
+    missing = missing_of_underlay(ros)
+    if not missing:
+        return
+    packages = [package for name in names for package in workspace.named(name)]
+    needed = [
+        candidate.name
+        for candidate in missing
+        if any(_needs(package, workspace, candidate.name, bool(candidate.interfaces)) for package in packages)
+    ]
+    build_underlay(needed, ros, on_progress=on_progress, interrupt=interrupt)
+
+
+def build_underlay(
+    names: Iterable[str],
+    ros: Ros,
+    *,
+    on_progress: Progress = lambda text: None,
+    interrupt: Interrupt | None = None,
+) -> None:
+    """Build these packages of the underlay and put them in place; at once when that was done before.
+
+    Raises OurFault when one does not build, MissingHere and StorageError for what this machine lacks, and
+    Interrupted when `interrupt` is set.
+    """
+    root, names = source_root(), tuple(names)
+    if not names or root is None:
+        return
+    store = Store(underlay_builds(ros))
+    outcome = build(Workspace.scan(root), names, ros, store, on_progress=on_progress, interrupt=interrupt)
+    if outcome.failure is not None:
+        log = f" Everything it printed: {outcome.failure.log}" if outcome.failure.log else ""
+        raise OurFault(
+            f"{outcome.failure.package} of the course's own packages does not build here: "
+            f"{outcome.failure.feedback.summary}{log}"
+        )
+    for package in outcome.packages:
+        add_to_underlay(ros, package.prefix)
+
+
+def _needs(package: Package, workspace: Workspace, name: str, mentioned: bool) -> bool:
+    return package.depends_on(name) or (mentioned and _mentions(package, workspace, name.encode()))
+
+
+def _mentions(package: Package, workspace: Workspace, name: bytes) -> bool:
+    try:
+        with storage(package.folder):
+            files = [f for f in source_files(package.folder, workspace.home) if f.name.endswith(_TEXTS)]
+            return any(file.link is None and name in file.path.read_bytes() for file in files)
+    except TooMuch:
+        return False  # the build says so

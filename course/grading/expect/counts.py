@@ -1,0 +1,74 @@
+"""What is expected of a node that logs how often something happened."""
+
+from __future__ import annotations
+
+import re
+
+from course.evidence.recording import Recording
+from course.evidence.topic_view import LogLine
+from course.feedback import Failure, Feedback
+from course.grading.explain.python_code import calls
+
+_SHOWN = 3
+
+
+def expect_counted(recording: Recording, process: str, total: int, *, what: str) -> None:
+    """The log counts from 1 to `total`, each number in a message of its own.
+
+    The words around the numbers do not matter. what: names them, as in `calls`.
+    """
+    reached = highest_count(recording.log)
+    if reached >= total:
+        return
+    printed = [line.text for line in recording.process(process).lines if has_number(line.text, 1)]
+    if not recording.log and printed:
+        raise Failure(_printed(recording, printed[0]))
+    raise Failure(_wrong(recording, reached, total, what))
+
+
+def highest_count(lines: tuple[LogLine, ...]) -> int:
+    """How far these messages count from 1, one after the other."""
+    count = 0
+    for line in lines:
+        if has_number(line.text, count + 1):
+            count += 1
+    return count
+
+
+def has_number(text: str, number: int) -> bool:
+    """Whether it holds the whole number, also as `3rd` or `No.3`, but not inside 3.5, 13 or ember3."""
+    return bool(re.search(rf"(?<!\w)(?<!\d\.)(?<!-){number}(?:st|nd|rd|th)?(?!\w|\.\d)", text))
+
+
+def _printed(recording: Recording, text: str) -> Feedback:
+    return Feedback(
+        summary="The count comes from `print`: it is on the terminal, but not in the node's log.",
+        expected="a message on /rosout",
+        seen=f"on the terminal only: {text[:120]}",
+        where=tuple(call.where for call in calls(recording.sources, "print"))[:1],
+        advice="Use the node's logger in place of `print`: `self.get_logger().info(...)`.",
+    )
+
+
+def _wrong(recording: Recording, reached: int, total: int, what: str) -> Feedback:
+    lines = tuple(line.text for line in recording.log)
+    from_zero = reached == total - 1 and any(has_number(text, 0) for text in lines)
+    if not lines:
+        summary = f"There were {total} {what}, and the node logged nothing."
+    elif from_zero:
+        summary = f"The count begins with 0: after {total} {what} it has come to {reached} only."
+    else:
+        summary = (
+            f"There were {total} {what}, and the log does not count them: no message holds {reached + 1}."
+        )
+    braces = any("{" in text for text in lines)
+    return Feedback(
+        summary=summary,
+        expected=f"messages with 1, 2, 3 and so on to {total}",
+        seen=lines[0][:120] if lines else "no message",
+        where=tuple(call.where for call in calls(recording.sources, "info"))[:1],
+        advice="The braces were logged as they stand: put an `f` before the string, `f'...'`."
+        if braces
+        else "Keep the count in the node: 0 in `__init__`, one more in each callback, and then log it.",
+        details=lines[:_SHOWN],
+    )

@@ -1,0 +1,147 @@
+"""What is expected of services: that they are offered or used, with the right type, and answered."""
+
+from __future__ import annotations
+
+from course.errors import OurFault
+from course.evidence.events import Side
+from course.evidence.graph import Service
+from course.evidence.recording import Recording
+from course.evidence.service_view import ServiceCall
+from course.evidence.topic_view import seconds
+from course.feedback import Failure, Feedback, Location
+from course.grading.explain.names import listed, nearest
+from course.grading.explain.parameters import named
+from course.grading.explain.python_code import calls
+from course.grading.explain.services import no_response, sleeping, spin_in_callback
+from course.grading.explain.timers import Cause, called_callback
+
+_VERBS = {"server": "offers", "client": "calls"}
+_MAKERS = {"server": "create_service", "client": "create_client"}
+
+
+def expect_service(recording: Recording, side: Side, name: str, *, remedy: str) -> None:
+    """A node of the learner's offers (`server`) or uses (`client`) the service of this full name."""
+    every = _of_side(recording, side)
+    if any(service.name == name for service in every):
+        return
+    names = sorted({service.name for service in every})
+    close = nearest(name, names)
+    makers = _makers(recording, side)
+    if close:
+        raise Failure(
+            Feedback(
+                summary=f"The node {_VERBS[side]} the service `{close}`, not `{name}`.",
+                expected=name,
+                seen=close,
+                where=_name_places(recording, close) or makers,
+                advice=f"Spell the service's name `{name.lstrip('/')}`, letter by letter.",
+            )
+        )
+    raise Failure(
+        Feedback(
+            summary=f"No node {_VERBS[side]} the service `{name}`.",
+            expected=f"a {side} of {name}",
+            seen=f"the node {_VERBS[side]} {listed(names, 'no service')}",
+            where=makers,
+            advice=remedy,
+        )
+    )
+
+
+def expect_service_type(recording: Recording, side: Side, name: str, type_name: str) -> None:
+    """Every server (or client) of the service has this type."""
+    wrong = [s for s in _of_side(recording, side) if s.name == name and s.type != type_name]
+    if not wrong:
+        return
+    package, _, short = type_name.split("/")
+    raise Failure(
+        Feedback(
+            summary=f"The {side} of `{name}` has the type `{wrong[0].type}`, not `{type_name}`.",
+            expected=type_name,
+            seen=wrong[0].type,
+            where=_makers(recording, side),
+            advice=f"Import it with `from {package}.srv import {short}` and name it first in "
+            f"`{_MAKERS[side]}`.",
+        )
+    )
+
+
+def expect_same_service(
+    recording: Recording, name: str, type_name: str, hashes: tuple[str, str], *, advice: str
+) -> None:
+    """The server was built from the definition that the course knows.
+
+    hashes: of request and response. advice: says where the learner finds that definition.
+    """
+    for service in _of_side(recording, "server"):
+        known = (service.request_hash, service.response_hash)
+        if (service.name, service.type) == (name, type_name) and known not in (hashes, ("", "")):
+            raise Failure(
+                Feedback(
+                    summary=f"Your `{type_name}` has other fields than the exercise asks for.",
+                    advice=advice,
+                )
+            )
+
+
+def expect_answers(recording: Recording, name: str, *, within: float = 1.0) -> tuple[ServiceCall, ...]:
+    """Every call of the arena's was answered within so many seconds; gives the calls.
+
+    Raises OurFault when nothing was called: then nothing can be said of the server.
+    """
+    made = recording.service(name).calls
+    if not made:
+        raise OurFault(f"the scenario did not call {name}")
+    silent = [call for call in made if call.answered is None]
+    late = [call for call in made if call.duration is not None and call.duration > within]
+    if silent:
+        raise Failure(_silent(recording, name, made, len(silent)))
+    if late:
+        raise Failure(_late(recording, max(call.duration or 0.0 for call in late), within))
+    return made
+
+
+def _silent(recording: Recording, name: str, made: tuple[ServiceCall, ...], silent: int) -> Feedback:
+    sources = recording.sources
+    cause = (
+        called_callback(sources) or no_response(sources) or sleeping(sources) or spin_in_callback(sources)
+    ) or Cause(
+        "Does the node reach `rclpy.spin`, and does the callback come to its `return response`?",
+        _makers(recording, "server"),
+    )
+    count = "The call" if len(made) == 1 else f"{silent} of {len(made)} calls"
+    return Feedback(
+        summary=f"{count} of `{name}` got no answer.",
+        expected="an answer to each call",
+        seen=f"{len(made) - silent} answers",
+        where=cause.where,
+        advice=cause.text,
+    )
+
+
+def _late(recording: Recording, slowest: float, within: float) -> Feedback:
+    cause = sleeping(recording.sources)
+    return Feedback(
+        summary=f"An answer took {seconds(slowest)}; whoever asks must wait so long.",
+        expected=f"an answer within {seconds(within)}",
+        seen=seconds(slowest),
+        where=cause.where if cause else (),
+        advice=cause.text if cause else "Let the callback do its work and return at once.",
+    )
+
+
+def _of_side(recording: Recording, side: Side) -> list[Service]:
+    """What the learner's nodes offer or use."""
+    services = recording.seen_graph().services
+    if side == "client":
+        return [service for service in services if service.clients]
+    return [service for service in services if service.servers or service.request_hash]
+
+
+def _makers(recording: Recording, side: Side) -> tuple[Location, ...]:
+    return tuple(call.where for call in calls(recording.sources, _MAKERS[side]))[:2]
+
+
+def _name_places(recording: Recording, name: str) -> tuple[Location, ...]:
+    plain = name.lstrip("/")
+    return (*named(recording.sources, plain), *named(recording.sources, f"/{plain}"))[:3]

@@ -1,0 +1,68 @@
+"""Right and wrong answers, and acts in mysteries, laid into trial homes.
+
+Where the solution holds no answers file, the right answers are taken from the lesson, or computed
+for a mystery: all trials use the same seed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from course.arena.acts import acts_file, write_acts
+from course.arena.play_module import seed_for
+from course.content import Exercise, answers_file
+from course.content.model import Given
+from course.content.names import did_you_mean
+from course.errors import ContentError
+from course.grading.check import STATE
+from course.grading.mystery.load import mystery_of, questions_for
+from course.grading.mystery.resolve import fill
+from course.grading.quiz.answers import read_answers
+from course.grading.quiz.right import right_answers
+from course.grading.quiz.writing import answers_text
+
+# The seed of the learner who did it all right.
+SEED = 1994
+
+
+def lay_answers(exercise: Exercise, home: Path) -> None:
+    """The right answers, unless a file of them is there, and the acts of a mystery."""
+    if exercise.questions and not (home / answers_file(exercise.id)).exists():
+        answers = right_answers(questions_for(exercise, SEED))
+        _write(exercise, home, answers)
+    mystery = mystery_of(exercise)
+    if mystery is not None:
+        acts = tuple(mystery.acts_function(mystery.draw(seed_for(exercise.id, SEED))))
+        if acts:
+            write_acts(acts_file(home / STATE, exercise.id), exercise.id, acts)
+
+
+def change_answers(exercise: Exercise, home: Path, changes: Mapping[str, Given], where: Path) -> None:
+    """Put other answers in the place of some; `{name}` in them is a word of the mystery.
+
+    where: the file that asks for it. Raises ContentError when there is no such question.
+    """
+    known = [question.id for question in exercise.questions]
+    for name in changes:
+        if name not in known:
+            what = f"{exercise.id} has no question `{name}`{did_you_mean(name, known)}"
+            raise ContentError(what, f"allowed: {', '.join(known)}", file=where, key="answers")
+    answers = read_answers(home, exercise.id)
+    given = {name: one.texts for name, one in answers.given.items()} if answers else {}
+    words = _words(exercise)
+    for name, change in changes.items():
+        texts = [change] if isinstance(change, str) else change
+        given[name] = tuple(fill(text, words) if words else text for text in texts)
+    _write(exercise, home, given)
+
+
+def _words(exercise: Exercise) -> Mapping[str, object]:
+    mystery = mystery_of(exercise)
+    return mystery.words_function(mystery.draw(seed_for(exercise.id, SEED))) if mystery else {}
+
+
+def _write(exercise: Exercise, home: Path, answers: Mapping[str, tuple[str, ...]]) -> None:
+    file = home / answers_file(exercise.id)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(answers_text(exercise.id, exercise.questions, answers), encoding="utf-8")

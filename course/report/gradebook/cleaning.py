@@ -1,0 +1,151 @@
+"""What of a verdict may be handed out, and in which form: the one place that decides both.
+
+A report goes to learners, into CI logs and onto servers of others. So escape sequences and controls go
+(see `course.report.safe`), texts are cut, paths of the grading machine and secrets are replaced, and
+three things never leave: what is known about a fault of ours (its traceback, its message), how the
+submission was contained, and the explanation of a right answer, which is the answer.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+
+import course
+from course.feedback import Feedback, Location
+from course.grading.result import CheckResult, Outcome, Result, Verdict
+from course.report import safe
+from course.report.terminal import PLACES
+
+NAME_LIMIT = 200
+# Below that of `safe.paragraph`: some words go through it again, and must not be cut twice.
+PROSE_LIMIT = 900
+PLACE_LIMIT = 500
+REMARKS = 20
+# Of one text, however long; what is shown is far shorter.
+_LOOKED_AT = 8 * 1024
+# For the count at the end of a line that was cut.
+_COUNT_ROOM = 40
+_HIDDEN = "[hidden]"
+
+# Not characters at all (XML forbids them), and invisible ones that hide the beginning of a text.
+# The joiners U+200C and U+200D stay: emoji and several scripts need them.
+_NO_TEXT = re.compile("[\u200b\u2060-\u2064\ufeff\ufdd0-\ufdef\ufff9-\uffff\U000e0000-\U000e007f]")
+
+_OURS = Feedback(
+    summary="The course itself has a fault here.",
+    advice="This is not the learner's failure, and it does not count. Whoever grades can run it again.",
+)
+_LACKING = Feedback(
+    summary="The machine that graded lacks something that this exercise needs.",
+    advice="This is not the learner's failure, and it does not count. Whoever grades can run it elsewhere.",
+)
+_FAULTS = {Verdict.OUR_ERROR: _OURS, Verdict.NOT_AVAILABLE: _LACKING}
+
+
+@dataclass(frozen=True)
+class Cleaner:
+    """Makes texts fit to be handed out.
+
+    places: absolute paths of the grading machine, without a slash at their end, and what is shown in
+    place of each ("~").
+    secrets: texts that must not appear anywhere, not even inside a word: seeds, tokens.
+    """
+
+    places: Mapping[str, str] = field(default_factory=dict)
+    secrets: tuple[str, ...] = ()
+
+    def line(self, text: str, limit: int = safe.LINE_LIMIT) -> str:
+        r"""`text` on one line (a newline shows as \n), at most `limit` characters and a count."""
+        return safe.cut(self._plain(text).replace("\n", "\\n").strip(), limit, len(text))
+
+    def prose(self, text: str, limit: int = PROSE_LIMIT) -> str:
+        """`text` as one flow of words, at most `limit` characters and a count."""
+        return safe.cut(" ".join(self._plain(text).split()), limit, len(text))
+
+    def evidence(self, lines: Iterable[str]) -> tuple[str, ...]:
+        """Lines of a log, each cut, and the middle left out of a long list."""
+        every = (piece for line in lines for piece in line.replace("\r\n", "\n").rstrip("\n").split("\n"))
+        short = [safe.cut(self._plain(line), safe.LINE_LIMIT, len(line)) for line in every]
+        return tuple(safe.details(short, limit=safe.LINE_LIMIT + _COUNT_ROOM))
+
+    def feedback(self, feedback: Feedback) -> Feedback:
+        return Feedback(
+            summary=self.prose(feedback.summary),
+            expected=self._maybe(feedback.expected),
+            seen=self._maybe(feedback.seen),
+            where=tuple(self._place(place) for place in feedback.where[:PLACES]),
+            advice=self._maybe(feedback.advice),
+            details=self.evidence(feedback.details),
+        )
+
+    def result(self, result: Result) -> Result:
+        """The verdict without what must not leave; points and outcomes are as they were."""
+        return replace(
+            result,
+            exercise=self.line(result.exercise, NAME_LIMIT),
+            checks=tuple(self._check(check) for check in result.checks),
+            fault=_FAULTS.get(result.verdict) if _is_whole(result) else None,
+            containment="",
+            notes=self.remarks(result.notes),
+        )
+
+    def remarks(self, remarks: Iterable[str]) -> tuple[str, ...]:
+        return tuple(self.prose(remark) for remark in tuple(remarks)[:REMARKS])
+
+    def _check(self, check: CheckResult) -> CheckResult:
+        return replace(
+            check,
+            id=self.line(check.id, NAME_LIMIT),
+            title=self.prose(check.title),
+            feedback=self._told(check),
+            skipped_because=self._maybe(check.skipped_because),
+        )
+
+    def _told(self, check: CheckResult) -> Feedback | None:
+        if check.outcome is Outcome.ERROR:
+            return _OURS
+        return self.feedback(check.feedback) if check.feedback and check.outcome is Outcome.FAILED else None
+
+    def _place(self, place: Location) -> Location:
+        return Location(self.line(place.file, PLACE_LIMIT), place.line)
+
+    def _maybe(self, text: str | None) -> str | None:
+        return None if text is None else self.prose(text)
+
+    def _plain(self, text: str) -> str:
+        """Cleaned first, so that an escape sequence inside a path does not hide it; cut only afterwards."""
+        shown = _NO_TEXT.sub(_visible, safe.clean(text[:_LOOKED_AT]))
+        for secret in filter(None, self.secrets):
+            shown = shown.replace(secret, _HIDDEN)
+        return self._paths.sub(lambda found: self.places[found[0]], shown) if self.places else shown
+
+    @cached_property
+    def _paths(self) -> re.Pattern[str]:
+        """Each path as a whole: `/tmp/home` is no part of `/tmp/homes`, nor of `~/tmp/home`."""
+        longest_first = sorted(self.places, key=len, reverse=True)
+        paths = "|".join(re.escape(path) for path in longest_first)
+        return re.compile(rf"(?:(?<![\w.~-])|(?<=-[IL]))(?:{paths})(?![\w-]|\.\w)")
+
+
+def places_here() -> dict[str, str]:
+    """Paths of this machine that any text may hold: the course's own, its Python's, and the home."""
+    found = {
+        str(Path.home()): "~",
+        sys.prefix: "[python]",
+        str(Path(course.__file__).parents[1]): "[course]",
+    }
+    return {path: shown for path, shown in found.items() if path not in ("/", "/usr")}
+
+
+def _is_whole(result: Result) -> bool:
+    """Whether a fault is of the exercise as a whole, and not said already by one of its checks."""
+    return all(check.outcome is not Outcome.ERROR for check in result.checks)
+
+
+def _visible(match: re.Match[str]) -> str:
+    return match[0].encode("unicode_escape").decode("ascii")

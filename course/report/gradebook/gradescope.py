@@ -1,0 +1,83 @@
+"""Gradescope's results.json for one submission: a test for each check, with points and feedback."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+from course.grading.result import CheckResult, Outcome
+from course.report.gradebook.sheets import INCOMPLETE, Mark, Sheet, tidy
+from course.report.gradebook.words import NOTHING, headline, summary, text_of, total, why
+
+
+def as_text(sheet: Sheet) -> str:
+    """The file as text."""
+    return json.dumps(as_data(sheet), ensure_ascii=False, allow_nan=False, indent=2) + "\n"
+
+
+def as_data(sheet: Sheet) -> dict[str, Any]:
+    """The file as JSON types.
+
+    Everything is plain text, since a learner's output could be HTML or Markdown; everything is visible,
+    since one hidden test hides a learner's total. Standard output is not shown: it may tell of the machine.
+    """
+    return {
+        "score": sheet.judged_points,
+        "execution_time": round(sheet.seconds, 3),
+        "output": "\n".join((_opening(sheet), *map(_line, sheet.marks), *sheet.remarks)),
+        "output_format": "text",
+        "test_output_format": "text",
+        "test_name_format": "text",
+        "visibility": "visible",
+        "stdout_visibility": "hidden",
+        "tests": [test for place, mark in enumerate(sheet.marks, 1) for test in _tests(mark, place)],
+        "extra_data": {"state": sheet.state, "max_points": sheet.judged_max},
+    }
+
+
+def _opening(sheet: Sheet) -> str:
+    if sheet.state != INCOMPLETE:
+        return f"{summary(sheet)[:1].upper()}{summary(sheet)[1:]}."
+    return (
+        "Not everything could be checked, through no fault of yours. The score counts only what was; "
+        "your instructor can run the autograder again."
+    )
+
+
+def _line(mark: Mark) -> str:
+    points = total(mark)
+    return f"{mark.exercise.id}: {headline(mark)}{f', {points}' if points else ''}."
+
+
+def _tests(mark: Mark, place: int) -> Iterator[dict[str, Any]]:
+    result = mark.result
+    if result is None:
+        scored = {"score": 0, "max_score": 0 if mark.exercise.bonus else tidy(mark.exercise.max_points)}
+        yield {**_named(mark, str(place)), **scored, "status": "failed", "output": NOTHING}
+        return
+    if result.fault:
+        yield {**_named(mark, str(place)), "output": text_of(result.fault)}
+    elif not result.checks:
+        yield {**_named(mark, str(place)), "output": " ".join((f"{headline(mark)}.", *result.notes))}
+    for number, check in enumerate(result.checks, 1):
+        yield _test(mark, check, f"{place}.{number}")
+
+
+def _test(mark: Mark, check: CheckResult, place: str) -> dict[str, Any]:
+    feedback = why(check)
+    output = {"output": text_of(feedback)} if feedback else {}
+    return {**_named(mark, place, check.title), **_scored(mark, check), **output}
+
+
+def _named(mark: Mark, place: str, title: str = "") -> dict[str, str]:
+    return {"number": place, "name": f"{mark.exercise.id}: {title or mark.exercise.title}"}
+
+
+def _scored(mark: Mark, check: CheckResult) -> dict[str, Any]:
+    """Nothing where there are no points to give, so that it neither counts nor looks failed."""
+    if not mark.counts or check.outcome in (Outcome.NOT_APPLICABLE, Outcome.ERROR):
+        return {}
+    is_bonus = check.bonus or mark.exercise.bonus
+    status = "passed" if check.outcome is Outcome.PASSED else "failed"
+    return {"score": tidy(check.earned), "max_score": 0 if is_bonus else tidy(check.points), "status": status}

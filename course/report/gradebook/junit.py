@@ -1,0 +1,145 @@
+"""JUnit XML, as CI services read it: a suite for each submission, a case for each check.
+
+There is no standard, only readers. Some want `classname`, some show the element's text and not its
+`message`, some mix up cases of the same name; so every case has all of that.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from datetime import datetime, timezone
+
+from course.grading.result import CheckResult, Feedback, Outcome, Result
+from course.report.console import number
+from course.report.gradebook.sheets import Mark, Sheet
+from course.report.gradebook.unique import Names
+from course.report.gradebook.words import NOTHING, text_of, why
+
+_KINDS = {
+    Outcome.FAILED: "failure",
+    Outcome.ERROR: "error",
+    Outcome.SKIPPED: "skipped",
+    Outcome.NOT_APPLICABLE: "skipped",
+}
+
+
+@dataclass(frozen=True)
+class Case:
+    """One test case. kind: None when passed, else the name of its child element."""
+
+    exercise: str
+    name: str
+    kind: str | None = None
+    type: str = ""
+    feedback: Feedback | None = None
+    seconds: float = 0.0
+
+
+@dataclass
+class Totals:
+    """What the root element says of all suites."""
+
+    tests: int = 0
+    failures: int = 0
+    errors: int = 0
+    skipped: int = 0
+    seconds: float = 0.0
+
+    def add(self, cases: Iterable[Case]) -> Totals:
+        for case in cases:
+            self.tests += 1
+            self.failures += case.kind == "failure"
+            self.errors += case.kind == "error"
+            self.skipped += case.kind == "skipped"
+            self.seconds += case.seconds
+        return self
+
+    def attributes(self) -> dict[str, str]:
+        counts = {name: str(getattr(self, name)) for name in ("tests", "failures", "errors", "skipped")}
+        return {**counts, "time": f"{self.seconds:.3f}"}
+
+
+def pieces(name: str, began: datetime, walk: Callable[[], Iterable[Sheet]]) -> Iterator[str]:
+    """The document, a suite at a time. `walk` is called twice: the root's counts stand before the suites."""
+    counts = Totals()
+    for sheet in walk():
+        counts.add(cases(sheet))
+    root = ET.Element("testsuites", {"name": name, **counts.attributes()})
+    yield '<?xml version="1.0" encoding="UTF-8"?>\n'
+    yield ET.tostring(root, encoding="unicode").removesuffix(" />") + ">\n"
+    names = Names()
+    for sheet in walk():
+        yield _suite(sheet, names.unique(sheet.person.id or "nameless"), began)
+    yield "</testsuites>\n"
+
+
+def cases(sheet: Sheet) -> Iterator[Case]:
+    """All cases of a submission. An exercise's time is told with its first one."""
+    for mark in sheet.marks:
+        first, *others = _of_mark(mark)
+        yield replace(first, seconds=mark.seconds)
+        yield from others
+
+
+def _of_mark(mark: Mark) -> Iterator[Case]:
+    exercise, result = mark.exercise.id, mark.result
+    if result is None:
+        yield Case(exercise, exercise, "failure", mark.verdict, Feedback(NOTHING))
+        return
+    if result.fault:
+        yield Case(exercise, exercise, "error", mark.verdict, result.fault)
+    elif not result.checks:
+        yield Case(exercise, exercise, "skipped", mark.verdict, _without_checks(result))
+    yield from (_of_check(exercise, check) for check in result.checks)
+
+
+def _without_checks(result: Result) -> Feedback:
+    return Feedback(" ".join(result.notes) or "It does not apply here.")
+
+
+def _of_check(exercise: str, check: CheckResult) -> Case:
+    name = f"{exercise}/{check.id}: {check.title}"
+    return Case(exercise, name, _KINDS.get(check.outcome), check.outcome.value, why(check))
+
+
+def _suite(sheet: Sheet, name: str, began: datetime) -> str:
+    stamp = began.astimezone(timezone.utc).strftime("%Y-%m-%dT%H:%M:%S")
+    counts = Totals().add(cases(sheet)).attributes()
+    suite = ET.Element("testsuite", {"name": name, **counts, "timestamp": stamp})
+    properties = ET.SubElement(suite, "properties")
+    for key, value in _properties(sheet):
+        ET.SubElement(properties, "property", {"name": key, "value": value})
+    names = Names()
+    # A dot in a class name begins a new level in several readers.
+    group = name.replace(".", "_")
+    for case in cases(sheet):
+        _append(suite, replace(case, name=names.unique(case.name)), group)
+    ET.indent(suite, level=1)
+    return f"  {ET.tostring(suite, encoding='unicode')}\n"
+
+
+def _properties(sheet: Sheet) -> Iterator[tuple[str, str]]:
+    told = (("name", sheet.person.name), ("source", sheet.source), ("state", sheet.state))
+    points = (("points", sheet.points), ("max_points", sheet.max_points))
+    yield from ((key, value) for key, value in told if value)
+    yield from ((key, number(value)) for key, value in points if value is not None)
+    yield from (("remark", remark) for remark in sheet.remarks)
+
+
+def _append(suite: ET.Element, case: Case, group: str) -> None:
+    attributes = {
+        "classname": f"{group}.{case.exercise}",
+        "name": case.name,
+        "time": f"{case.seconds:.3f}",
+    }
+    place = case.feedback.where[0] if case.feedback and case.feedback.where else None
+    if place:
+        attributes["file"] = place.file
+    if place and place.line:
+        attributes["line"] = str(place.line)
+    element = ET.SubElement(suite, "testcase", attributes)
+    if case.kind and case.feedback:
+        child = ET.SubElement(element, case.kind, {"message": case.feedback.summary, "type": case.type})
+        child.text = text_of(case.feedback)

@@ -1,0 +1,1195 @@
+"""Grader of chapter 2: a script, a class, and what makes a package of them."""
+
+from __future__ import annotations
+
+import re
+import stat
+import sysconfig
+from dataclasses import replace
+from pathlib import Path
+
+from course.arena.arena import Arena
+from course.arena.process import Process
+from course.errors import OurFault
+from course.evidence.events import OutputLine
+from course.evidence.recording import Recording
+from course.evidence.sources import Sources
+from course.evidence.topic_view import expect_period
+from course.feedback import Failure, Feedback, Location, NotApplicable
+from course.grading.author import Grader
+from course.grading.expect.files import expect_mode, expect_text
+from course.grading.expect.lint import expect_no_findings, expect_readable
+from course.grading.expect.probes import answered, expect_answer, expect_importable
+from course.grading.expect.programs import expect_clean_interrupt, expect_running
+from course.grading.expect.shell import BASHRC, expect_ran
+from course.grading.explain.names import listed, nearest
+from course.grading.explain.python_code import calls, functions, text_places
+from course.grading.explain.setup_py import entry_points, joined_entry_points
+from course.grading.explain.tracebacks import Crash, crash
+
+PROBES = Path(__file__).with_name("probes")
+PROJECT = "ros2_tutorials_preamble/python/minimalist_package"
+PACKAGE = f"{PROJECT}/minimalist_package"
+SCRIPT = f"{PACKAGE}/minimalist_script.py"
+CLASS = f"{PACKAGE}/_minimalist_class.py"
+INIT = f"{PACKAGE}/__init__.py"
+HOWDY = "Howdy!"
+ENOUGH = 5
+
+venv = Grader("02-venv", builds=None, ros=False)
+
+ENVIRONMENT = "ros2tutorial_venv"
+IS_APART = "import sys; print('apart' if sys.prefix != sys.base_prefix else 'not apart')"
+
+
+@venv.scenario
+def start_its_python(arena: Arena) -> None:
+    python = f"{ENVIRONMENT}/bin/python3"
+    for name, code in (("venv", IS_APART), ("dqrobotics", "import dqrobotics")):
+        program = arena.in_place(python, "-c", code, name=name)
+        if program:
+            program.wait(10)
+
+
+@venv.check("made", "`~/ros2tutorial_venv` is a virtual environment")
+def made(recording: Recording) -> None:
+    if recording.home.file(f"{ENVIRONMENT}/pyvenv.cfg").is_file:
+        return
+    others = [path for path in recording.home.entries if path.endswith("/pyvenv.cfg")]
+    other = others[0].partition("/")[0] if others else None
+    raise Failure(
+        Feedback(
+            summary=f"There is no environment `~/{ENVIRONMENT}`; there is `~/{other}`."
+            if other
+            else f"There is no virtual environment in `~/{ENVIRONMENT}`.",
+            expected=f"~/{ENVIRONMENT}/pyvenv.cfg",
+            seen=f"~/{others[0]}" if others else None,
+            advice=f"`python3 -m venv ~/{ENVIRONMENT}` makes it. One that exists cannot be renamed.",
+        )
+    )
+
+
+@venv.check("runs", "its Python runs, and is not the system's", needs="made")
+def its_python_runs(recording: Recording) -> None:
+    view = recording.process("venv")
+    if "apart" in view.text:
+        return
+    if view.started and (view.exited is None or view.exited.signal):
+        raise OurFault(f"the Python of ~/{ENVIRONMENT} did not come to its end")
+    raise Failure(
+        Feedback(
+            summary=f"`~/{ENVIRONMENT}` has no Python that runs.",
+            expected=f"~/{ENVIRONMENT}/bin/python3",
+            seen=view.text[-1][:120] if view.text else "no such program",
+            advice=f"Remove it (`rm -r ~/{ENVIRONMENT}`) and make it anew: it may have been moved, or the "
+            "Python that it was made with is gone.",
+        )
+    )
+
+
+@venv.check("dqrobotics", "`dqrobotics` is installed in it", bonus=True, needs="runs")
+def dqrobotics(recording: Recording) -> None:
+    ended = recording.process("dqrobotics").exited
+    if ended is None or ended.code != 0:
+        raise NotApplicable(
+            "It is not installed. With the environment active, and where the internet can be reached, "
+            "`pip install dqrobotics` does it."
+        )
+
+
+editor = Grader("02-editor-quiz", builds=None, ros=False)
+
+
+@editor.scenario
+def look_for_the_alias(arena: Arena) -> None:
+    with arena.shell() as shell:
+        shell.run("alias pycharm_ros2")
+
+
+@editor.check("pycharm_alias", "an alias `pycharm_ros2`", bonus=True)
+def pycharm_alias(recording: Recording) -> None:
+    ran = expect_ran(recording, "alias pycharm_ros2")
+    if ran.code != 0:
+        raise Failure(
+            Feedback(
+                summary="A new terminal knows no alias `pycharm_ros2`.",
+                where=tuple(text_places(only(recording, BASHRC), "pycharm")[:1]) or (Location(BASHRC),),
+                advice="As in chapter 1: `alias pycharm_ros2='...'` in `~/.bashrc`, with the path of "
+                "PyCharm's program in the quotation marks, and no spaces around the `=`.",
+            )
+        )
+
+
+script = Grader("02-script", builds=None, ros=False)
+
+IMPORT_SCRIPT = """
+from minimalist_package import minimalist_script
+main = ask("main", lambda: minimalist_script.main)
+ask("hint", lambda: "return" in main.__annotations__)
+"""
+
+
+@script.scenario
+def run_import_and_execute_it(arena: Arena) -> None:
+    """Both ways of starting it go at once; five lines are four intervals."""
+    program = arena.python(SCRIPT, name="script")
+    direct = arena.execute(SCRIPT, name="direct")
+    arena.probe(IMPORT_SCRIPT, cwd=PROJECT, timeout=5)
+    for process, wanted in ((program, ENOUGH), (direct, 1)):
+        if process:
+            arena.until(lambda p=process, n=wanted: lines(arena, p) >= n, timeout=6, while_running=process)
+    arena.interrupt(program)
+    arena.interrupt(direct)
+
+
+def lines(arena: Arena, program: Process) -> int:
+    return sum(1 for line in arena.timeline.of(OutputLine) if line.process == program.name)
+
+
+def only(recording: Recording, *files: str) -> Sources:
+    """The sources of these files alone."""
+    return Sources({name: text for name, text in recording.sources.files.items() if name in files})
+
+
+@script.check("starts", "`python3 minimalist_script.py` keeps running")
+def starts(recording: Recording) -> None:
+    expect_running(recording, "script")
+
+
+@script.check("howdy", "it prints `Howdy!`", needs="starts")
+def howdy(recording: Recording) -> None:
+    view = recording.process("script")
+    printed = [line.text for line in view.lines if line.t < (view.interrupted_at or line.t + 1)]
+    other = next((text for text in printed if text.strip() != HOWDY), None)
+    if printed and other is None:
+        return
+    raise Failure(
+        Feedback(
+            summary=f"It prints `{other[:80]}`, not `{HOWDY}`."
+            if other is not None
+            else "It runs, and prints nothing.",
+            expected=HOWDY,
+            seen=other[:120] if other is not None else "nothing",
+            where=tuple(call.where for call in calls(only(recording, SCRIPT), "print"))[:2],
+            advice='Just the word with its mark, each time on a line of its own: `print("Howdy!")`.',
+        )
+    )
+
+
+@script.check("rate", "twice per second", needs="howdy")
+def rate(recording: Recording) -> None:
+    view = recording.process("script")
+    times = tuple(line.t for line in view.lines if line.t < (view.interrupted_at or line.t + 1))
+    try:
+        expect_period(times, 0.5, what="lines", advice="`time.sleep` takes seconds: 0.5.")
+    except Failure as failure:
+        places = tuple(call.where for call in calls(only(recording, SCRIPT), "sleep"))[:2]
+        raise Failure(replace(failure.feedback, where=places)) from None
+
+
+@script.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+def interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(recording, "script")
+
+
+@script.check("imports", "importing it runs nothing")
+def imports(recording: Recording) -> None:
+    expect_text(recording, SCRIPT)
+    if recording.probe().ran and not recording.probe().finished and not recording.probe().answers:
+        raise Failure(runs_when_imported(recording, "it goes on for ever"))
+    expect_importable(recording, "from minimalist_package import minimalist_script")
+    printed = recording.process("probe").text
+    if printed:
+        raise Failure(runs_when_imported(recording, f"it prints `{printed[0][:80]}`"))
+
+
+def runs_when_imported(recording: Recording, seen: str) -> Feedback:
+    text = recording.home.file(SCRIPT).lines
+    guard = any(re.match(r"if\s+__name__\s*==", line) for line in text)
+    top = [n for n, line in enumerate(text, 1) if re.match(r"(main\(|while |print\(|for )", line)]
+    return Feedback(
+        summary="When another file imports `minimalist_script`, it runs.",
+        expected="an import runs nothing",
+        seen=seen,
+        where=tuple(Location(SCRIPT, n) for n in top[:2]) or (Location(SCRIPT),),
+        advice="What stands at the margin runs at each import. Move it into `main()`"
+        + (
+            ", or under the `if` at the end."
+            if guard
+            else ', and call that under `if __name__ == "__main__":`.'
+        ),
+    )
+
+
+@script.check("main", "`main()` says what it returns", needs="imports")
+def main_with_a_hint(recording: Recording) -> None:
+    main = recording.probe().answer("main")
+    if main is None or main.error is not None:
+        raise Failure(
+            Feedback(
+                summary="There is no function `main` in `minimalist_script.py`.",
+                where=(Location(SCRIPT),),
+                advice="Put what the program does into a function: `def main() -> None:`.",
+            )
+        )
+    if answered(recording, "hint", "main()").value is True:
+        return
+    defined = [node.lineno for node in functions(only(recording, SCRIPT), "main")]
+    raise Failure(
+        Feedback(
+            summary="`main()` does not say what it returns.",
+            expected="def main() -> None:",
+            seen="def main():",
+            where=(Location(SCRIPT, defined[0] if defined else None),),
+            advice="It returns nothing, and that is called `None`: write `-> None` before the colon.",
+        )
+    )
+
+
+@script.check("shebang", "the first line names `python3`")
+def shebang(recording: Recording) -> None:
+    text = expect_text(recording, SCRIPT).lines
+    first = text[0] if text else ""
+    if expect_text(recording, SCRIPT).dos_line_ends and first.startswith("#!"):
+        raise Failure(
+            Feedback(
+                summary="The lines of the file end as in Windows, so the first one names a program that does "
+                "not exist.",
+                seen="an invisible sign after `python3`",
+                where=(Location(SCRIPT, 1),),
+                advice="Let your editor save the file with the line ends of Linux (LF), or take the signs "
+                "out: `sed -i 's/\\r$//' minimalist_script.py`.",
+            )
+        )
+    if re.match(r"#!\s*/\S+", first) and re.search(r"\bpython3(\.\d+)?$", first.strip()):
+        return
+    later = next((n for n, line in enumerate(text, 1) if line.lstrip().startswith("#!")), None)
+    if later and later > 1:
+        summary, advice = (
+            f"The line with `#!` is line {later}; it counts only as the very first.",
+            "Move it up.",
+        )
+    elif first.startswith("#!"):
+        summary = f"The first line does not name python3: `{first[:60]}`."
+        advice = "Write `#!/usr/bin/env python3`: it finds the python3 that is on the PATH."
+    else:
+        summary = "The first line does not say which program shall read the file."
+        advice = "Begin the file with `#!/usr/bin/env python3`. Without it, bash takes the file for its own."
+    raise Failure(
+        Feedback(
+            summary=summary,
+            expected="#!/usr/bin/env python3",
+            seen=first[:80] or "an empty line",
+            where=(Location(SCRIPT, later or 1),),
+            advice=advice,
+        )
+    )
+
+
+@script.check("direct", "`./minimalist_script.py` runs", needs="shebang")
+def direct(recording: Recording) -> None:
+    expect_mode(
+        recording,
+        SCRIPT,
+        has=stat.S_IXUSR,
+        summary="`minimalist_script.py` may not be executed: its owner has no `x`.",
+        advice="`chmod u+x minimalist_script.py`, as in chapter 1.",
+    )
+    view = recording.process("direct")
+    if any(line.strip() == HOWDY for line in view.text):
+        return
+    first = recording.home.file(SCRIPT).lines[0]
+    if any("No such file" in line for line in view.text):
+        raise NotApplicable(f"This machine has no {first.removeprefix('#!').split()[0]}.")
+    raise Failure(
+        Feedback(
+            summary="`./minimalist_script.py` does not print `Howdy!`.",
+            seen=view.text[-1][:120] if view.text else "nothing",
+            where=(Location(SCRIPT, 1),),
+            advice="Start it that way yourself, and read what it says.",
+            details=view.text[-6:],
+        )
+    )
+
+
+minimalist_class = Grader("02-class", builds=None, ros=False)
+
+
+@minimalist_class.scenario
+def use_it(arena: Arena) -> None:
+    arena.probe(PROBES / "ch02_class.py", cwd=PROJECT)
+
+
+def place(recording: Recording, name: str) -> Location:
+    """Where the class has a method of this name, else where the class begins."""
+    sources = only(recording, CLASS, INIT)
+    files = [file for file in (CLASS, INIT) if "class MinimalistClass" in sources.files.get(file, "")]
+    file = files[0] if files else CLASS
+    text = recording.home.file(file).lines
+    methods = [n for n, line in enumerate(text, 1) if re.match(rf"\s+def {name}\b", line)]
+    classes = [n for n, line in enumerate(text, 1) if line.startswith("class MinimalistClass")]
+    return Location(file, (methods or classes or [None])[0])
+
+
+@minimalist_class.check("class", "`MinimalistClass()` makes an object")
+def makes_an_object(recording: Recording) -> None:
+    expect_importable_class(recording)
+    answered(recording, "made", "MinimalistClass()")
+
+
+def expect_importable_class(recording: Recording) -> None:
+    probe = recording.probe()
+    if recording.missing_program("probe") or not probe.ran or (not probe.finished and not probe.answers):
+        expect_importable(recording, "from minimalist_package import MinimalistClass")
+    found = probe.answer("class")
+    if found is not None and found.error is not None:
+        lost = "No module named 'minimalist_package._minimalist_class'" in found.error
+        if lost:
+            expect_text(recording, CLASS)
+        answered(recording, "class", "from minimalist_package._minimalist_class import MinimalistClass")
+
+
+@minimalist_class.check("exported", "the package exports it", needs="class")
+def exported(recording: Recording) -> None:
+    answer = recording.probe().answer("export")
+    if answer is not None and answer.error is None:
+        return
+    expect_text(recording, INIT, advice="`touch __init__.py` makes it; then write the import into it.")
+    error = answer.error if answer is not None and answer.error else ""
+    missing = "has no attribute" in error
+    raise Failure(
+        Feedback(
+            summary="`from minimalist_package import MinimalistClass` fails: `__init__.py` does not import "
+            "the class."
+            if missing
+            else f"`from minimalist_package import MinimalistClass` fails: {error}",
+            expected="from minimalist_package._minimalist_class import MinimalistClass",
+            seen=next((line for line in recording.home.file(INIT).lines if "import" in line), "no import"),
+            where=(
+                Location(answer.file, answer.line) if answer is not None and answer.file else Location(INIT),
+            ),
+            advice="Write that line into `minimalist_package/__init__.py`: what is imported there belongs to "
+            "the package.",
+        )
+    )
+
+
+@minimalist_class.check("reference", "`attribute_reference` belongs to the class", needs="class")
+def reference(recording: Recording) -> None:
+    where = place(recording, "__init__")
+    answer = recording.probe().answer("reference")
+    if answer is not None and answer.error is not None and "has no attribute" in answer.error:
+        raise Failure(
+            Feedback(
+                summary="The class has no `attribute_reference`.",
+                expected='attribute_reference: str = "Hello "',
+                where=(where,),
+                advice="It stands in the class itself, before `__init__` and without `self.`, so that it "
+                "is there without any object.",
+            )
+        )
+    advice = 'The text ends with a space: `"Hello "`.'
+    what = "MinimalistClass.attribute_reference"
+    expect_answer(recording, "reference", "Hello ", what, advice=advice, where=where)
+
+
+@minimalist_class.check("attributes", "objects keep both numbers", points=2, needs="class")
+def attributes(recording: Recording) -> None:
+    where = place(recording, "__init__")
+    given = "MinimalistClass(private_attribute_arg=2.5, attribute_arg=1.5)"
+    keep = "In `__init__`: `self.attribute = attribute_arg`, and the same for `self._private_attribute`."
+    for question, value, what in (
+        ("default attribute", 10.0, "MinimalistClass().attribute"),
+        ("default private", 20.0, "MinimalistClass()._private_attribute"),
+        ("by name", 1.5, f"{given}.attribute"),
+        ("private by name", 2.5, f"{given}._private_attribute"),
+    ):
+        expect_answer(recording, question, value, what, advice=keep, where=where)
+
+
+@minimalist_class.check("apart", "two objects do not share their numbers", needs="attributes")
+def apart(recording: Recording) -> None:
+    shares = (
+        "What belongs to one object is set with `self.` in `__init__`. What stands in the class itself, or "
+        "is set as `MinimalistClass.attribute`, is shared by all objects, and so is a list in the class."
+    )
+    where = place(recording, "__init__")
+    two = "[first.attribute, first.get_private_attribute(), second.attribute, second.get_private_attribute()]"
+    if answered(recording, "apart", two).value == [1.5, 2.5, 3.5, 4.5]:
+        changed = answered(recording, "still apart", two).value
+        if not isinstance(changed, list) or changed[2:] == [3.5, 4.5]:
+            return
+    seen = answered(recording, "apart", two).value
+    raise Failure(
+        Feedback(
+            summary="Two objects share their numbers: when the second is made or the first is changed, "
+            "the other changes too.",
+            expected="first: 1.5 and 2.5, second: 3.5 and 4.5",
+            seen=f"first: {seen[0]} and {seen[1]}, second: {seen[2]} and {seen[3]}"
+            if seen != [1.5, 2.5, 3.5, 4.5]
+            else "the second changes with the first",
+            where=(where,),
+            advice=shares,
+        )
+    )
+
+
+@minimalist_class.check("method", "`method()` returns their sum", needs="class")
+def method(recording: Recording) -> None:
+    where = place(recording, "method")
+    advice = "`return self.attribute + self._private_attribute`: the numbers as they are when it is called."
+    for question, value, what in (
+        ("default sum", 30.0, "MinimalistClass().method()"),
+        ("sum", -2.5, "MinimalistClass(1.5, -4.0).method()"),
+        ("sum later", 9.5, "MinimalistClass(1.5, 2.5).method(), after attribute = 7.0,"),
+    ):
+        expect_answer(recording, question, value, what, advice=advice, where=where)
+
+
+@minimalist_class.check("private", "it gets and sets the private one", needs="class")
+def private(recording: Recording) -> None:
+    got, was_set = place(recording, "get_private_attribute"), place(recording, "set_private_attribute")
+    expect_answer(
+        recording,
+        "get",
+        2.5,
+        "MinimalistClass(1.5, 2.5).get_private_attribute()",
+        advice="`return self._private_attribute`.",
+        where=got,
+    )
+    after = "after set_private_attribute(8.0),"
+    sets = "`self._private_attribute = ` and the argument, in `set_private_attribute`."
+    expect_answer(
+        recording, "set and get", 8.0, f"get_private_attribute(), {after}", advice=sets, where=was_set
+    )
+
+
+@minimalist_class.check("static", "`static_method()` needs no object", needs="class")
+def static(recording: Recording) -> None:
+    where = place(recording, "static_method")
+    answer = recording.probe().answer("static of an object")
+    bare = recording.probe().answer("static")
+    if any(found and found.error and "positional argument" in found.error for found in (answer, bare)):
+        decorated = bare is not None and bare.error is None
+        raise Failure(
+            Feedback(
+                summary="`static_method` is no static method: it lacks the line `@staticmethod` above it."
+                if decorated
+                else "`static_method` wants an argument, such as `self`; a static method has none.",
+                expected="MinimalistClass.static_method() and MinimalistClass().static_method() both work",
+                seen=(answer.error if decorated and answer else bare.error if bare else None),
+                where=(where,),
+                advice="Write `@staticmethod` on the line above `def static_method()`, and no `self`.",
+            )
+        )
+    for question, what in (
+        ("static", "MinimalistClass.static_method()"),
+        ("static of an object", "MinimalistClass().static_method()"),
+    ):
+        expect_answer(
+            recording,
+            question,
+            "Hello World!",
+            what,
+            advice="It returns the text; printing is not asked.",
+            where=where,
+        )
+
+
+style = Grader("02-style", builds=None, ros=False)
+
+NAMING = ("N801", "N802", "N803", "N806", "N999")
+HINTS = ("ANN001", "ANN002", "ANN003", "ANN201", "ANN205", "ANN206")
+DOCSTRINGS = ("D101", "D102", "D103")
+
+
+@style.scenario
+def look_over_the_package(arena: Arena) -> None:
+    arena.lint(PACKAGE, *NAMING, *HINTS, *DOCSTRINGS)
+
+
+@style.check("readable", "Python can read the package's files")
+def readable(recording: Recording) -> None:
+    expect_text(recording, SCRIPT, advice="It is the script of 02-script.")
+    texts = recording.sources.below(PACKAGE).files.values()
+    if not any(re.search(r"^class \w", text, re.MULTILINE) for text in texts):
+        expect_text(recording, CLASS, advice="It is the class of 02-class.")
+    expect_readable(recording)
+
+
+@style.check("names", "names are written as in PEP 8", needs="readable")
+def names(recording: Recording) -> None:
+    expect_no_findings(
+        recording,
+        NAMING,
+        "A name is not written as usual",
+        advice="Classes are `LikeThis`; functions, methods, arguments, variables and files are `like_this`.",
+    )
+
+
+@style.check("hints", "arguments and results have type hints", needs="readable")
+def hints(recording: Recording) -> None:
+    expect_no_findings(
+        recording,
+        HINTS,
+        "A type hint is missing",
+        advice="`def half(number: float) -> float:`; a function that returns nothing ends with `-> None:`.",
+    )
+
+
+@style.check("docstrings", "classes, functions and methods have docstrings", needs="readable")
+def docstrings(recording: Recording) -> None:
+    expect_no_findings(
+        recording,
+        DOCSTRINGS,
+        "A docstring is missing",
+        advice='A line right below the `def` or `class`, in three quotation marks: `"""Return the half."""`.',
+    )
+
+
+unit_tests = Grader("02-unit-tests", builds=None, ros=False)
+
+TEST = f"{PROJECT}/test/test_minimalist_class.py"
+SOLUTION = Path(__file__).parents[1] / "solutions" / "02-python-basics"
+# What is wrong with each broken class, and the change of the right one that makes it so.
+FAULTS = {
+    "the default of attribute_arg is 11.0": ("attribute_arg: float = 10.0,", "attribute_arg: float = 11.0,"),
+    "the default of private_attribute_arg is 21.0": ("= 20.0", "= 21.0"),
+    "attribute ignores its argument": ("float = attribute_arg\n", "float = 10.0\n"),
+    "method() subtracts": ("self.attribute + self", "self.attribute - self"),
+    "set_private_attribute() does nothing": (
+        "        self._private_attribute = private",
+        "        _ = private",
+    ),
+    "get_private_attribute() returns 20.0 always": ("return self._private_attribute\n", "return 20.0\n"),
+    "static_method() returns another text": ("Hello World!", "Hello!"),
+    "attribute_reference is another text": ('"Hello "', '"Bye "'),
+}
+NOTICED = 6
+
+
+@unit_tests.scenario
+def run_the_tests_on_right_and_broken_classes(arena: Arena) -> None:
+    """The reference class takes the place of the learner's: first as it is, then with a fault."""
+    if not (arena.home / PACKAGE).is_dir():
+        return
+    (arena.home / INIT).write_text((SOLUTION / INIT).read_text(encoding="utf-8"), encoding="utf-8")
+    right = (SOLUTION / CLASS).read_text(encoding="utf-8")
+    for name in ("right", *FAULTS):
+        (arena.home / CLASS).write_text(with_fault(right, name), encoding="utf-8")
+        tests = arena.python_module("unittest", "discover", "-v", "test", name=name, cwd=PROJECT)
+        ended = tests is not None and tests.wait(10)
+        if tests and not ended:
+            tests.close()
+        if name == "right" and not ended:
+            return
+
+
+def with_fault(right: str, name: str) -> str:
+    old, new = FAULTS.get(name, ("", ""))
+    if old not in right:
+        raise OurFault(f"the reference class no longer holds `{old}`")
+    return right.replace(old, new) if old else right
+
+
+def tests_run(recording: Recording) -> int:
+    """How many tests unittest says it found."""
+    found = (re.fullmatch(r"Ran (\d+) tests? in .*", line) for line in recording.process("right").text)
+    return next((int(match[1]) for match in reversed([match for match in found if match])), 0)
+
+
+@unit_tests.check("found", "unittest finds your tests")
+def found(recording: Recording) -> None:
+    expect_text(recording, TEST, advice="Make the folder `test` beside the package, and the file in it.")
+    lost = recording.missing_program("right")
+    if lost or recording.process("right").started is None:
+        expect_text(recording, CLASS)
+    if tests_run(recording) > 0:
+        return
+    text = recording.home.file(TEST).lines
+    defs = [n for n, line in enumerate(text, 1) if re.match(r"\s*def ", line)]
+    classes = [n for n, line in enumerate(text, 1) if line.startswith("class ")]
+    derived = any("TestCase" in line for line in text if line.startswith("class "))
+    raise Failure(
+        Feedback(
+            summary="unittest finds no test in `test_minimalist_class.py`.",
+            where=tuple(Location(TEST, n) for n in (defs or classes)[:2]) or (Location(TEST),),
+            advice="A test is a method whose name begins with `test`, as in `def test_method(self):`."
+            if derived
+            else "Tests are methods of a class that derives from `unittest.TestCase`.",
+            details=recording.process("right").text[-6:],
+        )
+    )
+
+
+@unit_tests.check("right", "they pass on a class that is right", needs="found")
+def right(recording: Recording) -> None:
+    view = recording.process("right")
+    if view.exited is None or view.exited.signal is not None:
+        raise Failure(Feedback(summary="The tests do not come to an end.", where=(Location(TEST),)))
+    if view.exited.code == 0:
+        return
+    found = crash(view.traceback(), recording.packages, recording.sources)
+    failed = [line for line in view.text if line.startswith(("FAIL:", "ERROR:"))]
+    raise Failure(
+        Feedback(
+            summary="On a class that does all that 02-class asks, your tests fail: "
+            f"{failed[0].split(' (')[0].lower() if failed else 'they could not be run'}.",
+            where=(found.where,) if found and found.where else (Location(TEST),),
+            advice="Compare what this test expects with the table of 02-class.",
+            details=found.shown if found else view.text[-6:],
+        )
+    )
+
+
+@unit_tests.check(
+    "notices", f"they notice at least {NOTICED} of {len(FAULTS)} faults", points=2, needs="right"
+)
+def notices(recording: Recording) -> None:
+    missed = unnoticed(recording)
+    if len(FAULTS) - len(missed) >= NOTICED:
+        return
+    asserts = any("assert" in line for line in recording.home.file(TEST).lines)
+    raise Failure(
+        Feedback(
+            summary=f"Your tests pass on {len(missed)} of {len(FAULTS)} broken classes."
+            + ("" if asserts else " They call, but they compare nothing."),
+            expected=f"at least {NOTICED} noticed",
+            seen=f"{len(FAULTS) - len(missed)} noticed",
+            where=(Location(TEST),),
+            advice="For each fault below, write a test that fails because of it. `self.assertEqual` compares "
+            "what came with what should have come.",
+            details=tuple(f"not noticed: {fault}" for fault in missed),
+        )
+    )
+
+
+@unit_tests.check("notices_all", "they notice every fault", bonus=True, needs="notices")
+def notices_all(recording: Recording) -> None:
+    missed = unnoticed(recording)
+    if missed:
+        raise Failure(
+            Feedback(
+                summary=f"{len(missed)} of {len(FAULTS)} faults went unnoticed.",
+                where=(Location(TEST),),
+                advice="A test for each row of the table of 02-class notices them all.",
+                details=tuple(f"not noticed: {fault}" for fault in missed),
+            )
+        )
+
+
+def unnoticed(recording: Recording) -> list[str]:
+    """The faults with which all tests pass."""
+    ends = {fault: recording.process(fault).exited for fault in FAULTS}
+    if None in ends.values():
+        raise OurFault("not every broken class was tried")
+    return [fault for fault, end in ends.items() if end is not None and end.code == 0]
+
+
+async_await = Grader("02-async-await", builds=None, ros=False)
+async_callback = Grader("02-async-callback", builds=None, ros=False)
+
+ASYNC = f"{PACKAGE}/minimalist_async"
+COROUTINE = f"{ASYNC}/_unlikely_to_return.py"
+EXPORT = "from minimalist_package.minimalist_async import unlikely_to_return"
+AWAIT, CALLBACK = "async_await_example", "async_callback_example"
+# What each task returns, as graders/probes/ch02_async.py lets it draw.
+WINS = {1: 0.0517, 2: 0.0271}
+Story = tuple[tuple[int, float] | str, ...]
+
+
+@async_await.scenario
+def one_alone_then_the_example(arena: Arena) -> None:
+    arena.probe(luck("alone()"), name="alone", cwd=PROJECT)
+    play_example(arena, AWAIT)
+
+
+@async_callback.scenario
+def the_other_example(arena: Arena) -> None:
+    arena.probe(luck("alone()"), name="alone", cwd=PROJECT)
+    play_example(arena, CALLBACK)
+
+
+def luck(command: str) -> str:
+    return f"{(PROBES / 'ch02_async.py').read_text(encoding='utf-8')}\n{command}\n"
+
+
+def play_example(arena: Arena, example: str) -> None:
+    """It may lie in the subpackage, or beside it in the package."""
+    if (arena.home / file_of(example)).is_file():
+        package = "minimalist_package.minimalist_async"
+    elif (arena.home / PACKAGE / f"{example}.py").is_file():
+        package = "minimalist_package"
+    else:
+        return
+    arena.probe(luck(f"play({f'{package}.{example}'!r})"), name=example, cwd=PROJECT, timeout=8)
+
+
+def file_of(example: str) -> str:
+    return f"{ASYNC}/{example}.py"
+
+
+@async_await.check("function", "`unlikely_to_return` is a coroutine that the subpackage exports")
+def function(recording: Recording) -> None:
+    if recording.missing_program("alone"):
+        expect_text(recording, COROUTINE)
+    expect_importable(recording, EXPORT, "alone")
+    if answered(recording, "coroutine", "unlikely_to_return", "alone").value is not True:
+        defined = [node.lineno for node in functions(only(recording, COROUTINE), "unlikely_to_return")]
+        raise Failure(
+            Feedback(
+                summary="`unlikely_to_return` is an ordinary function, not a coroutine.",
+                expected="async def unlikely_to_return(...)",
+                where=(Location(COROUTINE, defined[0] if defined else None),),
+                advice="Write `async` before its `def`. Only then may it `await` inside.",
+            )
+        )
+
+
+@async_await.check("returns", "it returns the first number below the likelihood", needs="function")
+def returns(recording: Recording) -> None:
+    where = Location(COROUTINE)
+    advice = (
+        "Draw, compare with `<`, and return the number itself when it is below; else wait and draw again."
+    )
+    for question, what, wanted in (
+        ("first", "await unlikely_to_return(tag)", 0.0271),
+        ("second", "await unlikely_to_return(tag, likelihood=0.6)", 0.57),
+    ):
+        what = f"{what}, where 0.83, 0.57 and 0.0271 are drawn,"
+        expect_answer(recording, question, wanted, what, advice=advice, where=where, name="alone")
+
+
+@async_await.check("tries", "it prints each try, with its tag", needs="returns")
+def tries(recording: Recording) -> None:
+    printed = recording.process("alone").text
+    for tag, draws in (("tag_x", 3), ("tag_y", 2)):
+        lines = [line for line in printed if tag in line]
+        if len(lines) < draws:
+            raise Failure(
+                Feedback(
+                    summary=f"It has drawn {draws} numbers, and printed {len(lines)} lines with its tag.",
+                    expected="a line with the tag for each number that is drawn",
+                    seen=lines[-1][:120] if lines else "no such line",
+                    where=(Location(COROUTINE),),
+                    advice="Print the tag and the number after each draw: before it returns, and before it "
+                    "waits.",
+                )
+            )
+
+
+def said_of_a_win(recording: Recording) -> int:
+    """How many lines the coroutine itself prints after its last draw."""
+    items = story(recording, "alone")
+    last = max((n for n, item in enumerate(items) if isinstance(item, tuple)), default=len(items))
+    return sum(isinstance(item, str) and "tag_" in item for item in items[last:])
+
+
+@async_await.check("runs", "`async_await_example.py` runs to its end", needs="function")
+def runs(recording: Recording) -> None:
+    expect_played(recording, AWAIT)
+
+
+@async_await.check("pace", "it draws every 0.1 s", needs="runs")
+def pace(recording: Recording) -> None:
+    lines = recording.process(AWAIT).lines
+    times = tuple(line.t for line in lines if line.text.startswith("[draw 1 "))
+    expect_period(
+        times, 0.1, what="draws", tolerance=0.4, advice="`await asyncio.sleep(0.1)` between two draws."
+    )
+
+
+@async_await.check("together", "both tasks run at the same time", needs="runs")
+def together(recording: Recording) -> None:
+    expect_together(recording, AWAIT)
+
+
+@async_await.check("in_order", "the results are reported in the order of the await", needs=("runs", "tries"))
+def in_order(recording: Recording) -> None:
+    items = story(recording, AWAIT)
+    first, second = (expect_report(recording, number, AWAIT) for number in WINS)
+    if first < second and second > won(items, 1):
+        return
+    raise Failure(
+        Feedback(
+            summary="The result of task2 is reported before that of task1."
+            if second < first
+            else "The result of task2 is reported before task1 has ended.",
+            expected="task1, then task2, although task2 has ended first",
+            seen=f"`{items[min(first, second)]}`, then `{items[max(first, second)]}`"[:200],
+            where=(Location(file_of(AWAIT)),),
+            advice="`await` the first task and report what it gives, then the second.",
+        )
+    )
+
+
+@async_callback.check("runs", "`async_callback_example.py` runs until both tasks have ended")
+def callback_runs(recording: Recording) -> None:
+    expect_played(recording, CALLBACK)
+    items = story(recording, CALLBACK)
+    if all((number, value) in items for number, value in WINS.items()):
+        return
+    if (1, WINS[1]) in items and not any(isinstance(item, tuple) and item[0] == 2 for item in items):
+        raise Failure(one_after_the_other(recording, CALLBACK))
+    draws = sum(isinstance(item, tuple) for item in items)
+    raise Failure(
+        Feedback(
+            summary="The program ends before its tasks do."
+            if draws
+            else "The program ends, and no task has begun.",
+            expected="it waits until both have returned",
+            seen=f"{draws} draws, then the end",
+            where=(Location(file_of(CALLBACK)),),
+            advice="When `async_main` returns, `asyncio.run` ends what still runs. Keep the tasks in a list, "
+            "and wait for them at the end: `await asyncio.wait(tasks)`.",
+        )
+    )
+
+
+@async_callback.check("together", "both tasks run at the same time", needs="runs")
+def callback_together(recording: Recording) -> None:
+    expect_together(recording, CALLBACK)
+
+
+@async_callback.check("as_they_come", "each result is reported when it comes", points=2, needs="runs")
+def as_they_come(recording: Recording) -> None:
+    items = story(recording, CALLBACK)
+    first, second = (expect_report(recording, number, CALLBACK) for number in WINS)
+    if second < won(items, 1) < first:
+        return
+    raise Failure(
+        Feedback(
+            summary="The result of task2 is reported only after task1 has ended.",
+            expected="task2 first, as soon as it has ended",
+            where=(Location(file_of(CALLBACK)),),
+            advice="Let a callback report it, which is called when the task has ended: "
+            "`task.add_done_callback(partial(handle_return_callback, tag))`.",
+        )
+    )
+
+
+def story(recording: Recording, name: str) -> Story:
+    """What was drawn (task, number) and what was printed, in order."""
+    items: list[tuple[int, float] | str] = []
+    for text in recording.process(name).text:
+        draw = re.fullmatch(r"\[draw (\d+) ([\d.]+)\]", text)
+        items.append((int(draw[1]), float(draw[2])) if draw else text)
+    return tuple(items)
+
+
+def won(items: Story, number: int) -> int:
+    return items.index((number, WINS[number]))
+
+
+def expect_played(recording: Recording, example: str) -> None:
+    """The example is there, has ended by itself without an exception, and has drawn."""
+    if not recording.probe(example).ran:
+        expect_text(recording, file_of(example))
+    answered(recording, "ended", f"python3 {example}.py", example, where=Location(file_of(example)))
+    if example == AWAIT and not all(
+        (number, value) in story(recording, example) for number, value in WINS.items()
+    ):
+        serial = any(isinstance(item, tuple) for item in story(recording, example))
+        raise Failure(one_after_the_other(recording, example) if serial else not_begun(recording, example))
+
+
+def not_begun(recording: Recording, example: str) -> Feedback:
+    view = recording.process(example)
+    never = next(
+        (found for line in view.text if (found := re.search(r"'(\w+)' was never awaited", line))), None
+    )
+    return Feedback(
+        summary=f"The coroutine `{never[1]}` is called, but nothing awaits or runs it, so it does nothing."
+        if never
+        else f"`{example}.py` ends, and neither task has begun.",
+        where=(Location(file_of(example)),),
+        advice="`asyncio.run(async_main())` runs the first one; in it, `asyncio.create_task(...)` starts "
+        "others, and `await` on the task waits for it.",
+        details=view.text[-4:],
+    )
+
+
+def expect_together(recording: Recording, example: str) -> None:
+    """task2 has drawn before task1 has won."""
+    items = story(recording, example)
+    begins = next((n for n, item in enumerate(items) if isinstance(item, tuple) and item[0] == 2), len(items))
+    if begins < won(items, 1):
+        return
+    raise Failure(one_after_the_other(recording, example))
+
+
+def one_after_the_other(recording: Recording, example: str) -> Feedback:
+    sleeps = [call.where for call in calls(recording.sources.below(ASYNC), "sleep")]
+    blocking = [place for place in sleeps if "time.sleep" in line_at(recording, place)]
+    if blocking:
+        return Feedback(
+            summary="`time.sleep` stops the whole program, so the second task waits for the first.",
+            expected="both at the same time",
+            where=tuple(blocking),
+            advice="`await asyncio.sleep(0.1)` lets the other task go on meanwhile.",
+        )
+    return Feedback(
+        summary="The second task begins only when the first has ended: together they take twice as long.",
+        expected="both at the same time",
+        where=(Location(file_of(example)),),
+        advice="Start both with `asyncio.create_task` before the first `await`.",
+    )
+
+
+def line_at(recording: Recording, place: Location) -> str:
+    lines = recording.sources.files.get(place.file, "").splitlines()
+    return lines[place.line - 1] if place.line and place.line <= len(lines) else ""
+
+
+def expect_report(recording: Recording, number: int, example: str) -> int:
+    """Index of the line that reports a task's result: the last with its tag, after that of its last try."""
+    items, tag, own = story(recording, example), f"task{number}", said_of_a_win(recording)
+    after = [
+        n for n, item in enumerate(items) if n > won(items, number) and isinstance(item, str) and tag in item
+    ]
+    if len(after) > own and tells(str(items[after[-1]]), WINS[number]):
+        return after[-1]
+    raise Failure(
+        Feedback(
+            summary=f"The result of {tag} is not reported."
+            if len(after) <= own
+            else f"The last line about {tag} does not hold its result.",
+            expected=f"a line with `{tag}` and the number that it returned",
+            seen=str(items[after[-1]])[:120] if after else "no such line",
+            where=(Location(file_of(example)),),
+            advice="Print the tag and the result once the task has ended, besides what the task prints.",
+        )
+    )
+
+
+def tells(line: str, value: float) -> bool:
+    return any(abs(float(text) - value) < 0.006 for text in re.findall(r"\d*\.\d+", line))
+
+
+installable = Grader("02-installable", builds=None, ros=False)
+
+SETUP = f"{PROJECT}/setup.py"
+COMMANDS = {
+    "minimalist_script": "minimalist_package.minimalist_script:main",
+    AWAIT: f"minimalist_package.minimalist_async.{AWAIT}:main",
+    CALLBACK: f"minimalist_package.minimalist_async.{CALLBACK}:main",
+}
+VENV = ".venv_of_the_check"
+LIST = "import os, sysconfig\nprint('installed:', *sorted(os.listdir(sysconfig.get_path('purelib'))))\n"
+USE = "from minimalist_package import MinimalistClass\nprint(MinimalistClass(1.5, 2.5).method())\n"
+OFFLINE = ("--no-index", "--no-build-isolation", "--no-deps", "--no-cache-dir", "--disable-pip-version-check")
+
+
+@installable.scenario
+def install_use_and_uninstall(arena: Arena) -> None:
+    """In an environment of its own, without any network."""
+    with_pip = {"PYTHONPATH": sysconfig.get_path("purelib")}
+    environment = str(arena.home / VENV)
+    made = arena.python_module("venv", "--without-pip", environment, name="venv", ours=True)
+    if not made or not made.wait(20):
+        return
+    pip = ("--python", environment)
+    install = (*pip, "install", *OFFLINE, "./minimalist_package")
+    folder = PROJECT.rpartition("/")[0]
+    done = arena.python_module("pip", *install, name="install", cwd=folder, env=with_pip, ours=True)
+    if not done or not done.wait(40):
+        return
+    alone = {"PYTHONPATH": ""}
+    programs = [arena.execute(f"{VENV}/bin/{name}", name=name, env=alone) for name in COMMANDS]
+    for name, code in (("list", LIST), ("use", USE)):
+        ended = arena.execute(f"{VENV}/bin/python3", "-c", code, name=name, env=alone)
+        if ended:
+            ended.wait(10)
+    for program in programs:
+        if program:
+            arena.until(lambda p=program: lines(arena, p), timeout=5, while_running=program)
+            program.close()
+    away = arena.python_module(
+        "pip", *pip, "uninstall", "-y", "minimalist_package", name="uninstall", env=with_pip, ours=True
+    )
+    if away and away.wait(20):
+        last = arena.execute(f"{VENV}/bin/python3", "-c", LIST, name="list after", env=alone)
+        if last:
+            last.wait(10)
+
+
+@installable.check("installs", "`pip install ./minimalist_package` works")
+def installs(recording: Recording) -> None:
+    expect_text(recording, SETUP, advice="Make it in the project folder, beside the package.")
+    made, view = recording.process("venv"), recording.process("install")
+    if made.exited is None or made.exited.code != 0:
+        raise NotApplicable(
+            "This machine can make no virtual environment: the package python3-venv is missing."
+        )
+    if view.exited is not None and view.exited.code == 0:
+        return
+    if view.exited is None or view.exited.signal:
+        raise Failure(
+            Feedback(
+                summary="pip does not come to an end.",
+                where=(Location(SETUP),),
+                advice="`setup.py` must not wait for anything, nor start your program.",
+            )
+        )
+    raise Failure(why_not_installed(recording))
+
+
+def why_not_installed(recording: Recording) -> Feedback:
+    joined = joined_entry_points(recording.sources, PROJECT)
+    bare = [entry for entry in entry_points(recording.sources, PROJECT) if ":" not in entry.target]
+    lines = recording.process("install").text
+    errors = [
+        line.strip() for line in lines if re.search(r"Error\b|error:", line) and "subprocess" not in line
+    ]
+    place = re.findall(r'setup\.py", line (\d+)', "\n".join(lines))
+    if joined:
+        return Feedback(
+            summary="A comma is missing between two entry points: Python joins the two strings into one.",
+            seen=joined.text,
+            where=(joined.where,),
+            advice="End each entry of `console_scripts` with a comma.",
+        )
+    if bare:
+        return Feedback(
+            summary=f"The entry point `{bare[0].name}` names a module and no function in it.",
+            seen=bare[0].text,
+            where=(bare[0].where,),
+            advice=f"End it with `:main`: `{bare[0].text}:main`.",
+        )
+    return Feedback(
+        summary=f"pip cannot install the project: {errors[-1] if errors else 'it does not say why'}",
+        where=(Location(SETUP, int(place[-1]) if place else None),),
+        advice="Look at this place of `setup.py`, and at the line before.",
+        details=tuple(errors[:4]),
+    )
+
+
+@installable.check("commands", "the three commands run", points=3, needs="installs")
+def commands(recording: Recording) -> None:
+    joined = joined_entry_points(recording.sources, PROJECT)
+    for name, target in COMMANDS.items():
+        view = recording.process(name)
+        if recording.missing_program(name):
+            raise Failure(why_not_installed(recording) if joined else no_command(recording, name, target))
+        failed = crash(view.traceback(), recording.packages, recording.sources)
+        if failed:
+            raise Failure(crashed_command(recording, name, failed))
+        wanted = HOWDY if name == "minimalist_script" else "task1"
+        if not any(wanted in line for line in view.text):
+            raise Failure(
+                Feedback(
+                    summary=f"The command `{name}` starts, and does not do what the program does.",
+                    expected=f"a line with `{wanted}`",
+                    seen=view.text[0][:120] if view.text else "no output",
+                    where=text_places(recording.sources.below(PROJECT), name)[:1],
+                    advice=f"Its entry point should be `{name} = {target}`.",
+                )
+            )
+
+
+def no_command(recording: Recording, name: str, target: str) -> Feedback:
+    known = [entry.name for entry in entry_points(recording.sources, PROJECT)]
+    close = nearest(name, known)
+    return Feedback(
+        summary=f"There is no command `{name}`; there is `{close}`."
+        if close
+        else f"There is no command `{name}`.",
+        expected=f"{name} = {target}",
+        seen=f"commands: {listed(known)}",
+        where=text_places(recording.sources.below(PROJECT), close or "entry_points")[:1]
+        or (Location(SETUP),),
+        advice=f"Add `'{name} = {target}',` to the `console_scripts` of `setup.py`."
+        if not close
+        else "Correct the name before the `=`.",
+    )
+
+
+def packages_line(recording: Recording) -> tuple[Location, ...]:
+    lines = enumerate(recording.home.file(SETUP).lines, 1)
+    return tuple(Location(SETUP, n) for n, line in lines if re.match(r"\s*packages\s*=", line)) or (
+        Location(SETUP),
+    )
+
+
+def crashed_command(recording: Recording, name: str, failed: Crash) -> Feedback:
+    lost = re.search(r"No module named '(minimalist_package[\w.]*)'", failed.error)
+    entry = next((e for e in entry_points(recording.sources, PROJECT) if e.name == name), None)
+    inside = bool(lost) and f"{PROJECT}/{(lost[1] if lost else '').replace('.', '/')}"
+    known = inside and any(
+        file.startswith((f"{inside}/", f"{inside}.py")) for file in recording.sources.names
+    )
+    if lost and known:
+        return Feedback(
+            summary=f"The command `{name}` finds no `{lost[1]}`: it was not installed.",
+            expected="packages=find_packages(exclude=['test'])",
+            where=packages_line(recording),
+            advice="`packages` must name the subpackage too; `find_packages` finds each folder that has an "
+            "`__init__.py`.",
+            details=failed.shown,
+        )
+    return Feedback(
+        summary=f"The command `{name}` stops with an error: {failed.error}",
+        where=(entry.where,) if entry else (Location(SETUP),),
+        advice="An entry point reads `command = package.module:function`. Are all three parts right?",
+        details=failed.shown,
+    )
+
+
+@installable.check("importable", "`import minimalist_package` works from another folder", needs="installs")
+def importable(recording: Recording) -> None:
+    view = recording.process("use")
+    if view.text[-1:] == ("4.0",):
+        return
+    failed = crash(view.traceback(), recording.packages, recording.sources)
+    raise Failure(
+        Feedback(
+            summary="Outside of the project folder the package cannot be used: "
+            f"{failed.error if failed else 'its class does not do what it should'}",
+            where=packages_line(recording),
+            advice="`packages=find_packages(exclude=['test'])` in `setup.py` names all that is needed.",
+            details=failed.shown if failed else view.text[-3:],
+        )
+    )
+
+
+@installable.check("no_test", "the tests are not installed", needs="installs")
+def no_test(recording: Recording) -> None:
+    names = installed(recording, "list")
+    if "test" not in names:
+        return
+    raise Failure(
+        Feedback(
+            summary="`test` was installed too, as a package of its own beside yours.",
+            expected="minimalist_package alone",
+            seen=listed(name for name in names if "." not in name),
+            where=packages_line(recording),
+            advice="Leave it out: `packages=find_packages(exclude=['test'])`.",
+        )
+    )
+
+
+def installed(recording: Recording, process: str) -> list[str]:
+    found = (line for line in recording.process(process).text if line.startswith("installed:"))
+    return next(found, "").split()[1:]
+
+
+@installable.check("uninstalls", "`pip uninstall` removes it again", needs="installs")
+def uninstalls(recording: Recording) -> None:
+    left = [name for name in installed(recording, "list after") if name.startswith("minimalist")]
+    before = installed(recording, "list")
+    if (
+        recording.process("list after").exited
+        and not left
+        and any(n.startswith("minimalist_package") for n in before)
+    ):
+        return
+    raise Failure(
+        Feedback(
+            summary="`pip uninstall minimalist_package` does not remove it.",
+            expected="name='minimalist_package' in setup.py",
+            seen=listed(left) if left else listed(before[:4]),
+            where=text_places(recording.sources.below(PROJECT), "name")[:1] or (Location(SETUP),),
+            advice="The `name` in `setup.py` is what pip knows the project by.",
+            details=recording.process("uninstall").text[-3:],
+        )
+    )

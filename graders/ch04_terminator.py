@@ -1,0 +1,158 @@
+"""Grader of chapter 4: a layout of Terminator with three terminals in one window."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from configobj import ConfigObj, ConfigObjError
+
+from course.evidence.home_files import HomeFile
+from course.evidence.recording import Recording
+from course.feedback import Failure, Feedback, Location
+from course.grading.author import Grader
+from course.grading.expect.files import expect_text
+from course.grading.explain.names import listed, nearest
+
+CONFIG = ".config/terminator/config"
+ENOUGH = 3
+SAVE = "In Terminator: right mouse button, Preferences, Layouts, Add, Save."
+
+layout = Grader("04-layout", builds=None)
+
+
+@dataclass(frozen=True)
+class Part:
+    """One window, split or terminal of a layout."""
+
+    name: str
+    kind: str
+    parent: str
+
+
+@layout.check("reads", "`~/.config/terminator/config` is there, and can be read")
+def reads(recording: Recording) -> None:
+    found = expect_text(recording, CONFIG, advice=f"{SAVE} The exercise's text says how to start it.")
+    if not (found.text or "").strip():
+        raise Failure(
+            Feedback(
+                summary="The file is empty: no layout was saved yet.",
+                where=(Location(CONFIG),),
+                advice=SAVE,
+            )
+        )
+    try:
+        parsed(found)
+    except ConfigObjError as error:
+        first = (getattr(error, "errors", None) or [error])[0]
+        number = getattr(first, "line_number", None)
+        raise Failure(
+            Feedback(
+                summary="Terminator cannot read this file.",
+                seen=found.lines[number - 1].strip()[:120] if number else None,
+                where=(Location(CONFIG, number),),
+                advice="A heading has as many closing brackets as opening ones, one more than the heading "
+                "that it belongs to; every other line is a name, `=`, and a value.",
+                details=(str(first),),
+            )
+        ) from None
+
+
+def parsed(file: HomeFile) -> Mapping[str, Any]:
+    """As Terminator reads it. Raises ConfigObjError."""
+    config: Mapping[str, Any] = ConfigObj(list(file.lines), interpolation=False)
+    return config
+
+
+def layouts(config: Mapping[str, Any]) -> dict[str, tuple[Part, ...]]:
+    """The parts of each layout; what is no layout is left out."""
+    section = config.get("layouts")
+    entries = section.items() if isinstance(section, Mapping) else ()
+    return {name: parts(entry) for name, entry in entries if isinstance(entry, Mapping)}
+
+
+def parts(entry: Mapping[str, Any]) -> tuple[Part, ...]:
+    found = ((name, part) for name, part in entry.items() if isinstance(part, Mapping))
+    return tuple(Part(name, str(part.get("type", "")), str(part.get("parent", ""))) for name, part in found)
+
+
+def window_of(part: Part, every: Mapping[str, Part]) -> str | None:
+    """The window that a part lies in; None if it lies in nothing that there is."""
+    seen: set[str] = set()
+    while part.kind != "Window":
+        if part.name in seen or part.parent not in every:
+            return None
+        seen.add(part.name)
+        part = every[part.parent]
+    return part.name
+
+
+def terminals(entry: tuple[Part, ...]) -> dict[str | None, int]:
+    """How many terminals each window holds; under None, those in no window."""
+    every = {part.name: part for part in entry}
+    counts: dict[str | None, int] = {}
+    for part in entry:
+        if part.kind == "Terminal":
+            window = window_of(part, every)
+            counts[window] = counts.get(window, 0) + 1
+    return counts
+
+
+@layout.check("three", "a layout has three terminals in one window", points=2, needs="reads")
+def three(recording: Recording) -> None:
+    file = recording.home.file(CONFIG)
+    config = parsed(file)
+    found = layouts(config)
+    if not found:
+        raise Failure(no_layouts(config, file))
+    most = {name: largest(entry) for name, entry in found.items()}
+    best = max(most, key=lambda name: most[name])
+    if most[best] < ENOUGH:
+        raise Failure(too_few(best, found[best], file))
+
+
+def largest(entry: tuple[Part, ...]) -> int:
+    return max((count for window, count in terminals(entry).items() if window is not None), default=0)
+
+
+def no_layouts(config: Mapping[str, Any], file: HomeFile) -> Feedback:
+    close = nearest("layouts", list(config))
+    return Feedback(
+        summary=f"The file has no section `[layouts]`; it has `[{close}]`."
+        if close and close != "layouts"
+        else "No layout is kept in this file.",
+        expected="[layouts]",
+        seen=listed([f"[{name}]" for name in config]),
+        where=(heading(file, close or "layouts"),),
+        advice=SAVE,
+    )
+
+
+def too_few(name: str, entry: tuple[Part, ...], file: HomeFile) -> Feedback:
+    counts = terminals(entry)
+    lost = counts.get(None, 0)
+    every = {part.name: part for part in entry}
+    orphan = next((p for p in entry if p.kind == "Terminal" and window_of(p, every) is None), None)
+    windows = len([window for window in counts if window is not None])
+    if orphan and sum(counts.values()) >= ENOUGH:
+        summary = f"In the layout `{name}`, `{orphan.name}` lies in `{orphan.parent}`, which is in no window."
+        advice = f"Its `parent` is one of {listed(sorted(p.name for p in entry if p.kind != 'Terminal'))}."
+    elif windows > 1:
+        summary = f"The layout `{name}` has {windows} windows, and none of them holds {ENOUGH} terminals."
+        advice = "Divide one window (Ctrl+Shift+E, Ctrl+Shift+O) instead of opening others, then save it."
+    else:
+        summary = f"The layout `{name}` has too few terminals: {sum(counts.values()) - lost}."
+        advice = f"Divide the window until it holds {ENOUGH}, then save the layout again. {SAVE}"
+    return Feedback(
+        summary=summary,
+        expected=f"{ENOUGH} terminals in one window",
+        seen=f"{largest(entry)} in one window",
+        where=(heading(file, orphan.name if orphan else name),),
+        advice=advice,
+    )
+
+
+def heading(file: HomeFile, name: str) -> Location:
+    lines = enumerate(file.lines, 1)
+    return Location(CONFIG, next((n for n, line in lines if line.strip().strip("[]").strip() == name), None))

@@ -1,0 +1,163 @@
+"""Graders of chapter 13: three nodes that were broken, and questions on what a node is made of."""
+
+from __future__ import annotations
+
+from functools import partial
+from itertools import pairwise
+
+from course.arena.arena import Arena
+from course.arena.process import Process
+from course.evidence.recording import Recording
+from course.evidence.topic_view import LogLine, expect_period
+from course.feedback import Failure, Feedback
+from course.grading.author import Grader
+from course.grading.expect.graph import expect_node
+from course.grading.expect.logs import expect_logged
+from course.grading.expect.one_program import about
+from course.grading.expect.programs import expect_clean_interrupt, expect_running
+from course.grading.explain.names import listed
+from course.grading.explain.python_code import text_places
+from course.grading.explain.timers import timer_cause, timer_places
+
+PACKAGE = "python_package_with_broken_nodes"
+HEARTBEAT, COUNTDOWN, NIGHT_WATCH = "heartbeat", "countdown", "night_watch"
+NODES = (HEARTBEAT, COUNTDOWN, NIGHT_WATCH)
+BEAT, QUIET, LAMP = "Still alive.", "All is quiet.", "The lamp is off."
+COUNTED = ("3", "2", "1", "Lift-off!")
+PERIOD = 0.5
+ENOUGH = 5
+
+repair = Grader("13-repair")
+
+
+@repair.scenario
+def all_three_at_once(arena: Arena) -> None:
+    """Five lines are four intervals; the countdown says four lines in the same time."""
+    programs = {node: arena.run(PACKAGE, program(node)) for node in NODES}
+    started = [found for found in programs.values() if found]
+    arena.until(lambda: len(arena.graph.nodes) >= sum(p.running for p in started), timeout=15)
+    for node, text, count in ((HEARTBEAT, BEAT, ENOUGH), (NIGHT_WATCH, QUIET, ENOUGH), (COUNTDOWN, "L", 1)):
+        arena.until(partial(heard, arena, programs[node], text, count), timeout=4)
+    for process in started:
+        arena.interrupt(process)
+
+
+def program(node: str) -> str:
+    return f"{node}_node"
+
+
+def heard(arena: Arena, process: Process | None, text: str, count: int) -> bool:
+    """Whether nothing more is to be expected of this program."""
+    return process is None or not process.running or arena.logged(text) >= count
+
+
+def only(recording: Recording, node: str) -> Recording:
+    return about(recording, PACKAGE, program(node), node)
+
+
+def with_text(recording: Recording, text: str) -> tuple[LogLine, ...]:
+    return tuple(line for line in recording.log if text in line.text)
+
+
+@repair.check("heartbeat_runs", "heartbeat_node starts and keeps running")
+def heartbeat_runs(recording: Recording) -> None:
+    expect_running(only(recording, HEARTBEAT), program(HEARTBEAT))
+
+
+@repair.check("countdown_runs", "countdown_node starts and keeps running")
+def countdown_runs(recording: Recording) -> None:
+    expect_running(only(recording, COUNTDOWN), program(COUNTDOWN))
+
+
+@repair.check("night_watch_runs", "night_watch_node starts and keeps running")
+def night_watch_runs(recording: Recording) -> None:
+    expect_running(only(recording, NIGHT_WATCH), program(NIGHT_WATCH))
+
+
+@repair.check("names", "the nodes have the names of the task", needs=[f"{node}_runs" for node in NODES])
+def names(recording: Recording) -> None:
+    for node in NODES:
+        expect_node(recording, f"/{node}")
+
+
+@repair.check("heartbeat_beats", f"heartbeat logs `{BEAT}` every 0.5 s", needs=("heartbeat_runs", "names"))
+def heartbeat_beats(recording: Recording) -> None:
+    expect_every_half_second(only(recording, HEARTBEAT), HEARTBEAT, BEAT)
+
+
+@repair.check("night_watch_reports", f"night_watch logs `{QUIET}` every 0.5 s", needs="names")
+def night_watch_reports(recording: Recording) -> None:
+    expect_every_half_second(only(recording, NIGHT_WATCH), NIGHT_WATCH, QUIET)
+
+
+def expect_every_half_second(recording: Recording, node: str, text: str) -> None:
+    lines = with_text(recording, text)
+    expect_logged(recording, program(node), lines, text, text)
+    cause = timer_cause(recording.sources)
+    advice = cause.text if cause else f"Leave the period of its timer at {PERIOD}, in seconds."
+    expect_period(tuple(line.t for line in lines), PERIOD, what=f"lines of {node}", advice=advice)
+
+
+@repair.check("countdown_counts", "countdown logs 3, 2, 1, Lift-off!", needs=("countdown_runs", "names"))
+def countdown_counts(recording: Recording) -> None:
+    recording = only(recording, COUNTDOWN)
+    said = tuple(line.text.strip() for line in recording.log)
+    if said != COUNTED:
+        raise Failure(miscounted(recording, said))
+    times = tuple(line.t for line in recording.log)
+    gaps = [later - earlier for earlier, later in pairwise(times)]
+    if not all(PERIOD / 2 <= gap <= 2 * PERIOD for gap in gaps):
+        raise Failure(
+            Feedback(
+                summary="The countdown does not say one word every half a second.",
+                expected=f"one every {PERIOD} s",
+                seen=", ".join(f"{gap:.2f} s" for gap in gaps),
+                where=timer_places(recording.sources),
+                advice="Let the timer alone call `count_down`, and leave its period at 0.5 seconds.",
+            )
+        )
+
+
+def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
+    if not said:
+        expect_logged(recording, program(COUNTDOWN), (), COUNTED[0], COUNTED[-1])  # knows the usual causes
+    cause = timer_cause(recording.sources)
+    return Feedback(
+        summary=f"The countdown logs {listed(said[:6])}.",
+        expected=", ".join(COUNTED),
+        seen=", ".join(said[:6]),
+        where=cause.where if cause else timer_places(recording.sources),
+        advice=cause.text
+        if cause
+        else "Only one thing was wrong in this file. Compare the rest with what its docstring says.",
+    )
+
+
+@repair.check("interrupt", "Ctrl+C ends all three in silence", needs=[f"{node}_runs" for node in NODES])
+def interrupt(recording: Recording) -> None:
+    for node in NODES:
+        expect_clean_interrupt(only(recording, node), program(node))
+
+
+@repair.check("lamp", f"night_watch prints `{LAMP}` when it is interrupted", needs="night_watch_runs")
+def lamp(recording: Recording) -> None:
+    view = recording.process(program(NIGHT_WATCH))
+    asked = view.interrupted_at
+    before = [line.text for line in view.lines if LAMP in line.text and asked and line.t < asked]
+    after = [line.text for line in view.lines if LAMP in line.text and asked and line.t >= asked]
+    if after and not before:
+        return
+    own = only(recording, NIGHT_WATCH).sources
+    places = text_places(own, "put_out_the_lamp()") or text_places(own, LAMP)
+    raise Failure(
+        Feedback(
+            summary="The night watch puts out its lamp while it is still on duty."
+            if before
+            else "After Ctrl+C the lamp is left burning: the program ends before it gets there.",
+            expected=f"{LAMP} after Ctrl+C, and not before",
+            seen=f"{LAMP} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",
+            where=places[:2],
+            advice="The lamp goes out behind `rclpy.spin`, once Ctrl+C was caught: put `spin` into a `try:`, "
+            "add `except KeyboardInterrupt:` with `pass`, and call `put_out_the_lamp()` after that.",
+        )
+    )

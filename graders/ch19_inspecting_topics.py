@@ -1,0 +1,119 @@
+"""Grader of chapter 19: what a learner finds out about the topics of a ship, and publishes there."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from course.evidence.acts import Act
+from course.evidence.recording import Recording
+from course.grading.author import Grader
+from course.grading.expect.acts import expect_act
+from course.grading.mystery import AllOf, Answer, Mystery, Number, Text
+from course.grading.mystery.names import for_both, spellings
+
+WITH_SLASH = "That is the right one; its full name begins with a slash."
+
+mystery = Mystery("19-inspect-topics", __file__)
+grader = Grader("19-inspect-topics", builds=None)
+
+
+@mystery.words
+def words(plan: Any) -> dict[str, object]:
+    at = plan.recited.index(plan.asked)
+    return {
+        "measured": plan.measured,
+        "period": 1 / plan.rate,
+        "measured_rate": f"{plan.rate * 0.97:.3f}",
+        "password": plan.password,
+        "measurer": plan.measurer,
+        "reader": plan.reader,
+        "short_type": plan.type.rpartition("/")[2],
+        "old_type": plan.type.replace("/msg/", "/"),
+        "shared": plan.shared,
+        "said": plan.said,
+        "heard": plan.heard,
+        "heard_without_slash": plan.heard.lstrip("/"),
+        "notice": plan.notice,
+        "quotes": plan.quotes,
+        "asked": plan.asked.id,
+        "one_before": plan.recited[at - 1].philosopher,
+        "waiting": plan.waiting,
+        "waiting_without_slash": plan.waiting.lstrip("/"),
+    }
+
+
+@mystery.answers
+def answers(plan: Any) -> dict[str, Answer]:
+    package, _, short = plan.type.split("/")
+    return {
+        "type": Text(
+            plan.type,
+            f"{package}/{short}",
+            wrong={short: f"`{short}` alone could be of any package. Give the package too."},
+        ),
+        "rate": Number(
+            plan.rate, "10%", wrong={1 / plan.rate: "That is the time between two messages, in seconds."}
+        ),
+        "publisher": Text(*spellings(plan.measurer), wrong=_not_publishers(plan)),
+        "two-publishers": Text(*spellings(plan.shared), wrong=_not_shared(plan)),
+        "pair": AllOf(plan.said, plan.heard, wrong=_not_of_the_pair(plan)),
+        "password": Text(plan.password, f"The password of tonight is {plan.password}"),
+        "philosopher": Text(plan.asked.philosopher, wrong=_other_philosophers(plan)),
+        "waiting": Text(*spellings(plan.waiting), wrong=_not_waiting(plan)),
+    }
+
+
+@mystery.acts
+def acts(plan: Any) -> list[Act]:
+    return [Act("published")]
+
+
+@grader.check("published", "you published the quote with the id 1994 that somebody waits for")
+def published(recording: Recording) -> None:
+    expect_act(
+        recording,
+        "published",
+        "Nobody has received an `AmazingQuote` with the id 1994 where it is waited for.",
+        near_miss="other_id",
+    )
+
+
+def _not_publishers(plan: Any) -> dict[str, str]:
+    return for_both({plan.reader: "That node subscribes: it only listens to the topic."})
+
+
+def _not_shared(plan: Any) -> dict[str, str]:
+    alone = "One node publishes there, and another listens. That makes one publisher."
+    return for_both(
+        {
+            plan.measured: alone,
+            plan.said: "One node publishes there.",
+            plan.heard: "Nobody publishes there: a node listens.",
+            plan.waiting: "Nobody publishes there: a node waits.",
+            plan.quotes: "One node publishes there.",
+            plan.notice: "One node publishes there, once.",
+            "rosout": "That one belongs to ROS: every node has a publisher on it.",
+            "parameter_events": "That one belongs to ROS: every node has a publisher on it.",
+        }
+    )
+
+
+def _not_of_the_pair(plan: Any) -> dict[str, str]:
+    others = (plan.measured, plan.shared, plan.notice, plan.quotes, plan.waiting)
+    no_twin = "No other topic has a name that is nearly the same."
+    whys = {spelling: no_twin for name in others for spelling in spellings(name)}
+    return {**whys, plan.said.lstrip("/"): WITH_SLASH, plan.heard.lstrip("/"): WITH_SLASH}
+
+
+def _other_philosophers(plan: Any) -> dict[str, str]:
+    others = (said for said in plan.recited if said != plan.asked)
+    return {said.philosopher: f"That one said the quote with the id {said.id}." for said in others}
+
+
+def _not_waiting(plan: Any) -> dict[str, str]:
+    return for_both(
+        {
+            plan.quotes: "Quotes come there all the time, so somebody publishes there.",
+            plan.heard: "Nobody publishes there either, but what is waited for there is no `AmazingQuote`.",
+        }
+    )

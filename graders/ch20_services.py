@@ -1,0 +1,426 @@
+"""Graders of chapter 20: a server of a service, and a client."""
+
+from __future__ import annotations
+
+from functools import partial
+from math import inf, isclose
+
+from course.arena.arena import Arena
+from course.arena.process import Process
+from course.evidence.recording import Recording
+from course.evidence.ros_services import Client, Server
+from course.evidence.service_view import ServiceCall
+from course.evidence.topic_view import expect_period
+from course.feedback import Failure, Feedback, Location
+from course.grading.author import Grader
+from course.grading.expect.callers import (
+    expect_answers_logged,
+    expect_calls,
+    expect_patience,
+    expect_waiting,
+)
+from course.grading.expect.counts import expect_counted
+from course.grading.expect.graph import expect_node
+from course.grading.expect.manifests import expect_dependency
+from course.grading.expect.one_program import about
+from course.grading.expect.programs import expect_clean_interrupt, expect_running
+from course.grading.expect.reactions import first_reaction
+from course.grading.expect.services import (
+    expect_answers,
+    expect_same_service,
+    expect_service,
+    expect_service_type,
+)
+from course.grading.explain.python_code import calls, text_places
+from course.grading.explain.services import case_sensitive
+from course.grading.stimulus import Oracle, quotes_about_life
+
+PACKAGE = "python_package_that_uses_the_services"
+INTERFACES = "package_with_interfaces"
+TYPE = f"{INTERFACES}/srv/WhatIsThePoint"
+HASHES = (
+    "RIHS01_e87c30d67764861fc30a04b9d64414ff99bc5be6e31bdc2e5e5e18ea106f8ab4",
+    "RIHS01_c11b8860d83662096ca56a010676029161709fabb468dace3e4f362bd1d2c29c",
+)
+SERVICE = "/what_is_the_point"
+SERVER_NODE = "what_is_the_point_service_server"
+CLIENT_NODE = "what_is_the_point_service_client"
+SERVER = f"{SERVER_NODE}_node"
+CLIENT = f"{CLIENT_NODE}_node"
+COMPARE = "Compare its fields with chapter 17: names, types and order. `check 17` tells which."
+ANSWER = 42.0
+PERIOD = 0.5
+ENOUGH = 5
+# With one kind of quote left out of 20, the client does not draw them as a coin does.
+AT_MOST = 20
+LONGEST = 13.0
+SILENT_FOR = 2.0
+SHOWN = 3
+COMES, SILENCE, AGAIN = "the service comes", "silence", "answers again"
+
+server = Grader("20-server")
+client = Grader("20-client")
+
+
+def about_server(recording: Recording) -> Recording:
+    """Without the client, which has a file of its own in the same package."""
+    return about(recording, PACKAGE, SERVER, the_node(recording, SERVER_NODE))
+
+
+def about_client(recording: Recording) -> Recording:
+    return about(recording, PACKAGE, CLIENT, the_node(recording, CLIENT_NODE))
+
+
+def the_node(recording: Recording, name: str) -> str:
+    """What the one node that ran is called, right or not."""
+    nodes = recording.seen_nodes()
+    return nodes[0].lstrip("/") if len(nodes) == 1 else name
+
+
+# The server ------------------------------------------------------------------------------------------
+
+
+@server.scenario
+def nine_questions(arena: Arena) -> None:
+    """One question, to see that it is answered at all; then eight at once, from two clients."""
+    clients = (arena.client(SERVICE, TYPE), arena.client(SERVICE, TYPE))
+    node = arena.run(PACKAGE, SERVER)
+    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
+        arena.until(lambda: offers_something(arena) or ready(*clients), timeout=4, while_running=node)
+        if arena.until(lambda: ready(*clients), timeout=1, while_running=node):
+            ask_all(arena, clients, node)
+    arena.interrupt(node)
+
+
+def ready(*clients: Client) -> bool:
+    return all(one.available for one in clients)
+
+
+def offers_something(arena: Arena) -> bool:
+    return any(service.servers for service in arena.graph.services)
+
+
+def ask_all(arena: Arena, clients: tuple[Client, Client], node: Process) -> None:
+    first, *others = quotes_about_life()
+    clients[0].call(quote=first)
+    if not arena.until(lambda: clients[0].answered, timeout=4, while_running=node):
+        return
+    for index, question in enumerate(others):
+        clients[index % 2].call(quote=question)
+    asked = len(others) + 1
+    arena.until(lambda: sum(one.answered for one in clients) == asked, timeout=4, while_running=node)
+    arena.until(lambda: arena.logged("") >= asked, timeout=0.5, while_running=node)
+
+
+@server.check("starts", "the node starts and keeps running")
+def server_starts(recording: Recording) -> None:
+    """Until it is called: what it does then, `answers` judges."""
+    own = about_server(recording)
+    called = first_reaction(own, SERVER, (call.asked for call in own.service(SERVICE).calls))
+    expect_running(own, SERVER, until=called)
+
+
+@server.check("node_name", f"the node is called /{SERVER_NODE}", needs="starts")
+def server_name(recording: Recording) -> None:
+    expect_node(about_server(recording), f"/{SERVER_NODE}")
+
+
+@server.check("offers", f"it offers the service {SERVICE}", needs="starts")
+def offers(recording: Recording) -> None:
+    remedy = f"Make it: `self.create_service(WhatIsThePoint, '{SERVICE}', self.callback)`."
+    expect_service(about_server(recording), "server", SERVICE, remedy=remedy)
+
+
+@server.check("right_type", f"the service's type is {TYPE}", needs="offers")
+def server_type(recording: Recording) -> None:
+    expect_service_type(about_server(recording), "server", SERVICE, TYPE)
+    expect_same_service(recording, SERVICE, TYPE, HASHES, advice=COMPARE)
+
+
+@server.check("answers", "it answers each call, also from two clients at once", needs="right_type")
+def answers(recording: Recording) -> None:
+    expect_running(about_server(recording), SERVER)
+    expect_answers(about_server(recording), SERVICE)
+
+
+def total(call: ServiceCall) -> float:
+    point = call.response.point
+    return float(point.x + point.y + point.z)
+
+
+def is_about_life(call: ServiceCall) -> bool:
+    return "life" in call.request.quote.quote.lower()
+
+
+def is_42(call: ServiceCall) -> bool:
+    return isclose(total(call), ANSWER, rel_tol=0.0, abs_tol=1e-6)
+
+
+def shown(call: ServiceCall) -> str:
+    point = call.response.point
+    return f"'{call.request.quote.quote}' -> x={point.x:g}, y={point.y:g}, z={point.z:g}: {total(call):g}"
+
+
+def settings(recording: Recording) -> tuple[Location, ...]:
+    """Where the response's point is filled in."""
+    return tuple(place for axis in "xyz" for place in text_places(recording.sources, f"point.{axis} ="))[:1]
+
+
+@server.check("life", "quotes about life get a point whose sum is 42", points=2, needs="answers")
+def life(recording: Recording) -> None:
+    asked = [call for call in recording.service(SERVICE).calls if is_about_life(call)]
+    wrong = [call for call in asked if not is_42(call)]
+    if not wrong:
+        return
+    own = about_server(recording)
+    cause = case_sensitive(own.sources, "life") if len(wrong) < len(asked) else None
+    raise Failure(
+        Feedback(
+            summary=f"«{wrong[0].request.quote.quote}» is about life, but x + y + z is {total(wrong[0]):g}.",
+            expected="42",
+            seen=f"{total(wrong[0]):g}",
+            where=cause.where if cause else settings(own),
+            advice=cause.text
+            if cause
+            else "Look for `life` anywhere in `request.quote.quote.lower()`, and choose two numbers "
+            "freely; the third is 42 less these two.",
+            details=tuple(shown(call) for call in wrong[:SHOWN]),
+        )
+    )
+
+
+@server.check("other", "other quotes get a point whose sum is not 42", needs="answers")
+def other(recording: Recording) -> None:
+    asked = [call for call in recording.service(SERVICE).calls if not is_about_life(call)]
+    wrong = [call for call in asked if is_42(call)]
+    if not wrong:
+        return
+    always = len(wrong) == len(asked) and all(map(is_42, recording.service(SERVICE).calls))
+    raise Failure(
+        Feedback(
+            summary="The sum of the point is always 42, whatever the quote says."
+            if always
+            else f"«{wrong[0].request.quote.quote}» is not about life, but x + y + z is 42.",
+            expected="42 for quotes that hold `life`, and no other",
+            seen=shown(wrong[0]),
+            where=settings(about_server(recording)),
+            advice="Only `if 'life' in request.quote.quote.lower():` may the sum be 42.",
+        )
+    )
+
+
+@server.check("random", "that point is another one each time", needs="answers")
+def random_point(recording: Recording) -> None:
+    asked = [call for call in recording.service(SERVICE).calls if not is_about_life(call)]
+    points = {(call.response.point.x, call.response.point.y, call.response.point.z) for call in asked}
+    if len(points) == len(asked):
+        return
+    own = about_server(recording)
+    seeds = tuple(call.where for call in calls(own.sources, "seed"))[:1]
+    raise Failure(
+        Feedback(
+            summary="Every quote that is not about life gets the same point."
+            if len(points) == 1
+            else "The same quote gets the same point again; it should be a random one each time.",
+            expected="a random point at each call",
+            seen=shown(asked[0]),
+            where=seeds or settings(own),
+            advice="After `random.seed` the draws begin anew: leave it out."
+            if seeds
+            else "Draw the numbers in the callback, at each call: `random.uniform(0.0, 100.0)`.",
+        )
+    )
+
+
+@server.check("counts", "it logs how many calls there were", needs="answers")
+def counts(recording: Recording) -> None:
+    expect_counted(about_server(recording), SERVER, len(recording.service(SERVICE).calls), what="calls")
+
+
+@server.check("declares", "package.xml declares rclpy and package_with_interfaces")
+def server_dependencies(recording: Recording) -> None:
+    expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
+
+
+@server.check("interrupt", "Ctrl+C ends it in silence", needs="answers")
+def server_interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(about_server(recording), SERVER)
+
+
+# The client ------------------------------------------------------------------------------------------
+
+
+@client.scenario
+def late_then_silent(arena: Arena) -> None:
+    """The service comes when the client has said that it waits; later it stops answering for a while."""
+    node = arena.run(PACKAGE, CLIENT)
+    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
+        arena.until(lambda: arena.logged(""), timeout=3, while_running=node)
+        arena.mark(COMES)
+        oracle = Oracle()
+        shop = arena.serve(SERVICE, TYPE, oracle)
+        if serve_enough(arena, shop, oracle, node):
+            fall_silent(arena, shop, oracle, node)
+    arena.interrupt(node)
+
+
+def serve_enough(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> bool:
+    """Until both kinds of quote came; whether the last answer reaches the log."""
+    end = arena.timeline.now() + LONGEST
+    while not enough(shop, oracle) and node.running and arena.timeline.now() < end:
+        if not arena.until(partial(more_than, shop, shop.requests), timeout=3, while_running=node):
+            return False
+    if not oracle.given:
+        return False
+    last = oracle.given[-1]  # as of now: a node that logs an answer when it asks again is always one behind
+    return arena.until(lambda: is_logged(arena, last), timeout=3, while_running=node)
+
+
+def more_than(shop: Server, number: int) -> bool:
+    return shop.requests > number
+
+
+def enough(shop: Server, oracle: Oracle) -> bool:
+    return shop.requests >= ENOUGH and (len(oracle.about_life) == 2 or shop.requests >= AT_MOST)
+
+
+def is_logged(arena: Arena, point: tuple[str, ...]) -> bool:
+    return all(arena.logged(number) for number in point)
+
+
+def fall_silent(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> None:
+    """Two requests more show that the client goes on; then one more answer must reach its log."""
+    before = shop.requests
+    arena.mark(SILENCE)
+    shop.pause()
+    arena.until(lambda: shop.requests >= before + 2, timeout=SILENT_FOR, while_running=node)
+    given = len(oracle.given)
+    arena.mark(AGAIN)
+    shop.resume()
+    arena.until(
+        lambda: any(is_logged(arena, point) for point in oracle.given[given:]), timeout=8, while_running=node
+    )
+
+
+def moment(recording: Recording, mark: str) -> float:
+    """When the scenario reached this point; never, when it did not."""
+    found = recording.marked(mark)
+    return found.t if found else inf
+
+
+@client.check("starts", "the node starts and keeps running")
+def client_starts(recording: Recording) -> None:
+    """Until it calls: what comes then, `survives` judges."""
+    asked = recording.service(SERVICE).requests
+    expect_running(about_client(recording), CLIENT, until=asked[0].asked if asked else inf)
+
+
+@client.check("node_name", f"the node is called /{CLIENT_NODE}", needs="starts")
+def client_name(recording: Recording) -> None:
+    expect_node(about_client(recording), f"/{CLIENT_NODE}")
+
+
+@client.check("uses", f"it has a client of {SERVICE}", needs="starts")
+def uses(recording: Recording) -> None:
+    remedy = f"Make it in `__init__`: `self.create_client(WhatIsThePoint, '{SERVICE}')`."
+    expect_service(about_client(recording), "client", SERVICE, remedy=remedy)
+
+
+@client.check("right_type", f"the service's type is {TYPE}", needs="uses")
+def client_type(recording: Recording) -> None:
+    expect_service_type(about_client(recording), "client", SERVICE, TYPE)
+
+
+@client.check("waits", "it says that it waits while there is no service", needs="right_type")
+def waits(recording: Recording) -> None:
+    expect_waiting(about_client(recording), CLIENT, moment(recording, COMES))
+
+
+@client.check("survives", "it keeps running while it calls", needs="right_type")
+def survives(recording: Recording) -> None:
+    expect_running(about_client(recording), CLIENT)
+
+
+@client.check("asks", "it calls the service again and again", needs="survives")
+def asks(recording: Recording) -> None:
+    since = moment(recording, COMES)
+    expect_calls(about_client(recording), CLIENT, SERVICE, at_least=ENOUGH, period=PERIOD, since=since)
+
+
+@client.check("rate", "it calls twice per second", needs="asks")
+def rate(recording: Recording) -> None:
+    times = tuple(call.asked for call in answered_ones(recording))
+    expect_period(times, PERIOD, what="calls", advice="The period of `create_timer` is in seconds: 0.5.")
+
+
+def answered_ones(recording: Recording) -> tuple[ServiceCall, ...]:
+    """What came before the arena fell silent, and so was answered."""
+    until = moment(recording, SILENCE)
+    return tuple(call for call in recording.service(SERVICE).requests if call.answered and call.asked < until)
+
+
+def digits(call: ServiceCall) -> dict[str, str]:
+    """What must be in the log: the numbers that the scenario gave, without their points."""
+    return {axis: str(int(getattr(call.response.point, axis))) for axis in "xyz"}
+
+
+def filling(own: Recording) -> tuple[Location, ...]:
+    """Where the request's quote is filled in."""
+    places = (*text_places(own.sources, "quote.quote ="), *text_places(own.sources, "quote="))
+    return places[:1] or tuple(call.where for call in calls(own.sources, "call_async"))[:1]
+
+
+@client.check("quotes", "every request brings a quote", needs="asks")
+def quotes(recording: Recording) -> None:
+    empty = [call for call in recording.service(SERVICE).requests if not call.request.quote.quote.strip()]
+    if empty:
+        raise Failure(
+            Feedback(
+                summary="The quote in the request is empty.",
+                expected="a text in `request.quote.quote`",
+                seen=f"an empty string, {len(empty)} times",
+                where=filling(about_client(recording)),
+                advice="Fill it before the call: `request.quote.quote = '...'`. The request has one field, "
+                "`quote`, which is an AmazingQuote.",
+            )
+        )
+
+
+@client.check("both_kinds", "some quotes are about life, and some are not", needs="quotes")
+def both_kinds(recording: Recording) -> None:
+    asked = [call.request.quote.quote for call in recording.service(SERVICE).requests]
+    kinds = {"life" in quote.lower() for quote in asked}
+    if len(kinds) == 2:
+        return
+    raise Failure(
+        Feedback(
+            summary=f"Not one of {len(asked)} quotes holds the word `life`."
+            if kinds == {False}
+            else f"All of {len(asked)} quotes hold the word `life`.",
+            expected="both kinds",
+            seen=asked[0][:120],
+            where=filling(about_client(recording)),
+            advice="Take turns, or draw one at each call: `random.choice([..., ...])`.",
+            details=tuple(dict.fromkeys(asked))[:SHOWN],
+        )
+    )
+
+
+@client.check("logs", "it logs x, y and z of each answer", points=2, needs="asks")
+def logs(recording: Recording) -> None:
+    expect_answers_logged(about_client(recording), CLIENT, answered_ones(recording), digits)
+
+
+@client.check("goes_on", "it goes on when an answer does not come", points=2, needs="logs")
+def goes_on(recording: Recording) -> None:
+    expect_patience(about_client(recording), CLIENT, SERVICE, moment(recording, AGAIN), PERIOD, digits)
+
+
+@client.check("declares", "package.xml declares rclpy and package_with_interfaces")
+def client_dependencies(recording: Recording) -> None:
+    expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
+
+
+@client.check("interrupt", "Ctrl+C ends it in silence", needs="survives")
+def client_interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(about_client(recording), CLIENT)

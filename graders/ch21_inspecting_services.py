@@ -1,0 +1,131 @@
+"""Grader of chapter 21: what a learner finds out about the services of a hotel."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from course.grading.mystery import AllOf, Answer, Mystery, Number, Text
+from course.grading.mystery.names import for_both, spellings
+
+# The id in the request that the lesson gives.
+ASKED_ID = 42
+NEAR = 1e-3
+REQUESTS = {
+    "nav_msgs/srv/GetPlan": ("start", "goal", "tolerance"),
+    "nav_msgs/srv/SetMap": ("map", "initial_pose"),
+    "type_description_interfaces/srv/GetTypeDescription": (
+        "type_name",
+        "type_hash",
+        "include_type_sources",
+    ),
+}
+RESPONSES = {
+    "nav_msgs/srv/GetPlan": ("plan",),
+    "nav_msgs/srv/SetMap": ("success",),
+    "type_description_interfaces/srv/GetTypeDescription": (
+        "successful",
+        "failure_reason",
+        "type_description",
+        "type_sources",
+        "extra_information",
+    ),
+}
+NESTED = ("header", "stamp", "frame_id", "pose", "position", "orientation", "info", "data", "covariance")
+
+RUNG_WITH_FALSE = "That is what it answers to `data: false`."
+
+mystery = Mystery("21-inspect-services", __file__)
+
+
+@mystery.words
+def words(plan: Any) -> dict[str, object]:
+    request = REQUESTS[plan.fields_type]
+    return {
+        "typed": plan.typed,
+        "short_type": plan.type.rpartition("/")[2],
+        "two_part_type": plan.type.replace("/srv/", "/"),
+        "msg_type": plan.type.replace("/srv/", "/msg/"),
+        "fields": plan.fields,
+        "fields_type": plan.fields_type,
+        "request_field": request[0],
+        "response_field": RESPONSES[plan.fields_type][0],
+        "request_as_a_list": ", ".join(reversed(request)),
+        "owner": plan.owners[plan.fields],
+        "sleeper": plan.sleeper,
+        "oracle": plan.oracle,
+        "x": plan.x(ASKED_ID),
+        "x_of_nothing": plan.x(0),
+        "y": plan.point[1],
+        "bell": plan.bell,
+        "word": plan.word,
+        "other_word": plan.other_word,
+        "chore": plan.chores[0],
+        "silent": plan.silent,
+        "silent_without_slash": plan.silent.lstrip("/"),
+        "wanted": plan.wanted,
+        "wanted_without_slash": plan.wanted.lstrip("/"),
+    }
+
+
+@mystery.answers
+def answers(plan: Any) -> dict[str, Answer]:
+    return {
+        "type": Text(plan.type, wrong=_nearly_the_type(plan.type)),
+        "request": AllOf(*REQUESTS[plan.fields_type], wrong=_not_of_the_request(plan)),
+        "owner": Text(*spellings(plan.owners[plan.fields]), wrong=_not_the_owner(plan)),
+        "point": Number(plan.x(ASKED_ID), NEAR, wrong=_other_numbers(plan)),
+        "word": Text(*_quoted(plan.word), wrong=dict.fromkeys(_quoted(plan.other_word), RUNG_WITH_FALSE)),
+        "silent": Text(*spellings(plan.silent), wrong=_not_silent(plan)),
+        "wanted": Text(*spellings(plan.wanted), wrong=_not_wanted(plan)),
+    }
+
+
+def _quoted(word: str) -> tuple[str, str]:
+    """As it is, and as `ros2 service call` prints it."""
+    return word, f"'{word}'"
+
+
+def _nearly_the_type(name: str) -> dict[str, str]:
+    package, _, short = name.split("/")
+    return {
+        short: "It might be of any package. Give the full name, as ROS prints it.",
+        f"{package}/{short}": "Nearly: between the two it says of which kind it is.",
+        f"{package}/msg/{short}": "Nearly: `msg` is for messages, and this is a service.",
+    }
+
+
+def _not_of_the_request(plan: Any) -> dict[str, str]:
+    answered = "That field stands below the dashes: it is answered, not asked."
+    nested = "That one stands further right: it belongs to the field above it."
+    own = {*REQUESTS[plan.fields_type], *RESPONSES[plan.fields_type]}
+    return {
+        **{name: nested for name in NESTED if name not in own},
+        **{name: answered for name in RESPONSES[plan.fields_type]},
+    }
+
+
+def _not_the_owner(plan: Any) -> dict[str, str]:
+    others = {*plan.owners.values(), plan.sleeper} - {plan.owners[plan.fields]}
+    return for_both({node: "That node offers other services, but not this one." for node in others})
+
+
+def _other_numbers(plan: Any) -> dict[float, str]:
+    _, y, z = plan.point
+    return {
+        plan.x(0): f"That is the answer for the id 0. The {ASKED_ID} did not arrive: compare what "
+        "`ros2 service call` prints behind `making request`.",
+        y: "That is y.",
+        z: "That is z.",
+    }
+
+
+def _not_silent(plan: Any) -> dict[str, str]:
+    awake = {name: "That one does answer: call it, and see." for name in plan.chores}
+    nobody = {plan.wanted: "That one has no server at all. Here one is asked for that has, and is silent."}
+    return for_both({**awake, **nobody})
+
+
+def _not_wanted(plan: Any) -> dict[str, str]:
+    offered = "That one has a server: `ros2 service info` counts it."
+    silent = {plan.silent: "That one has a server; it only does not answer."}
+    return for_both({**dict.fromkeys(plan.owners, offered), **silent})

@@ -1,0 +1,381 @@
+"""Graders of chapter 22: a node with parameters, and a launch file that sets them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import inf
+from typing import TYPE_CHECKING
+
+from course.arena.arena import Arena
+from course.arena.process import Process
+from course.errors import OurFault
+from course.evidence.recording import Recording
+from course.evidence.ros_parameters import Parameters
+from course.evidence.ros_services import Call
+from course.evidence.sources import Sources
+from course.evidence.topic_view import Message
+from course.feedback import Failure, Feedback
+from course.grading.author import Grader
+from course.grading.expect.configured import expect_followed, expect_pace, expect_pace_kept, expect_texts
+from course.grading.expect.graph import expect_endpoint, expect_node, expect_same_definition, expect_type
+from course.grading.expect.launches import (
+    expect_launch_file,
+    expect_launch_parameter,
+    expect_launched,
+    expect_launched_node,
+    expect_own_launch_parameter,
+    launch_file,
+)
+from course.grading.expect.manifests import expect_dependency
+from course.grading.expect.parameters import expect_declared, expect_parameter, expect_set
+from course.grading.expect.programs import expect_clean_interrupt, expect_running
+from course.grading.explain.python_code import calls
+from course.grading.explain.timers import timer_cause, timer_places
+from course.grading.stimulus import words
+
+if TYPE_CHECKING:
+    from course.evidence.recorder import Listener
+
+PACKAGE = "python_package_that_uses_parameters_and_launch_files"
+EXECUTABLE = "amazing_quote_configurable_publisher_node"
+NODE = f"/{EXECUTABLE}"
+INTERFACES = "package_with_interfaces"
+QUOTE = f"{INTERFACES}/msg/AmazingQuote"
+QUOTE_HASH = "RIHS01_6eb8a339124c22e6ee8541e6132c3bccee5a2125c643270c85cae174a4aaeb21"
+COMPARE = "Compare its fields with chapter 17: names, types and order. `check 17` tells which."
+TEXTS = ("quote", "philosopher_name")
+DEFAULTS: dict[str, str | float] = {
+    "quote": "Use the force, Pikachu!",
+    "philosopher_name": "Uncle Ben",
+    "topic_name": "amazing_quote",
+    "period": 0.5,
+}
+# On the command line of the second run.
+GIVEN: dict[str, str | float] = {
+    "quote": "All who wander have set a parameter.",
+    "philosopher_name": "The command line",
+    "topic_name": "quotes_by_request",
+    "period": 0.2,
+}
+TOPIC, GIVEN_TOPIC = f"/{DEFAULTS['topic_name']}", f"/{GIVEN['topic_name']}"
+NOT_TAKEN = (
+    "What follows `--ros-args -p` takes the place of the default value. Hand the command line "
+    "on (`rclpy.init(args=args)`), declare without `ignore_override`, and do not set the parameter yourself."
+)
+PERIOD, GIVEN_PERIOD, LATER_PERIOD = 0.5, 0.2, 0.05
+SECOND_RUN = f"{EXECUTABLE} with other values"
+ENOUGH = 5
+# The message that was under way when the answer to a change came may still be an old one.
+AFTER_A_CHANGE = 3
+ATTEMPTS = 5
+
+LAUNCH_FILE = "peanut_butter_falcon_quote_publisher_launch.py"
+FALCON = "/peanut_butter_falcon_quote_publisher_node"
+FALCON_TOPIC = "truly_inspirational_quote"
+FALCON_PERIOD = 0.25
+
+parameters = Grader("22-parameters")
+launch = Grader("22-launch")
+
+
+# The node --------------------------------------------------------------------------------------------
+
+
+@parameters.scenario
+def defaults_then_others(arena: Arena) -> None:
+    """The node as it is; then with values from the command line, and with changes while it runs."""
+    asked = arena.parameters(NODE)
+    quotes, others = arena.subscribe(TOPIC, QUOTE), arena.subscribe(GIVEN_TOPIC, QUOTE)
+    if as_it_is(arena, asked, quotes):
+        arena.mark(SECOND_RUN)
+        with_others(arena, asked, others)
+
+
+def as_it_is(arena: Arena, asked: Parameters, quotes: Listener) -> bool:
+    """Whether the node told its parameters and published, so that a second run can show more."""
+    node = arena.run(PACKAGE, EXECUTABLE)
+    told = False
+    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
+        told = ask(arena, asked, node)
+        arena.until(lambda: quotes.count, timeout=4, while_running=node)
+        if quotes.count:
+            arena.until(lambda: quotes.count >= ENOUGH, timeout=5, while_running=node)
+    arena.interrupt(node)
+    return told and quotes.count > 0
+
+
+def ask(arena: Arena, asked: Parameters, node: Process) -> bool:
+    """Ask for names and values, again and again: what is asked before ROS has matched both sides is lost."""
+    if not arena.until(lambda: asked.node in arena.graph.nodes, timeout=2, while_running=node):
+        return False
+    arena.until(lambda: asked.available, timeout=4, while_running=node)
+    return any(answers(arena, (*asked.get(*DEFAULTS), asked.list()), node) for _ in range(ATTEMPTS))
+
+
+def answers(arena: Arena, calls: tuple[Call, ...], node: Process) -> bool:
+    return arena.until(lambda: all(call.done for call in calls), timeout=1, while_running=node)
+
+
+def with_others(arena: Arena, asked: Parameters, others: Listener) -> None:
+    node = arena.run(PACKAGE, EXECUTABLE, params=GIVEN, name=SECOND_RUN)
+    if node and ask(arena, asked, node):
+        arena.until(lambda: others.count, timeout=3, while_running=node)
+        if others.count:
+            arena.until(lambda: others.count >= ENOUGH, timeout=4, while_running=node)
+            change(arena, asked, others, node, AFTER_A_CHANGE, {name: words(4) for name in TEXTS})
+            change(arena, asked, others, node, ENOUGH, {"period": LATER_PERIOD})
+    arena.interrupt(node)
+
+
+def change(
+    arena: Arena,
+    asked: Parameters,
+    others: Listener,
+    node: Process,
+    enough: int,
+    values: dict[str, str] | dict[str, float],
+) -> None:
+    """Set these parameters, and hear so many messages more."""
+    call = asked.set(values)
+    arena.until(lambda: call.done, timeout=2, while_running=node)
+    before = others.count
+    arena.until(lambda: others.count >= before + enough, timeout=3, while_running=node)
+
+
+def second_run(recording: Recording) -> float:
+    """When the run with other values began; never, when it did not come to it."""
+    found = recording.marked(SECOND_RUN)
+    return found.t if found else inf
+
+
+def node_alone(recording: Recording) -> Recording:
+    """Without the launch file, which names the same parameters: no cause is to be looked for there."""
+    files = recording.sources.files
+    own = {path: text for path, text in files.items() if "/launch/" not in path}
+    return replace(recording, sources=Sources(own, recording.sources.others))
+
+
+def as_it_was(recording: Recording) -> tuple[Message, ...]:
+    return tuple(m for m in recording.messages(TOPIC) if m.t < second_run(recording))
+
+
+def set_at(recording: Recording, name: str) -> tuple[float, float]:
+    """When the scenario set this parameter, and when that was answered."""
+    found = [result for result in recording.parameters(NODE).sets if result.name == name]
+    if not found:
+        raise OurFault(f"the scenario did not set {name}")
+    return found[0].asked, found[0].answered or found[0].asked
+
+
+@parameters.check("starts", "the node starts and keeps running")
+def starts(recording: Recording) -> None:
+    expect_running(node_alone(recording), EXECUTABLE)
+
+
+@parameters.check("node_name", f"the node is called {NODE}", needs="starts")
+def node_name(recording: Recording) -> None:
+    expect_node(node_alone(recording), NODE)
+
+
+@parameters.check("declared", "it declares its four parameters", needs="node_name")
+def declared(recording: Recording) -> None:
+    own = node_alone(recording)
+    for name, default in DEFAULTS.items():
+        try:
+            expect_declared(own, NODE, name, default)
+        except Failure as failure:
+            where = failure.feedback.where or tuple(call.where for call in calls(own.sources, "__init__"))[:1]
+            raise Failure(replace(failure.feedback, where=where)) from None
+
+
+@parameters.check("defaults", "they have the right types and default values", points=2, needs="declared")
+def defaults(recording: Recording) -> None:
+    for name, default in DEFAULTS.items():
+        try:
+            expect_parameter(node_alone(recording), NODE, name, default, t=second_run(recording))
+        except Failure as failure:
+            written = f"`self.declare_parameter('{name}', {default!r})`."
+            advice = failure.feedback.advice or f"The default value stands where it is declared: {written}"
+            raise Failure(replace(failure.feedback, advice=advice)) from None
+
+
+@parameters.check("topic_exists", f"by default it publishes on {TOPIC}", needs="starts")
+def topic_exists(recording: Recording) -> None:
+    remedy = "Make a publisher, on the topic that the parameter `topic_name` names."
+    expect_endpoint(recording, "publisher", TOPIC, remedy=remedy)
+
+
+@parameters.check("right_type", f"the topic's type is {QUOTE}", needs="topic_exists")
+def right_type(recording: Recording) -> None:
+    expect_type(recording, "publisher", TOPIC, QUOTE)
+    expect_same_definition(recording, "publisher", TOPIC, QUOTE, QUOTE_HASH, advice=COMPARE)
+
+
+@parameters.check("publishes", "messages arrive", needs="right_type")
+def publishes(recording: Recording) -> None:
+    came = as_it_was(recording)
+    if len(came) > 1:
+        return
+    cause = timer_cause(recording.sources)
+    raise Failure(
+        Feedback(
+            summary="One message came, and then no more."
+            if came
+            else "The publisher exists, but no message comes.",
+            expected="a message every 0.5 s",
+            seen=f"{len(came)} messages",
+            where=cause.where if cause else timer_places(recording.sources),
+            advice=cause.text
+            if cause
+            else "Does the timer's callback reach `publish(...)`? And is its period in seconds?",
+        )
+    )
+
+
+@parameters.check("rate", "by default it publishes twice per second", needs="publishes")
+def rate(recording: Recording) -> None:
+    expect_pace(recording, tuple(m.t for m in as_it_was(recording)), PERIOD, parameter="period")
+
+
+@parameters.check("says", "the messages carry the quote and the philosopher's name", needs="publishes")
+def says(recording: Recording) -> None:
+    told = recording.parameters(NODE).at(second_run(recording))
+    wanted = {name: str(told[name].value if name in told else DEFAULTS[name]) for name in TEXTS}
+    for message in as_it_was(recording):
+        expect_texts(recording, message, wanted)
+
+
+@parameters.check(
+    "others_start", "it starts with other values on the command line", needs=("defaults", "publishes")
+)
+def others_start(recording: Recording) -> None:
+    expect_running(node_alone(recording), SECOND_RUN)
+
+
+@parameters.check("others_taken", "its parameters then have those values", needs="others_start")
+def others_taken(recording: Recording) -> None:
+    for name, value in GIVEN.items():
+        try:
+            expect_parameter(node_alone(recording), NODE, name, value)
+        except Failure as failure:
+            where = (*failure.feedback.where, *(call.where for call in calls(recording.sources, "init")))
+            raise Failure(replace(failure.feedback, advice=NOT_TAKEN, where=where[:2])) from None
+
+
+@parameters.check("others_topic", "it publishes on the topic that topic_name names", needs="others_taken")
+def others_topic(recording: Recording) -> None:
+    if recording.topic(GIVEN_TOPIC).messages:
+        return
+    elsewhere = [message for message in recording.messages(TOPIC) if message.t > second_run(recording)]
+    raise Failure(
+        Feedback(
+            summary=f"With `topic_name` set to `{GIVEN['topic_name']}` the node still publishes on `{TOPIC}`."
+            if elsewhere
+            else f"With `topic_name` set to `{GIVEN['topic_name']}` nothing comes on that topic.",
+            expected=GIVEN_TOPIC,
+            seen=TOPIC if elsewhere else "no message",
+            where=tuple(call.where for call in calls(recording.sources, "create_publisher"))[:2],
+            advice="Hand `create_publisher` what the parameter says, "
+            "`self.get_parameter('topic_name').value`, in place of a name of your own.",
+        )
+    )
+
+
+@parameters.check("others_rate", "it publishes as often as period says", needs="others_topic")
+def others_rate(recording: Recording) -> None:
+    until, _ = set_at(recording, "period")
+    times = tuple(message.t for message in recording.messages(GIVEN_TOPIC) if message.t < until)
+    expect_pace(recording, times, GIVEN_PERIOD, parameter="period")
+
+
+@parameters.check("others_say", "its messages carry the texts that were given", needs="others_topic")
+def others_say(recording: Recording) -> None:
+    until, _ = set_at(recording, TEXTS[0])
+    for message in recording.messages(GIVEN_TOPIC):
+        if message.t < until:
+            expect_texts(recording, message, {name: str(GIVEN[name]) for name in TEXTS})
+
+
+@parameters.check(
+    "changes", "a change of quote or philosopher_name is in the next message", points=2, needs="others_say"
+)
+def changes(recording: Recording) -> None:
+    for name in TEXTS:
+        expect_set(recording, NODE, name)
+        expect_followed(node_alone(recording), NODE, GIVEN_TOPIC, name)
+
+
+@parameters.check("period_stays", "a change of period does not change the rate", needs="others_rate")
+def period_stays(recording: Recording) -> None:
+    _, since = set_at(recording, "period")
+    times = tuple(message.t for message in recording.messages(GIVEN_TOPIC) if message.t > since)
+    expect_pace_kept(node_alone(recording), times, GIVEN_PERIOD, parameter="period", value=LATER_PERIOD)
+
+
+@parameters.check("declares_messages", f"package.xml declares rclpy and {INTERFACES}")
+def dependencies(recording: Recording) -> None:
+    expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
+
+
+@parameters.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+def interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(recording, EXECUTABLE)
+
+
+# The launch file -------------------------------------------------------------------------------------
+
+
+@launch.scenario
+def one_launch(arena: Arena) -> None:
+    """The node's parameters tell what the launch file gave; what it does with them is chapter 23."""
+    asked = arena.parameters(FALCON)
+    launched = arena.launch(PACKAGE, LAUNCH_FILE)
+    if arena.until(lambda: arena.graph.nodes, timeout=15, while_running=launched):
+        ask(arena, asked, launched)
+    arena.interrupt(launched)
+
+
+@launch.check("installed", "the package installs the launch file")
+def installed(recording: Recording) -> None:
+    expect_launch_file(recording, PACKAGE, LAUNCH_FILE)
+
+
+@launch.check("launches", "`ros2 launch` starts it, and it keeps running", points=2, needs="installed")
+def launches(recording: Recording) -> None:
+    expect_launched(recording, LAUNCH_FILE)
+
+
+@launch.check("node_name", f"the node is called {FALCON}", needs="launches")
+def falcon_name(recording: Recording) -> None:
+    expect_launched_node(recording, LAUNCH_FILE, FALCON)
+
+
+@launch.check("once", f"there is one {EXECUTABLE}", needs="launches")
+def once(recording: Recording) -> None:
+    names = [name for name in recording.launched(LAUNCH_FILE).processes if name.startswith(f"{EXECUTABLE}-")]
+    if len(names) > 1:
+        raise Failure(
+            Feedback(
+                summary=f"The launch file starts `{EXECUTABLE}` {len(names)} times.",
+                expected="once",
+                seen=", ".join(names),
+                where=tuple(call.where for call in calls(launch_file(recording, LAUNCH_FILE), "Node")),
+                advice="One `Node(...)` is enough.",
+            )
+        )
+
+
+@launch.check("topic_name", f"topic_name is {FALCON_TOPIC}", needs="node_name")
+def falcon_topic(recording: Recording) -> None:
+    expect_launch_parameter(recording, LAUNCH_FILE, FALCON, "topic_name", FALCON_TOPIC)
+
+
+@launch.check("period", f"period is {FALCON_PERIOD}", needs="node_name")
+def falcon_period(recording: Recording) -> None:
+    expect_launch_parameter(recording, LAUNCH_FILE, FALCON, "period", FALCON_PERIOD)
+
+
+@launch.check("texts", "quote and philosopher_name are of your own choice", needs="node_name")
+def falcon_texts(recording: Recording) -> None:
+    for name in TEXTS:
+        expect_own_launch_parameter(recording, LAUNCH_FILE, FALCON, name, DEFAULTS[name])

@@ -1,0 +1,2 @@
+alias ll='ls -l'
+alias say_hello='printf "%s\n" hello'

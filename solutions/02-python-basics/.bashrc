@@ -1,0 +1,1 @@
+alias pycharm_ros2='bash -i -c ~/pycharm/bin/pycharm.sh'

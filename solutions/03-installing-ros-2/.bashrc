@@ -1,0 +1,1 @@
+source /opt/ros/jazzy/setup.bash

@@ -1,0 +1,1 @@
+source ~/ros2_tutorial_workspace/install/setup.bash

@@ -1,0 +1,1 @@
+"""Nothing, and that is the point."""

@@ -1,0 +1,28 @@
+from setuptools import find_packages, setup
+
+package_name = 'python_package_with_broken_nodes'
+
+setup(
+    name=package_name,
+    version='0.0.0',
+    packages=find_packages(exclude=['test']),
+    data_files=[
+        ('share/ament_index/resource_index/packages',
+            ['resource/' + package_name]),
+        ('share/' + package_name, ['package.xml']),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=True,
+    maintainer='learner',
+    maintainer_email='learner@todo.todo',
+    description='TODO: Package description',
+    license='TODO: License declaration',
+    extras_require={'test': ['pytest']},
+    entry_points={
+        'console_scripts': [
+            'heartbeat_node = python_package_with_broken_nodes.heartbeat_node:main',
+            'countdown_node = python_package_with_broken_nodes.countdown_node:main',
+            'night_watch_node = python_package_with_broken_nodes.night_watch_node:main',
+        ],
+    },
+)

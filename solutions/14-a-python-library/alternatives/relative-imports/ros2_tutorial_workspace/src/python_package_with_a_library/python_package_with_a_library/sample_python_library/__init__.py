@@ -1,0 +1,2 @@
+from ._sample_class import *
+from ._sample_function import sample_function_for_square_of_sum as sample_function_for_square_of_sum

@@ -1,0 +1,122 @@
+"""The real command, in processes of its own, and what it left behind."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import psutil
+
+from course.batch.results import Results
+from course.evidence.mcap_file import load
+from course.grading.result import Outcome, Verdict
+
+REPO = Path(__file__).parents[2]
+_GROUPS = Path("/sys/fs/cgroup")
+_ENDING = 30.0
+
+# Verdict, and the ids of all checks that failed, by person and exercise.
+Verdicts = dict[tuple[str, str], tuple[Verdict, frozenset[str]]]
+
+
+@dataclass(frozen=True)
+class Command:
+    """`grade FOLDER --out OUT`. temporary: its TMPDIR, for nobody else. cache: of builds, to be shared."""
+
+    folder: Path
+    out: Path
+    temporary: Path
+    words: tuple[str, ...] = ()
+    before: tuple[str, ...] = ()
+    cache: Path | None = None
+
+    def start(self) -> subprocess.Popen[str]:
+        self.temporary.mkdir(exist_ok=True)
+        cache = {"ROS2COURSE_CACHE": str(self.cache)} if self.cache else {}
+        program = [sys.executable, "-m", "course", *self.before, "grade"]
+        return subprocess.Popen(
+            [*program, str(self.folder), "--out", str(self.out), *self.words],
+            cwd=REPO,
+            env={**os.environ, **cache, **self._environment()},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            start_new_session=True,
+        )
+
+    def _environment(self) -> dict[str, str]:
+        return {
+            "TMPDIR": str(self.temporary),
+            "PYTHONPATH": str(REPO),
+            "COLUMNS": "130",
+            "NO_COLOR": "1",
+            "ROS2COURSE_LAUNCHER": "./ros2course",
+        }
+
+    def run(self) -> tuple[int, str]:
+        """Exit code, and all that it said."""
+        with self.start() as process:
+            said = process.communicate()[0]
+        return process.returncode, said
+
+    def until_judged(self, tries: int = 3) -> str:
+        """The same command again while something could not be judged, as on a machine that is too busy."""
+        for _ in range(tries):
+            code, said = self.run()
+            if code != 3:
+                break
+        assert code == 0, said
+        return said
+
+
+def below(process: subprocess.Popen[str]) -> list[psutil.Process]:
+    """The process itself, and all that it has started."""
+    try:
+        top = psutil.Process(process.pid)
+        return [top, *top.children(recursive=True)]
+    except psutil.NoSuchProcess:
+        return []
+
+
+def outliving(processes: list[psutil.Process]) -> list[str]:
+    """Those that do not end."""
+    left = psutil.wait_procs(processes, timeout=_ENDING)[1]
+    return [str(process) for process in left if process.status() != psutil.STATUS_ZOMBIE]
+
+
+def groups_of(processes: list[int]) -> list[str]:
+    """Control groups that these process ids have made."""
+    return [str(path) for pid in processes for path in _GROUPS.glob(f"**/ros2course-{pid}-*")]
+
+
+def verdicts(out: Path) -> Verdicts:
+    with Results.open(out, create=False) as results:
+        return {
+            (one.person, stored.unit.exercise): (
+                stored.result.verdict,
+                frozenset(each.id for each in stored.result.checks if each.outcome is Outcome.FAILED),
+            )
+            for one in results.submissions()
+            for stored in results.gradings(one.person)
+        }
+
+
+def half_written(out: Path) -> Iterator[str]:
+    """What only somebody who was killed can have left, and recordings that cannot be read."""
+    yield from (str(path) for path in out.rglob(".*"))
+    yield from (str(path) for path in (out / "work").rglob("*"))
+    with Results.open(out, create=False) as results:
+        noted = {
+            stored.evidence
+            for one in results.submissions()
+            for stored in results.gradings(one.person)
+            if stored.evidence
+        }
+    there = {str(path.relative_to(out)) for path in (out / "evidence").rglob("*.mcap")}
+    yield from (f"{name} is noted or there, and not both" for name in noted ^ there)
+    for name in there:
+        load(out / name)

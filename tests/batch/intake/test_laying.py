@@ -1,0 +1,129 @@
+"""A submission is laid out as a fresh course home of ordinary files."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from course.batch.intake import Found, lay_out
+from course.build import Workspace
+from course.errors import StorageError
+from tests.batch.intake.trees import INTERFACES, MESSAGES, lay, manifest, package
+from tests.home.opening.archives import contents, make_zip
+
+Looked = Callable[..., Found]
+WS = "ros2_tutorial_workspace"
+
+
+def test_a_home(tmp_path: Path, looked: Looked) -> None:
+    names = ["answers/10-run-quiz.yaml", "howdy.sh", ".bashrc", ".ros2course/home.json", f"{WS}/a.yaml"]
+    lay(
+        tmp_path / "in", *(f"repo-main/{name}" for name in (*package("a", f"{WS}/src/"), *names, "a_folder/"))
+    )
+    assert lay_out(looked(tmp_path / "in"), tmp_path / "home") == ()
+    assert set(contents(tmp_path / "home")) == {*package("a", f"{WS}/src/"), *names}
+    assert (tmp_path / "home/a_folder").is_dir()
+
+
+def test_a_workspace_an_archive_and_packages(tmp_path: Path, looked: Looked) -> None:
+    lay(tmp_path / "in", *package("a", "src/"), "other.yaml", f"{INTERFACES}/package.xml")
+    archive = make_zip(tmp_path / "b.zip", {"b-main/package.xml": manifest("b"), "b-main/b.py": "b"})
+    lay_out(looked(tmp_path / "in", archive), tmp_path / "home")
+    expected = [*package("a", f"{WS}/src/"), f"{WS}/other.yaml", f"{WS}/{INTERFACES}/package.xml"]
+    expected += [f"{WS}/src/b/package.xml", f"{WS}/src/b/b.py"]
+    assert set(contents(tmp_path / "home")) == set(expected)
+    found = Workspace.scan(tmp_path / "home" / WS)
+    assert [package.name for package in found.packages] == ["a", "b"]
+
+
+def test_a_package_comes_before_a_single_file(tmp_path: Path, looked: Looked) -> None:
+    lay(tmp_path / "in", *package(MESSAGES, "good/"), f"y/{MESSAGES}/setup.py", f"z/{MESSAGES}/setup.py")
+    found = looked(tmp_path / "in")
+    lay_out(found, tmp_path / "home")
+    assert len(found.places) == 2
+    laid = tmp_path / "home" / WS / "src" / MESSAGES / "setup.py"
+    assert laid.read_text() == f"good/{MESSAGES}/setup.py"
+
+
+def test_nothing_is_a_home_all_the_same(tmp_path: Path, looked: Looked) -> None:
+    lay(tmp_path / "in", "notes.txt")
+    lay_out(looked(tmp_path / "in"), tmp_path / "home")
+    assert [path.name for path in (tmp_path / "home").rglob("*")] == [WS, "src"]
+
+
+def test_links_become_what_they_lead_to(tmp_path: Path, looked: Looked) -> None:
+    lay(tmp_path, "secret", *package("a", "in/packages/"), "in/src/")
+    (tmp_path / "in/src/a").symlink_to("../packages/a")
+    (tmp_path / "in/packages/a/leak").symlink_to("../../../secret")
+    found = looked(tmp_path / "in")
+    lay_out(found, tmp_path / "home")
+    assert set(package("a", f"{WS}/src/")) <= set(contents(tmp_path / "home"))
+    every = list((tmp_path / "home").rglob("*"))
+    assert not any(path.is_symlink() or path.name == "leak" for path in every)
+    assert any("Links that lead out" in finding.what for finding in found.findings)
+
+
+def test_modes(tmp_path: Path, looked: Looked) -> None:
+    lay(tmp_path / "in", *package("a"), "a/run.sh")
+    (tmp_path / "in/a/run.sh").chmod(0o6711)
+    (tmp_path / "in/a/setup.py").chmod(0o602)
+    (tmp_path / "in/a/a").chmod(0o1777)
+    lay_out(looked(tmp_path / "in"), tmp_path / "home")
+    modes = {path.name: stat.S_IMODE(path.stat().st_mode) for path in (tmp_path / "home").rglob("*")}
+    assert (modes["run.sh"], modes["setup.py"], modes["a"]) == (0o755, 0o644, 0o755)
+    assert (tmp_path / "in/a/setup.py").read_text() == "a/setup.py"  # nothing there has changed
+
+
+def test_a_file_that_turned_into_a_pipe_or_grew_does_no_harm(
+    tmp_path: Path, looked: Looked, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lay(tmp_path / "in", *package("a"), "a/x", "a/y", "a/z")
+    found = looked(tmp_path / "in")
+    real = os.open
+
+    def change_first(path: str | Path, *arguments: int) -> int:
+        if not Path(path).is_relative_to(tmp_path / "in"):
+            pass
+        elif Path(path).name == "x":
+            Path(path).unlink()
+            os.mkfifo(path)
+        elif Path(path).name == "y":
+            Path(path).write_text("y" * 10_000)
+        elif Path(path).name == "z":
+            Path(path).unlink()
+            Path(path).symlink_to("/etc/passwd")
+        return real(path, *arguments)
+
+    with monkeypatch.context() as patched:
+        patched.setattr("course.batch.intake.laying.os.open", change_first)
+        findings = lay_out(found, tmp_path / "home")
+    laid = contents(tmp_path / "home")
+    assert laid[f"{WS}/src/a/y"] == "yyy"
+    assert laid.get(f"{WS}/src/a/x", "") == ""
+    assert f"{WS}/src/a/z" not in laid
+    assert len(findings) == 1
+
+
+def test_a_full_disk_leaves_nothing(tmp_path: Path, looked: Looked, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = looked(lay(tmp_path / "in", *package("a")))
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    with monkeypatch.context() as patched:
+        patched.setattr("course.batch.intake.laying._copy", full)
+        with pytest.raises(StorageError, match="submission of jane cannot be laid out"):
+            lay_out(found, tmp_path / "home")
+    assert {path.name for path in tmp_path.iterdir()} <= {"in", "opened"}
+
+
+def test_a_home_that_is_there_is_left_alone(tmp_path: Path, looked: Looked) -> None:
+    lay(tmp_path, *package("a", "in/"), "home/mine")
+    with pytest.raises(StorageError):
+        lay_out(looked(tmp_path / "in"), tmp_path / "home")
+    assert contents(tmp_path / "home") == {"mine": "home/mine"}

@@ -1,0 +1,52 @@
+"""What the reports are given: read from the results' file, one submission after another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import datetime, timezone
+from pathlib import Path
+
+import pytest
+
+from course.batch.gradebook import cleaner, gradebook, graded_exercise
+from course.batch.results import Results
+from course.content import Course, open_course
+from tests.batch.samples import FAILED, PASSED, QUIZ, graded, submissions
+
+NOW = datetime(2026, 3, 2, tzinfo=timezone.utc)
+
+
+@pytest.fixture
+def results(tmp_path: Path) -> Iterator[Results]:
+    with Results.open(tmp_path) as opened:
+        opened.enter(submissions("cleo", "ada", "bao"))
+        opened.record(graded("ada", FAILED), "1.0", None)
+        opened.record(graded("cleo", PASSED), "1.0", None)
+        yield opened
+
+
+def test_everybody_is_in_it_in_the_order_of_the_class(results: Results, quiz_course: Course) -> None:
+    book = gradebook(results, "Title", [quiz_course.exercise(QUIZ)], NOW, NOW)
+    for _ in range(2):  # it can be walked again
+        assert [(one.person.id, one.results) for one in book.graded] == [
+            ("cleo", (PASSED,)),
+            ("ada", (FAILED,)),
+            ("bao", ()),
+        ]
+    assert book.containment == "contained"
+    assert {one.remarks for one in book.graded} == {("It is late.",)}
+
+
+def test_points_that_can_be_had_are_those_of_questions_and_checks(quiz_course: Course) -> None:
+    assert graded_exercise(quiz_course.exercise(QUIZ)).max_points == 6.0
+
+
+@pytest.mark.parametrize(("name", "points"), [("18-publisher", 12), ("14-library", 7)])
+def test_a_bonus_is_not_among_them(name: str, points: float) -> None:
+    assert graded_exercise(open_course().exercise(name)).max_points == points
+
+
+def test_places_of_this_machine_do_not_get_into_reports(tmp_path: Path) -> None:
+    clean = cleaner(tmp_path / "out", tmp_path / "class")
+    said = clean.prose(f"It is in {tmp_path}/out/x and {tmp_path}/class/ada.")
+    assert str(tmp_path) not in said

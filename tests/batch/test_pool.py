@@ -1,0 +1,100 @@
+"""Workers: whatever becomes of one, each task has its grading, and none outlives the pool."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import psutil
+import pytest
+
+from course.batch import pool
+from course.batch.model import Graded, Task, Unit
+from course.batch.pool import Pool
+from course.grading.result import Verdict
+from tests.batch.samples import people
+
+
+@pytest.fixture(autouse=True)
+def odd_worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.setattr(pool, "_WORKER", "tests.batch.odd_worker")
+    monkeypatch.setattr(pool, "_DEATH_TIME", 0.5)
+    before = set(psutil.Process().children(recursive=True))
+    yield
+    assert set(psutil.Process().children(recursive=True)) <= before
+
+
+def tasks(*exercises: str, evidence: Path = Path("none")) -> Iterator[Task]:
+    for number, exercise in enumerate(exercises):
+        yield Task(Unit(f"p{number}", exercise), "home", str(evidence))
+
+
+def graded(each: Iterable[Task], jobs: int = 1) -> list[Graded]:
+    waiting = iter(each)
+    return list(Pool(jobs, lambda: next(waiting, None)).results())
+
+
+def test_each_task_is_answered_once() -> None:
+    found = graded(tasks(*["fine"] * 9), jobs=3)
+    assert people(found) == [f"p{n}" for n in range(9)]
+    assert {each.result.verdict for each in found} == {Verdict.PASSED}
+
+
+def test_a_worker_grades_one_after_another() -> None:
+    assert len({each.result.containment for each in graded(tasks("fine", "fine", "fine"))}) == 1
+
+
+def test_without_work_no_process_is_started(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pool.subprocess, "Popen", None)
+    assert graded([], jobs=2) == []
+
+
+@pytest.mark.parametrize(
+    ("way", "words"),
+    [
+        ("killed", "ended with -9"),
+        ("leaves", "ended with 7"),
+        ("rubbish", "make no sense"),
+        ("bytes", "make no sense"),
+        ("half", "ended with -9"),
+        ("other", "answered for something else"),
+    ],
+)
+def test_a_worker_that_fails_is_our_error_and_the_next_task_gets_a_new_one(way: str, words: str) -> None:
+    first, broken, last = graded(tasks("fine", way, "fine"))
+    assert broken.unit == Unit("p1", way)
+    assert broken.result.verdict is Verdict.OUR_ERROR
+    assert broken.result.fault and words in broken.result.fault.summary
+    assert first.result.verdict is last.result.verdict is Verdict.PASSED
+    assert first.result.containment != last.result.containment
+
+
+def test_a_worker_that_hangs_is_ended(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(pool, "TIME_LIMIT", 2.0)
+    hung, fine = graded(tasks("hangs", "fine", evidence=tmp_path / "begun"))
+    assert hung.result.fault and "did not finish within 2 s" in hung.result.fault.summary
+    assert fine.result.verdict is Verdict.PASSED
+
+
+@pytest.mark.parametrize("way", ["hangs", "deaf"])
+def test_whoever_stops_listening_ends_the_workers(
+    way: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(pool, "_END_TIME", 1.0)
+    begun = tmp_path / "begun"
+    waiting = tasks("fine", way, "fine", evidence=begun)
+    results = Pool(1, lambda: next(waiting, None)).results()
+    next(results)
+    while not begun.exists():
+        threading.Event().wait(0.02)
+    results.close()
+    assert [task.unit.person for task in waiting] == ["p2"]
+
+
+def test_an_error_of_who_hands_out_tasks_comes_through() -> None:
+    def next_task() -> Task | None:
+        raise LookupError("no more")
+
+    with pytest.raises(LookupError, match="no more"):
+        list(Pool(2, next_task).results())

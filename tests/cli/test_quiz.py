@@ -1,0 +1,173 @@
+"""Quizzes and mysteries where nobody can be asked: in a pipe, for a program, in a batch."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from course.grading.result import Verdict, from_json
+from course.home import CourseHome
+from course.progress import Progress
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.cli.conftest import Ros2course, Run
+
+FIXTURE = Path(__file__).parents[1] / "fixtures/quiz_course"
+RIGHT = FIXTURE / "solutions/05-lighthouses/answers/05-quiz.yaml"
+
+
+@pytest.fixture
+def run(ros2course: Ros2course, home: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Run]:
+    """A command on the course of quizzes, with a home, at a quiz, and without any ROS."""
+    ros2course("next", "05-quiz", course=FIXTURE)
+
+    def no_ros() -> None:
+        raise AssertionError("a quiz looked for ROS")
+
+    monkeypatch.setattr("course.rosenv.find_ros", no_ros)
+    return lambda *words: ros2course(*words, course=FIXTURE)
+
+
+@pytest.fixture
+def answers(home: Path) -> Path:
+    (home / "answers").mkdir(parents=True)
+    return home / "answers/05-quiz.yaml"
+
+
+def test_it_never_asks(run: Callable[..., Run], home: Path) -> None:
+    done = run("check")
+    assert done.code == 1
+    assert "There is no `answers/05-quiz.yaml`" in done.out
+    assert "`ros2course check 05-quiz` asks" in done.out
+    assert "Your answer" not in done.out
+    assert not (home / "answers").exists()
+
+
+def test_it_judges_the_file(run: Callable[..., Run], answers: Path, home: Path) -> None:
+    shutil.copy(RIGHT, answers)
+    done = run("check")
+    assert (done.code, "Passed: 6 of 6 points." in done.out) == (0, True)
+    assert "No two in sight of each other" in done.out, "right answers are explained"
+    assert "Now you know your lights." in done.out
+    with Progress.open(home / ".ros2course") as progress:
+        assert progress.state("05-quiz") == "passed"
+
+
+def test_json_is_the_same_result(run: Callable[..., Run], answers: Path) -> None:
+    shutil.copy(RIGHT, answers)
+    assert from_json(run("check", "--json").out).verdict is Verdict.PASSED
+
+
+def test_a_wrong_answer_and_what_to_type_next(run: Callable[..., Run], answers: Path) -> None:
+    answers.write_text("why: It saves oil\n")
+    done = run("check")
+    assert done.code == 1
+    assert "A lamp that turns burns all the time." in done.out
+    assert "answers/05-quiz.yaml:1" in done.out
+    assert "tell" not in done.out, "the right answer stays untold"
+    assert "check --again" in done.out.split("Type next:")[1]
+    assert "hint" not in done.out.split("Type next:")[1]
+
+
+def test_again_is_for_answers_only(run: Callable[..., Run], home: Path) -> None:
+    from course.cli.check import _steps
+    from course.content import open_course
+    from course.grading.result import CheckResult, Outcome, Result
+
+    class Desk:
+        progress = Progress.open(home / ".ros2course")
+
+    keepers = open_course(FIXTURE).exercise("05-keepers")
+    for failed, command in (("greeted", "check 05-keepers"), ("rate", "check 05-keepers --again")):
+        checks = (CheckResult(failed, "x", 1, Outcome.FAILED), CheckResult("type", "y", 1, Outcome.PASSED))
+        steps = _steps(Desk(), keepers, Result("05-keepers", Verdict.NOT_PASSED, checks))  # type: ignore[arg-type]
+        assert steps[-1][0] == f"ros2course {command}"
+    Desk.progress.__exit__(None, None, None)
+
+
+def test_again_needs_a_terminal_and_questions(run: Callable[..., Run], ros2course: Ros2course) -> None:
+    done = run("check", "--again")
+    assert (done.code, "only be asked in a terminal" in done.err) == (2, True)
+    done = ros2course("check", "--again", "04-light")
+    assert (done.code, "has no questions" in done.err) == (2, True)
+
+
+def test_next_says_what_to_type(run: Callable[..., Run]) -> None:
+    quiz = run("next", "05-quiz").out.split("Type next:")[1]
+    assert "ros2course check  to answer its 5 questions" in quiz
+    assert "shell" not in quiz and "hint" not in quiz
+    mystery = run("next", "05-keepers").out.split("Type next:")[1]
+    assert [line.split()[1] for line in mystery.strip().splitlines()] == ["play", "shell", "check", "hint"]
+
+
+def test_nothing_but_the_state_is_laid(run: Callable[..., Run], home: Path) -> None:
+    texts = [file.read_text(errors="replace") for file in home.rglob("*") if file.is_file()]
+    assert not any("rhythm" in text for text in texts)
+
+
+def test_show_has_the_questions(run: Callable[..., Run]) -> None:
+    shown = run("show").out
+    assert "The questions:\n\nwhy\nWhy does a lighthouse blink?" in shown
+    assert "  - Its rhythm tells which lighthouse it is" in shown
+    assert "No two in sight" not in shown
+    mystery = run("show", "05-keepers").out
+    assert "What is the type of /" in mystery and "{topic}" not in mystery
+
+
+def test_show_shuffles_by_the_learner(run: Callable[..., Run], home: Path) -> None:
+    marker = home / ".ros2course/home.json"
+    orders = set()
+    for seed in range(12):
+        marker.write_text(f'{{"schema": 1, "seed": {seed}}}')
+        lines = run("show").out.partition("\nseen\n")[0].splitlines()
+        orders.add(tuple(line for line in lines if line.startswith("  - ")))
+    assert len(orders) > 4
+    assert len({frozenset(order) for order in orders}) == 1
+
+
+def test_hint_without_hints(run: Callable[..., Run]) -> None:
+    done = run("hint")
+    assert "There are no hints for 05-quiz." in done.out
+    assert "check --again" in done.out
+
+
+def test_list_knows_both(run: Callable[..., Run], answers: Path) -> None:
+    shutil.copy(RIGHT, answers)
+    run("check")
+    listed = run("list").out
+    assert "ok  05-quiz" in listed and "6 of 6" in listed
+    assert "05-keepers" in listed
+
+
+def test_solution_shows_the_right_answers(run: Callable[..., Run], answers: Path) -> None:
+    answers.write_text("why: It saves oil\n")
+    assert run("solution").code == 2
+    shown = run("solution", "--anyway").out
+    assert "-why: It saves oil" in shown
+    assert "+why: tell-apart" in shown
+
+
+def test_reset_keeps_the_answers_in_a_backup(run: Callable[..., Run], answers: Path, home: Path) -> None:
+    answers.write_text("why: It saves oil\n")
+    run("reset", "05-quiz", "--yes")
+    assert not answers.exists()
+    assert len(list((home / ".ros2course/backups").glob("*/answers/05-quiz.yaml"))) == 1
+
+
+def test_play_of_what_is_no_mystery(run: Callable[..., Run]) -> None:
+    done = run("play")
+    assert done.code == 2
+    assert "05-quiz has nothing to play." in done.err
+    assert "These have: 05-keepers." in done.err
+
+
+def test_the_seed_is_not_shown(run: Callable[..., Run], home: Path) -> None:
+    seed = str(CourseHome(home).seed())
+    for words in (("next", "05-keepers"), ("show",), ("check", "05-quiz"), ("list",)):
+        done = run(*words)
+        assert seed not in done.out + done.err

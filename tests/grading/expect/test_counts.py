@@ -1,0 +1,67 @@
+"""A node that logs how often something happened, in words of its own."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.evidence.events import OutputLine
+from course.evidence.recording import Recording
+from course.grading.expect.counts import expect_counted, has_number
+
+from .conftest import log, record, said, told, where
+
+CODE = "\nself.get_logger().info(f'Call {n}')\n"
+
+
+def counted(*texts: str, code: str = CODE) -> Recording:
+    return record(*(log(1.0 + n, text) for n, text in enumerate(texts)), code=code)
+
+
+@pytest.mark.parametrize(
+    "words", ["Call {}", "{} calls.", "the {}th call", "No.{}", "#{}: x=3.25", "calls={}", "({})", "call\n{}"]
+)
+def test_the_words_do_not_matter(words: str) -> None:
+    recording = counted(*(words.format(n) for n in (1, 2, 3)))
+    assert said(expect_counted, recording, "talker", 3, what="calls") is None
+
+
+def test_other_messages_in_between_do_not_matter() -> None:
+    recording = counted("hello", "Call 1", "Point(x=7.0)", "Call 2", "again")
+    assert said(expect_counted, recording, "talker", 2, what="calls") is None
+
+
+@pytest.mark.parametrize("text", ["13", "3.5", "0.3", "-3", "ember3", "3x", "2"])
+def test_what_is_not_that_number(text: str) -> None:
+    assert not has_number(f"a {text} b", 3)
+
+
+@pytest.mark.parametrize(
+    ("texts", "words"),
+    [
+        (("Call 0", "Call 1", "Call 2"), "begins with 0: after 3 calls it has come to 2 only"),
+        (("Call 1", "Call 1", "Call 1"), "no message holds 2"),
+        (("I was called",) * 3, "no message holds 1"),
+        ((), "the node logged nothing"),
+    ],
+)
+def test_a_wrong_count(texts: tuple[str, ...], words: str) -> None:
+    found = told(expect_counted, counted(*texts), "talker", 3, what="calls")
+    assert words in found.summary
+    assert where(found) == ["talk/talker.py:2"]
+
+
+def test_braces_that_are_logged() -> None:
+    found = told(expect_counted, counted("Call {n}"), "talker", 1, what="calls")
+    assert "put an `f` before the string" in str(found.advice)
+
+
+def test_a_count_that_is_printed() -> None:
+    found = told(
+        expect_counted,
+        record(OutputLine(1.0, "talker", "Call 1"), code="print(n)"),
+        "talker",
+        1,
+        what="calls",
+    )
+    assert "`print`" in found.summary
+    assert where(found) == ["talk/talker.py:1"]

@@ -1,0 +1,56 @@
+"""What is left of a recording when only one of its programs counts."""
+
+from __future__ import annotations
+
+from course.evidence.events import OutputLine
+from course.evidence.recording import Recording
+from course.grading.expect.one_program import about
+
+from .conftest import FOLDER, log, record
+
+SETUP = """\
+setup(entry_points={'console_scripts': [
+    'talker = talk.talker:main',
+    'listener = talk.listener:main',
+    'deaf = talk.listener:deaf',
+]})
+"""
+
+
+def two_programs() -> Recording:
+    return record(
+        log(1.0, "I talk", node="talker"),
+        log(2.0, "I listen", node="listener"),
+        OutputLine(3.0, "listener", "printed"),
+        code="TALKER",
+        files={"setup.py": SETUP, "talk/listener.py": "LISTENER", "talk/words.py": "WORDS"},
+    )
+
+
+def texts(recording: Recording) -> list[str]:
+    return [line.text for line in recording.log]
+
+
+def test_the_log_is_that_of_its_node() -> None:
+    assert texts(two_programs()) == ["I talk", "I listen"]
+    assert texts(about(two_programs(), "talk", "listener", "listener")) == ["I listen"]
+
+
+def test_what_is_not_on_rosout_stays() -> None:
+    assert about(two_programs(), "talk", "talker", "talker").process("listener").text == ("printed",)
+
+
+def test_modules_of_the_others_are_left_out() -> None:
+    sources = about(two_programs(), "talk", "talker", "talker").sources
+    assert sorted(sources.files) == [
+        f"{FOLDER}/{name}" for name in ("setup.py", "talk/talker.py", "talk/words.py")
+    ]
+
+
+def test_a_module_that_two_programs_share_stays() -> None:
+    for executable in ("listener", "deaf"):
+        assert f"{FOLDER}/talk/listener.py" in about(two_programs(), "talk", executable, "deaf").sources.files
+
+
+def test_all_files_stay_for_a_package_that_was_not_built() -> None:
+    assert len(about(two_programs(), "walk", "walker", "walker").sources.files) == 4

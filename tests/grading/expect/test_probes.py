@@ -1,0 +1,90 @@
+"""What is said of code that a probe could not import, or that answered wrongly."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+
+from course.errors import OurFault
+from course.evidence.events import OutputLine, Probed, ProgramMissing
+from course.evidence.home_files import HomeEntry
+from course.evidence.recording import Recording
+from course.feedback import Location
+from course.grading.expect.probes import answered, expect_answer, expect_importable
+
+from .conftest import said, told, where
+
+WHAT = "from theirs import f"
+
+
+def probed(*answers: dict[str, Any], finished: bool = True) -> Recording:
+    lines = tuple(json.dumps(answer) for answer in answers)
+    return Recording("x", (OutputLine(0.1, "probe", "last words"), Probed(1.0, "probe", lines, finished)))
+
+
+def error(question: str, text: str) -> dict[str, Any]:
+    return {"question": question, "error": text, "file": "p/a.py", "line": 7}
+
+
+def test_answers_that_are_right() -> None:
+    recording = probed({"question": "sum", "value": 3, "type": "int"})
+    assert said(expect_importable, recording, WHAT) is None
+    assert said(expect_answer, recording, "sum", 3.0, "f(1, 2)", advice="") is None
+    assert answered(recording, "sum", "f(1, 2)").type == "int"
+
+
+@pytest.mark.parametrize(
+    ("value", "shown", "wanted"), [(4, "4", 3), ("3", "'3'", 3), (True, "True", 1), (None, "None", 3)]
+)
+def test_a_wrong_value_is_shown(value: object, shown: str, wanted: object) -> None:
+    recording = probed({"question": "sum", "value": value, "type": type(value).__name__})
+    feedback = told(
+        expect_answer, recording, "sum", wanted, "f(1, 2)", advice="add", where=Location("p/a.py", 3)
+    )
+    assert feedback.summary == f"`f(1, 2)` gives {shown}, not {wanted!r}."
+    assert (feedback.seen, feedback.advice, where(feedback)) == (shown, "add", ["p/a.py:3"])
+
+
+@pytest.mark.parametrize(
+    ("text", "advice"),
+    [
+        ("SyntaxError: invalid syntax", "cannot read"),
+        ("TypeError: f() takes 0 positional arguments but 1 was given", "self"),
+        ("TypeError: f() got an unexpected keyword argument 'a'", "names"),
+        ("AttributeError: 'C' object has no attribute 'x'", "__init__"),
+        ("ValueError: no", "led to it"),
+    ],
+)
+def test_an_exception_has_its_line_and_advice(text: str, advice: str) -> None:
+    feedback = told(answered, probed(error("sum", text)), "sum", "f(1, 2)")
+    assert feedback.summary == f"`f(1, 2)` fails: {text}"
+    assert advice in (feedback.advice or "")
+    assert where(feedback) == ["p/a.py:7"]
+
+
+def test_what_cannot_be_imported() -> None:
+    recording = probed(error("", "ModuleNotFoundError: No module named 'theirs'"))
+    assert WHAT in told(expect_importable, recording, WHAT).summary
+    assert "could not be tried" in told(answered, recording, "sum", "f(1, 2)").summary
+
+
+def test_what_hangs() -> None:
+    at_import = told(expect_importable, probed(finished=False), WHAT)
+    assert "does not come to an end" in at_import.summary
+    assert at_import.details == ("last words",)
+    later = probed({"question": "a", "value": 1, "type": "int"}, finished=False)
+    assert said(expect_importable, later, WHAT) is None
+    assert "`f(1, 2)` does not come" in told(answered, later, "sum", "f(1, 2)").summary
+
+
+def test_a_folder_that_is_not_there() -> None:
+    looked_at = (HomeEntry("project", "folder"),)
+    recording = Recording("x", (ProgramMissing(0.1, "probe", "projekt"),), looked_at=looked_at)
+    assert "there is `~/project`" in told(expect_importable, recording, WHAT).summary
+
+
+def test_a_probe_that_never_ran_is_our_fault() -> None:
+    with pytest.raises(OurFault):
+        expect_importable(Recording("x"), WHAT)

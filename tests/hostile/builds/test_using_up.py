@@ -1,0 +1,162 @@
+"""Builds that use up what they can get: time, memory, processes, the disk, the log."""
+
+from __future__ import annotations
+
+import dataclasses
+import time
+
+import psutil
+import pytest
+
+from course.arena.sandbox.limits import BUILD
+from course.build import confined, process, stopped, usage
+from tests.hostile.builds.conftest import BuildIt, cmake_package, python_package
+
+pytestmark = pytest.mark.slow
+MB = 1024 * 1024
+KINDS = pytest.mark.parametrize("package", [python_package, cmake_package])
+
+FORKS = """
+import os
+while True:
+    try:
+        os.fork()
+    except OSError:
+        pass
+"""
+THREADS = """
+import threading, time
+while True:
+    try:
+        threading.Thread(target=time.sleep, args=(1000,), daemon=True).start()
+    except RuntimeError:
+        time.sleep(0.01)
+"""
+MEMORY = """
+kept = []
+while True:
+    kept.append(b'x' * 10_000_000)
+"""
+DISK = """
+number = 0
+while True:
+    number += 1
+    try:
+        with open(f'filler-{number}', 'wb') as file:
+            for _ in range(50):
+                file.write(bytes(1_000_000))
+    except OSError:
+        pass
+"""
+OUTPUT = """
+import os
+while True:
+    os.write(2, b'x' * 65536 + b'\\n')
+"""
+LOOP = """
+import os, signal
+for number in range(1, 65):
+    try:
+        signal.signal(number, signal.SIG_IGN)
+    except (OSError, ValueError):
+        pass
+if os.fork() == 0:
+    os.setsid()
+    os.fork()
+while True:
+    pass
+"""
+FOLDERS = """
+import os
+for _ in range(3000):
+    os.mkdir('deeper')
+    os.chdir('deeper')
+while True:
+    pass
+"""
+FILES = """
+import os
+for number in range(30_000):
+    open(f'file-{number}', 'w').close()
+while True:
+    pass
+"""
+LIMITED = (
+    (FORKS, "processes-limit", "started more than 256 processes and threads"),
+    (THREADS, "processes-limit", "started more than 256 processes and threads"),
+    (MEMORY, "memory-limit", "took more than 3072 MB of memory"),
+    (DISK, "disk-limit", "wrote more than 1024 MB of files"),
+    (OUTPUT, "output-limit", "printed without end"),
+    (LOOP, "time-limit", "took longer than 8 seconds"),
+    (FOLDERS, "files-limit", "or folders far too deep in one another"),
+    (FILES, "files-limit", "made more than 50000 files"),
+)
+
+
+@pytest.fixture(autouse=True)
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As ever, but with less to use up until a limit is reached, for this machine's sake."""
+    less = dataclasses.replace(BUILD, memory=300 * MB, scratch=150 * MB)
+    monkeypatch.setattr(confined, "BUILD", less)
+    monkeypatch.setattr(process, "MOST_OUTPUT", 4 * MB)
+    monkeypatch.setattr(usage, "MOST_FILES", 20_000)
+
+
+@pytest.mark.parametrize(("program", "kind", "words"), LIMITED, ids=[kind for _, kind, _ in LIMITED])
+def test_it_is_stopped_and_told(build_it: BuildIt, program: str, kind: str, words: str) -> None:
+    built = build_it(python_package(program), guarantee=f"a build ends at its {kind}", time_limit=8.0)
+    assert built.failure.kind == kind
+    assert words in built.failure.feedback.summary
+    assert built.failure.feedback.where[0].file.endswith("strange/setup.py")
+    assert [path.name for path in built.entry.iterdir()] == ["log"]
+
+
+def test_cmake_is_stopped_too(build_it: BuildIt) -> None:
+    built = build_it(cmake_package(FORKS), guarantee="a build ends at its limit of processes", time_limit=8.0)
+    assert built.failure.kind == "processes-limit"
+    assert built.failure.feedback.where[0].file.endswith("strange/CMakeLists.txt")
+
+
+def test_what_is_written_at_the_last_moment_counts(build_it: BuildIt) -> None:
+    program = (
+        "MORE = [f'big-{n}' for n in range(4)]\\nfor name in MORE: open(name, 'wb').write(bytes(50_000_000))"
+    )
+    built = build_it(
+        python_package(program.replace("\\n", "\n")), guarantee="a disk is not filled at the end"
+    )
+    assert built.failure.kind == "disk-limit"
+
+
+def test_nothing_outlives_its_build(build_it: BuildIt) -> None:
+    """A daemon that waits for its build to be over, to change what it installed."""
+    program = """
+import os, time
+if os.fork() == 0:
+    os.setsid()
+    if os.fork():
+        os._exit(0)
+    for number in range(3, 100):
+        try:
+            os.close(number)
+        except OSError:
+            pass
+    nothing = os.open(os.devnull, os.O_RDWR)
+    for number in range(3):
+        os.dup2(nothing, number)
+    while True:
+        for folder, _, _ in os.walk('../install'):
+            try:
+                open(os.path.join(folder, 'late'), 'a').write('breach')
+            except OSError:
+                pass
+"""
+    built = build_it(python_package(program), guarantee="no process outlives a build")
+    assert built.outcome.failure is None, built.words
+    before = {path: path.lstat().st_mtime_ns for path in built.entry.rglob("*")}
+    time.sleep(0.5)  # for what must not happen, no event can be awaited
+    assert before == {path: path.lstat().st_mtime_ns for path in built.entry.rglob("*")}
+    assert not [each for each in psutil.Process().children(recursive=True) if each.is_running()]
+
+
+def test_all_limits_have_words() -> None:
+    assert {kind.removesuffix("-limit") for _, kind, _ in LIMITED} <= {*stopped._LIMITS, "time", "output"}

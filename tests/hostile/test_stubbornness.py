@@ -1,0 +1,47 @@
+"""Programs that do not let go: of their terminal, of the processor, of life."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.grading.result import Verdict
+from tests.hostile.world import NODE, Grade, with_attack
+
+pytestmark = pytest.mark.slow
+
+
+def test_one_that_ignores_all_signals_and_never_waits(grade: Grade) -> None:
+    graded = grade({NODE: with_attack("deaf")}, guarantee="a deaf program is ended all the same")
+    assert graded.result.verdict is Verdict.NOT_PASSED
+    assert graded.failed == ("interrupt",)
+    assert "Ctrl+C does not end the program" in graded.words("interrupt")
+
+
+def test_a_daemon_that_outlives_its_program(grade: Grade) -> None:
+    """With another pid every moment: the proof is that nothing of it is left."""
+    graded = grade({NODE: with_attack("daemon")}, guarantee="no process survives the grading")
+    assert graded.result.verdict is Verdict.PASSED, graded.result
+
+
+def test_one_that_stops_itself(grade: Grade) -> None:
+    graded = grade({NODE: with_attack("stops")}, guarantee="a stopped program is ended, too")
+    assert graded.result.verdict is Verdict.NOT_PASSED
+    assert graded.failed[-1] == "interrupt"
+
+
+@pytest.mark.parametrize("stopped", [False, True])
+def test_one_that_spoils_its_terminal(grade: Grade, stopped: bool) -> None:
+    """Raw, cleared, of a new size all the time, and with its output held back: the node itself is right."""
+    text = with_attack("terminal", STOPPED=stopped)
+    graded = grade({NODE: text}, guarantee="a spoilt terminal spoils nobody else's")
+    assert graded.result.verdict is Verdict.PASSED, graded.result
+    assert not [line for line in graded.printed if "\x1b" in line]
+
+
+@pytest.mark.parametrize("processes", [20, 120])
+def test_one_that_leaves_no_processor_to_others(grade: Grade, processes: int) -> None:
+    """It leaves too little to its own node, too; but a verdict comes, and no fault of ours."""
+    text = with_attack("busy", PROCESSES=processes)
+    graded = grade({NODE: text}, guarantee="busy programs do not starve the grader")
+    assert graded.result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED), graded.result
+    assert "realtime" in graded.held or not graded.printed

@@ -1,0 +1,148 @@
+"""What a learner's shell finds in the prefix of our own packages."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from course.rosenv.model import Ros
+from course.rosenv.underlay import add_build, fingerprint, is_built, packages_in
+from tests.rosenv.made_up import pip_ros, wheels, write
+from tests.rosenv.underlay.made_up import built, offer, underlay
+
+SITE = "lib/python3.11/site-packages"
+
+
+@pytest.fixture
+def ros(tmp_path: Path) -> Ros:
+    """Wheels whose Python is a real one."""
+    return replace(pip_ros(wheels(tmp_path / "venv")), python=Path(sys.executable))
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    return underlay(tmp_path / "it's $HERE" / "underlay")
+
+
+@pytest.fixture
+def prefix(tmp_path: Path, root: Path, ros: Ros) -> Path:
+    return offer(tmp_path / "a place" / "underlay", root, ros)
+
+
+def run(*command: str | Path, path: Path) -> subprocess.CompletedProcess[str]:
+    environment = {"PYTHONPATH": str(path), "PATH": "/usr/bin:/bin"}
+    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=60, check=False)
+
+
+@pytest.mark.parametrize(("script", "name"), [("bin/ros2", "ros2"), ("lib/demo/talker", "talker")])
+def test_scripts_run_with_their_arguments_and_end_with_their_code(
+    prefix: Path, script: str, name: str
+) -> None:
+    done = run(prefix / script, "two words", "'", path=prefix / SITE)
+    assert (done.returncode, done.stdout, done.stderr) == (7, f"{name} two words '\n", "")
+
+
+KILL = "import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n"
+RUN = "def run():\n    try:\n        {body}\n    except KeyboardInterrupt:\n        print('heard')\n"
+
+
+def test_ctrl_c_while_a_script_loads_ends_it_without_a_word(prefix: Path, root: Path) -> None:
+    main = root / "src/demo/demo/main.py"
+    write(main, KILL + RUN.format(body="pass"))
+    done = run(prefix / "lib/demo/talker", path=prefix / SITE)
+    assert (done.returncode, done.stdout, done.stderr) == (-signal.SIGINT, "", "")
+    write(main, RUN.format(body="import os, signal; os.kill(os.getpid(), signal.SIGINT)"))
+    assert run(prefix / "lib/demo/talker", path=prefix / SITE).stdout == "heard\n"
+
+
+def test_a_script_that_is_to_ignore_ctrl_c_does(prefix: Path, root: Path) -> None:
+    write(
+        root / "src/demo/demo/main.py",
+        f"{KILL}def run():\n    {KILL.splitlines()[1]}\n    print('goes on')\n",
+    )
+    ignoring = ("sh", "-c", 'trap "" INT; exec "$1"', "sh")
+    assert run(*ignoring, prefix / "lib/demo/talker", path=prefix / SITE).stdout == "goes on\n"
+
+
+def test_python_packages_are_those_of_the_source_folder(prefix: Path, root: Path) -> None:
+    write(root / "src/demo/demo/main.py", "def run():\n    print('edited')\n")
+    assert run(prefix / "lib/demo/talker", path=prefix / SITE).stdout == "edited\n"
+
+
+def test_the_index_knows_packages_and_their_interfaces(prefix: Path) -> None:
+    index = prefix / "share/ament_index/resource_index"
+    assert sorted(file.name for file in (index / "packages").iterdir()) == ["demo", "ros2cli", "words"]
+    assert (index / "rosidl_interfaces/words").read_text().split() == ["msg/Word.msg", "srv/Say.srv"]
+    assert (prefix / "share/words/msg/Word.msg").read_text() == "string text\n"
+    assert (prefix / "share/words/package.xml").is_file()
+
+
+def test_what_must_be_built_is_not_there_until_it_was_added(prefix: Path, tmp_path: Path) -> None:
+    assert not is_built(prefix, "words")
+    add_build(prefix, built(tmp_path / "install"))
+    assert is_built(prefix, "words")
+    assert run(sys.executable, "-c", "import words; print(words.REAL)", path=prefix / SITE).stdout == "True\n"
+    for file in ("lib/libwords__c.so", "include/words/words/word.h", "share/words/msg/Word.idl"):
+        assert (prefix / file).is_file(), file
+    assert not (prefix / "share/colcon-core").exists()
+    assert (prefix / "local_setup.bash").read_text() != "REAL = True\n", "the prefix's own was replaced"
+
+
+def test_a_build_that_was_removed_is_missing_again(prefix: Path, tmp_path: Path) -> None:
+    install = built(tmp_path / "install")
+    add_build(prefix, install)
+    install.rename(tmp_path / "gone")
+    assert not is_built(prefix, "words")
+
+
+def test_two_packages_share_their_folders(prefix: Path, tmp_path: Path) -> None:
+    write(tmp_path / "other/include/other/x.h", "")
+    write(tmp_path / "other/lib/libother.so", "")
+    add_build(prefix, built(tmp_path / "install"))
+    add_build(prefix, tmp_path / "other")
+    assert (prefix / "include/words/words/word.h").is_file()
+    assert (prefix / "include/other/x.h").is_file()
+
+
+def test_writing_it_anew_leaves_nothing_of_the_old_one(prefix: Path, root: Path, ros: Ros) -> None:
+    before = prefix.resolve()
+    (root / "src/demo/package.xml").unlink()
+    offer(prefix, root, ros)
+    assert not (prefix / "lib/demo").exists()
+    assert not before.exists()
+    assert [path.name for path in prefix.parent.iterdir() if path.name.startswith("underlay.")] == [
+        prefix.resolve().name
+    ]
+
+
+def test_an_arena_builds_nothing(prefix: Path) -> None:
+    command = [sys.executable, "-c", "import words"]
+    environment = {"PYTHONPATH": str(prefix / SITE), "ROS2COURSE_ARENA": "1"}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert "words was not built before it was needed" in done.stderr
+
+
+def test_the_fingerprint_changes_with_what_is_laid_out_or_compiled(root: Path) -> None:
+    seen = {fingerprint(packages_in(root))}
+    for file, text in (
+        ("words/msg/Word.msg", "int32 number\n"),
+        ("demo/setup.py", "setup()"),
+        ("demo/more/__init__.py", ""),
+        ("new/package.xml", "<package/>"),
+        ("new/CMakeLists.txt", ""),
+    ):
+        write(root / "src" / file, text)
+        if (root / "src/new/CMakeLists.txt").exists() or "new" not in file:
+            seen.add(fingerprint(packages_in(root)))
+    assert len(seen) == 5
+
+
+def test_code_that_is_used_as_it_stands_does_not_change_the_fingerprint(root: Path) -> None:
+    before = fingerprint(packages_in(root))
+    write(root / "src/demo/demo/main.py", "")
+    assert fingerprint(packages_in(root)) == before
