@@ -45,6 +45,8 @@ def five_messages_and_the_old_program(arena: Arena) -> None:
             timeout=4,
             while_running=node,
         )
+        # What a quick node printed may reach the log a moment later.
+        arena.until(lambda: arena.logged("Print") >= ENOUGH, timeout=1, while_running=node)
     arena.interrupt(node)
     if old:
         old.wait(5)

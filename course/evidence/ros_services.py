@@ -6,6 +6,7 @@ Both live in the recorder's node and are served by its thread.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from math import inf
 from typing import TYPE_CHECKING, Any
 
 from course.evidence.events import ServiceAnswered, ServiceCalled
@@ -97,6 +98,7 @@ class Server:
         self._class = _service_class(recorder, type_name)
         self._answer = answer
         self._answering = True
+        self._resumed = -inf  # when it began to answer again, on the time line
         self.service = service
         self.type = type_name
         self.requests = 0
@@ -126,7 +128,8 @@ class Server:
         self._answering = False
 
     def resume(self) -> None:
-        """Answer again; requests that came in between stay unanswered."""
+        """Answer again; requests that came in between stay unanswered, also those not yet looked at."""
+        self._resumed = self._recorder.timeline.now()
         self._answering = True
 
     def close(self) -> None:
@@ -143,7 +146,7 @@ class Server:
         data, client = self._recorder.serialised(request), self._only_client()
         self._bytes += len(data)
         timeline.add(ServiceCalled(moment, self.service, self.type, "server", call, client, data))
-        fields = self._answer(request) if self._answering else None
+        fields = self._answer(request) if self._answering and moment >= self._resumed else None
         if fields is None:
             return
         response = filled(self._class.Response(), fields)
