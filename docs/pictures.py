@@ -4,7 +4,9 @@
     .venv/bin/python docs/pictures.py --check   say whether it is still so (exit 1 if not)
 
 Between `<!-- check:begin -->` and `<!-- check:end -->` of the README stands what two real checks of
-18-publisher print: one with a known mistake, one of the reference solution.
+18-publisher print: one with a known mistake, one of the reference solution. Between
+`<!-- validate:begin -->` and `<!-- validate:end -->` of validating.md stands what `validate` prints of a
+quiz: as it is, and with a mistake of which something else is claimed than is so.
 """
 
 from __future__ import annotations
@@ -12,9 +14,11 @@ from __future__ import annotations
 import argparse
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 from course.content import Course, open_course
@@ -24,9 +28,10 @@ ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"
 EXERCISE = "18-publisher"
 MISTAKE = "publisher-topic-plural"
-REGION = re.compile(r"(?<=<!-- check:begin -->\n).*?(?=<!-- check:end -->)", re.DOTALL)
-# Durations differ from run to run.
-SECONDS = re.compile(r"\d+\.\d+ s")
+VALIDATING = ROOT / "docs" / "validating.md"
+QUIZ = "16-interfaces-quiz"
+# Durations differ from run to run, and with them how wide their column is.
+SECONDS = re.compile(r" +\d+\.\d+( s|\n)")
 
 
 def main() -> int:
@@ -34,12 +39,45 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=raw)
     parser.add_argument("--check", action="store_true")
     only_check = parser.parse_args().check
-    before = README.read_text(encoding="utf-8")
-    after = REGION.sub(lambda _: picture(), before)
-    if only_check:
-        return 0 if SECONDS.sub("", after) == SECONDS.sub("", before) else 1
-    README.write_text(after, encoding="utf-8")
-    return 0
+    fresh = [
+        drawn(README, "check", picture, write=not only_check),
+        drawn(VALIDATING, "validate", validated, write=not only_check),
+    ]
+    return 0 if all(fresh) or not only_check else 1
+
+
+def drawn(document: Path, name: str, draw: Callable[[], str], *, write: bool) -> bool:
+    """Whether the document's picture was as it is drawn now."""
+    region = re.compile(rf"(?<=<!-- {name}:begin -->\n).*?(?=<!-- {name}:end -->)", re.DOTALL)
+    before = document.read_text(encoding="utf-8")
+    after = region.sub(lambda _: draw(), before)
+    if write:
+        document.write_text(after, encoding="utf-8")
+    return SECONDS.sub("", after) == SECONDS.sub("", before)
+
+
+def validated() -> str:
+    """A sound exercise, and one of which too much is claimed."""
+    with tempfile.TemporaryDirectory() as folder:
+        chapter = open_course(ROOT).exercise(QUIZ).folder
+        for part in (chapter, ROOT / "solutions" / chapter.name):
+            if part.is_dir():
+                shutil.copytree(part, Path(folder, part.relative_to(ROOT)))
+        Path(folder, "graders").mkdir()
+        mistakes = Path(folder, "chapters", chapter.name, "mistakes.yaml")
+        words = ("--course", folder, "validate", QUIZ, "--jobs", "1")
+        sound = run(*words, cwd=Path(folder))
+        text = mistakes.read_text(encoding="utf-8")
+        first = re.search(r"says: \[.*\]", text)
+        assert first is not None
+        mistakes.write_text(text.replace(first[0], "says: [a circle]", 1), encoding="utf-8")
+        broken = run(*words, cwd=Path(folder))
+    shown = f"$ ./ros2course validate {QUIZ}\n"
+    return "```console\n" + "\n".join(shown + tidy(text) for text in (sound, broken)) + "```\n"
+
+
+def tidy(text: str) -> str:
+    return "".join(f"{line.rstrip()}\n" for line in text.splitlines())
 
 
 def picture() -> str:
@@ -62,10 +100,12 @@ def checked(course: Course, mistaken: bool) -> str:
         return "\n".join(line.rstrip() for line in run("--home", folder, "check", EXERCISE).splitlines())
 
 
-def run(*words: str) -> str:
-    environment = {**os.environ, "COLUMNS": "80", "NO_COLOR": "1", "ROS2COURSE_LAUNCHER": "./ros2course"}
+def run(*words: str, cwd: Path = ROOT) -> str:
+    kept = {name: value for name, value in os.environ.items() if name != "GITHUB_ACTIONS"}
+    settings = {"COLUMNS": "80", "NO_COLOR": "1", "ROS2COURSE_LAUNCHER": "./ros2course"}
+    environment = {**kept, **settings, "PYTHONPATH": str(ROOT)}
     command = [sys.executable, "-m", "course", *words]
-    done = subprocess.run(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True, check=False)
+    done = subprocess.run(command, cwd=cwd, env=environment, stdout=subprocess.PIPE, text=True, check=False)
     return done.stdout
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import secrets
 from functools import partial
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from course.arena.arena import Arena
 from course.arena.process import Process
@@ -25,7 +26,7 @@ from course.grading.expect.programs import expect_clean_interrupt, expect_runnin
 from course.grading.expect.reactions import first_reaction
 from course.grading.explain.python_code import calls
 from course.grading.explain.timers import timer_cause, timer_places
-from course.grading.stimulus import quotes_to_say
+from course.grading.stimulus import words
 
 if TYPE_CHECKING:
     from course.evidence.recorder import Stimulus
@@ -254,3 +255,24 @@ def subscriber_dependencies(recording: Recording) -> None:
 @subscriber.check("interrupt", "Ctrl+C ends it in silence", needs="survives")
 def subscriber_interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, SUBSCRIBER)
+
+
+def quotes_to_say() -> list[dict[str, Any]]:
+    """Six AmazingQuotes as dicts: plain, unicode, quotes within quotes, empty, long, plain.
+
+    The texts are random, so that a node can only have them from the message; ids have five
+    digits, by turns odd and even.
+    """
+    texts = [
+        words(4),
+        f"{words(2)} häufig – çà et là, 日本語 ✓ {words(1)}",
+        f"{words(1)} said: \"{words(2)} 'and' {words(1)}\"",
+        "",
+        words(60),
+        words(5),
+    ]
+    start = 10_000 + secrets.randbelow(80_000)
+    return [
+        {"id": start + 7 * index, "quote": text, "philosopher_name": f"Professor {words(1)} {words(1)}"}
+        for index, text in enumerate(texts)
+    ]

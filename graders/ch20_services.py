@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import secrets
 from functools import partial
 from math import inf, isclose
+from typing import Any
 
 from course.arena.arena import Arena
 from course.arena.process import Process
@@ -33,7 +35,7 @@ from course.grading.expect.services import (
 )
 from course.grading.explain.python_code import calls, text_places
 from course.grading.explain.services import case_sensitive
-from course.grading.stimulus import Oracle, quotes_about_life
+from course.grading.stimulus import words
 
 PACKAGE = "python_package_that_uses_the_services"
 INTERFACES = "package_with_interfaces"
@@ -255,7 +257,7 @@ def late_then_silent(arena: Arena) -> None:
     """The service comes when the client has said that it waits; later it stops answering for a while."""
     node = arena.run(PACKAGE, CLIENT)
     if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
-        arena.until(lambda: arena.logged(""), timeout=3, while_running=node)
+        arena.until(lambda: arena.logged(""), timeout=6, while_running=node)
         arena.mark(COMES)
         oracle = Oracle()
         shop = arena.serve(SERVICE, TYPE, oracle)
@@ -424,3 +426,42 @@ def client_dependencies(recording: Recording) -> None:
 @client.check("interrupt", "Ctrl+C ends it in silence", needs="survives")
 def client_interrupt(recording: Recording) -> None:
     expect_clean_interrupt(about_client(recording), CLIENT)
+
+
+def quotes_about_life() -> list[dict[str, Any]]:
+    """Nine AmazingQuotes: five hold the word life, in any case; of the others two say the same."""
+    same = words(4)
+    texts = [
+        f"{words(2)} that is life",
+        same,
+        f"Life {words(3)}",
+        "",
+        f"{words(2)} THE MEANING OF LIFE",
+        same,
+        f"{words(1)} of a lifetime {words(1)}",
+        f"{words(2)} «häufig», 日本語",
+        f"{words(2)} liFE, {words(1)}",
+    ]
+    start = 10_000 + secrets.randbelow(80_000)
+    return [
+        {"id": start + index, "quote": text, "philosopher_name": f"Professor {words(1)}"}
+        for index, text in enumerate(texts)
+    ]
+
+
+class Oracle:
+    """Answers each WhatIsThePoint with a point that nobody knows, and remembers what was asked and given.
+
+    about_life: which kinds of quote were asked. given: the digits of each point's x, y and z; the numbers
+    are whole, so that every way to write a float shows them.
+    """
+
+    def __init__(self) -> None:
+        self.about_life: set[bool] = set()
+        self.given: list[tuple[str, ...]] = []
+
+    def __call__(self, request: Any) -> dict[str, Any]:
+        numbers = [1000 + secrets.randbelow(9000) for _ in "xyz"]
+        self.about_life.add("life" in request.quote.quote.lower())
+        self.given.append(tuple(map(str, numbers)))
+        return {"point": dict(zip("xyz", map(float, numbers), strict=True))}

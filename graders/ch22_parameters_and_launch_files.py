@@ -117,7 +117,10 @@ def answers(arena: Arena, calls: tuple[Call, ...], node: Process) -> bool:
 
 
 def with_others(arena: Arena, asked: Parameters, others: Listener) -> None:
+    # What is asked of the first one, which is still known for a moment, is never answered.
+    arena.until(lambda: asked.node not in arena.graph.nodes, timeout=2)
     node = arena.run(PACKAGE, EXECUTABLE, params=GIVEN, name=SECOND_RUN)
+    arena.until(lambda: asked.node in arena.graph.nodes, timeout=15, while_running=node)
     if node and ask(arena, asked, node):
         arena.until(lambda: others.count, timeout=3, while_running=node)
         if others.count:

@@ -16,7 +16,8 @@ FLOORS = (
     ("rosenv", "content"),
     ("build", "arena", "evidence"),
     ("home", "progress", "grading", "report"),
-    ("batch", "watch"),
+    ("authoring", "batch", "watch"),
+    ("validate",),
     ("cli",),
     ("__main__",),
 )
@@ -35,6 +36,7 @@ HOMES = {
     "rclpy": ("course.evidence.recorder", "course.arena.type_probe", "course.arena.player"),
     "rich": ("course.report", "course.watch"),
     "typer": ("course.cli",),
+    "jinja2": ("course.report.page",),
     "sqlite3": ("course.progress", "course.batch"),
 }
 

@@ -11,10 +11,10 @@ from course.batch.model import Task
 from course.content import open_course
 from course.errors import CourseError
 from course.feedback import Feedback
-from course.grading.check import check_exercise
+from course.grading.check import Judge, check_exercise
 from course.grading.load import runs_programs
 from course.grading.outcome import our_error
-from course.grading.result import Result, Verdict
+from course.grading.result import Result, Timing, Verdict
 from course.home.model import is_home, read_marker
 from course.rosenv import cache_dir, find_ros
 
@@ -24,10 +24,13 @@ MOST_LAG = 0.1
 _BUSY = 0.5
 
 
-def grade(task: Task, home: Path) -> Result:
-    """The verdict, never believing that a loaded machine, or a fault of ours, is the learner's."""
+def grade(task: Task, home: Path, judge: Judge | None = None) -> Result:
+    """The verdict, never believing that a loaded machine, or a fault of ours, is the learner's.
+
+    judge: who judges what is recorded; None for the grading process itself.
+    """
     try:
-        result = _checked(task, home)
+        result = _checked(task, home, judge)
     except CourseError as error:
         return _fault(task, Feedback(summary=error.what, advice=error.next_step))
     except Exception as error:  # noqa: BLE001 - kept and shown; the others of the batch go on
@@ -40,12 +43,15 @@ def grade(task: Task, home: Path) -> Result:
 
 def is_lagging(result: Result) -> bool:
     """Whether something was marked as wrong while the machine was too busy to know."""
-    if result.verdict is not Verdict.NOT_PASSED or result.timing.lag <= MOST_LAG:
-        return False
-    return result.timing.cpu < _BUSY * max(result.timing.evidence, 1.0)
+    return result.verdict is Verdict.NOT_PASSED and was_disturbed(result.timing)
 
 
-def _checked(task: Task, home: Path) -> Result:
+def was_disturbed(timing: Timing) -> bool:
+    """Whether the machine was too busy to measure, and not with the submission's own programs."""
+    return timing.lag > MOST_LAG and timing.cpu < _BUSY * max(timing.evidence, 1.0)
+
+
+def _checked(task: Task, home: Path, judge: Judge | None) -> Result:
     course = open_course(Path(task.course) if task.course else None, cache=cache_dir(os.environ) / "lessons")
     exercise = course.exercise(task.unit.exercise)
     return check_exercise(
@@ -56,6 +62,7 @@ def _checked(task: Task, home: Path) -> Result:
         local=False,
         seed=seed_of(task.unit.person, home),
         namespaces=True,
+        judge=judge,
     )
 
 

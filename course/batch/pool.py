@@ -1,4 +1,4 @@
-"""Worker processes of this machine: tasks in, gradings out, whatever becomes of a worker."""
+"""Worker processes of this machine: tasks in, answers out, whatever becomes of a worker."""
 
 from __future__ import annotations
 
@@ -11,37 +11,53 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Generator
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Generic, TypeVar
 
 import course
-from course.batch.model import Graded, Task, graded_from_line, task_to_line
-from course.feedback import Feedback
-from course.grading.result import Result, Verdict
 
 _END_TIME = 10.0
 _DEATH_TIME = 1.0
-_WORKER = "course.batch.worker"
 # After this a worker is thought to hang: no exercise with its build may take as long.
 TIME_LIMIT = 1800.0
 
-NextTask = Callable[[], Task | None]
+Task = TypeVar("Task")
+Answer = TypeVar("Answer")
 
 
-class Pool:
+@dataclass(frozen=True)
+class Work(Generic[Task, Answer]):
+    """What workers do. worker: the module that is run, with the descriptor for its answers as argument.
+
+    write: a task as a line. read: an answer of a line; raises ValueError, KeyError or TypeError when no
+    worker wrote it. fits: whether the answer is one to this task. failed: the answer when the worker fell;
+    the text goes on after «The worker», e.g. «ended with -9».
+    """
+
+    worker: str
+    write: Callable[[Task], str]
+    read: Callable[[str], Answer]
+    fits: Callable[[Task, Answer], bool]
+    failed: Callable[[Task, str], Answer]
+
+
+class Pool(Generic[Task, Answer]):
     """`jobs` workers, each of which asks for its next task by itself.
 
     next_task: called from several threads, one at a time; None when there is nothing (more) to do.
     """
 
-    def __init__(self, jobs: int, next_task: NextTask) -> None:
+    def __init__(self, work: Work[Task, Answer], jobs: int, next_task: Callable[[], Task | None]) -> None:
+        self._work = work
         self._next_task = next_task
         self._one_at_a_time = threading.Lock()
-        self._done: queue.Queue[Graded | BaseException | None] = queue.Queue()
+        self._done: queue.Queue[tuple[Answer] | BaseException | None] = queue.Queue()
         self._stopping = threading.Event()
-        self._workers: list[Worker] = []
-        self._threads = [threading.Thread(target=self._work, name=f"worker {n}") for n in range(jobs)]
+        self._workers: list[Worker[Task, Answer]] = []
+        self._threads = [threading.Thread(target=self._look_after, name=f"worker {n}") for n in range(jobs)]
 
-    def results(self) -> Generator[Graded, None, None]:
+    def results(self) -> Generator[Answer, None, None]:
         """As they come, until there is no more to do. Whatever ends the iteration ends the workers."""
         for thread in self._threads:
             thread.start()
@@ -54,7 +70,7 @@ class Pool:
                 if found is None:
                     running -= 1
                 else:
-                    yield found
+                    yield found[0]
         finally:
             self._stop()
 
@@ -67,13 +83,13 @@ class Pool:
             for thread in self._threads:
                 thread.join(max(0.0, deadline - time.monotonic()))
 
-    def _work(self) -> None:
+    def _look_after(self) -> None:
         """One thread looks after one worker. The kernel ends the worker with this thread, too."""
         try:
-            with contextlib.closing(Worker()) as worker:
+            with contextlib.closing(Worker(self._work)) as worker:
                 self._workers.append(worker)
                 while (task := self._take()) is not None:
-                    self._done.put(worker.grade(task))
+                    self._done.put((worker.do(task),))
             self._done.put(None)
         except BaseException as error:  # noqa: BLE001 - raised in the main thread
             self._done.put(error)
@@ -83,28 +99,29 @@ class Pool:
             return None if self._stopping.is_set() else self._next_task()
 
 
-class Worker:
+class Worker(Generic[Task, Answer]):
     """A process that is started when it is needed, and anew when it died."""
 
-    def __init__(self) -> None:
+    def __init__(self, work: Work[Task, Answer]) -> None:
+        self._work = work
         self._process: subprocess.Popen[str] | None = None
 
-    def grade(self, task: Task) -> Graded:
+    def do(self, task: Task) -> Answer:
         if self._process is None:
             self._start()
         assert self._process is not None and self._process.stdin is not None
         with contextlib.suppress(BrokenPipeError):
-            self._process.stdin.write(task_to_line(task) + "\n")
+            self._process.stdin.write(self._work.write(task) + "\n")
             self._process.stdin.flush()
         if not select.select([self._reader], [], [], TIME_LIMIT)[0]:
-            return self._fault(task, f"did not finish within {TIME_LIMIT:.0f} s")
+            return self._fell(task, f"did not finish within {TIME_LIMIT:.0f} s")
         try:
-            graded = graded_from_line(self._reader.readline())
+            answer = self._work.read(self._reader.readline())
         except (ValueError, KeyError, TypeError):
-            return self._fault(task, self._how_it_ended())
-        if graded.unit != task.unit:
-            return self._fault(task, "answered for something else")
-        return graded
+            return self._fell(task, self._how_it_ended())
+        if not self._work.fits(task, answer):
+            return self._fell(task, "answered for something else")
+        return answer
 
     def interrupt(self) -> None:
         if (process := self._process) is not None:
@@ -132,7 +149,7 @@ class Worker:
         reading, writing = os.pipe()
         try:
             self._process = subprocess.Popen(
-                [sys.executable, "-m", _WORKER, str(writing)],
+                [sys.executable, "-m", self._work.worker, str(writing)],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.DEVNULL,
                 env=_environment(),
@@ -152,12 +169,11 @@ class Worker:
         except subprocess.TimeoutExpired:
             return "answered in words that make no sense"
 
-    def _fault(self, task: Task, what: str) -> Graded:
-        """Ours, whatever the submission did. The next task gets a new worker."""
+    def _fell(self, task: Task, how: str) -> Answer:
+        """The next task gets a new worker."""
         self.kill()
         self.close()
-        fault = Feedback(summary=f"The worker that graded it {what}.")
-        return Graded(task.unit, Result(task.unit.exercise, Verdict.OUR_ERROR, fault=fault), 0.0)
+        return self._work.failed(task, how)
 
 
 def _environment() -> dict[str, str]:

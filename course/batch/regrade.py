@@ -70,9 +70,7 @@ class _Regrading:
         for person in self._names:
             for stored in results.gradings(person):
                 self._stored[person, stored.unit.exercise] = stored
-        self._exercises = {
-            name: _exercise(course, name) for name in sorted({key[1] for key in self._stored})
-        }
+        self._exercises = {name: _exercise(course, name) for name in sorted({key[1] for key in self._stored})}
         self._moved: list[Moved] = []
         self._lacking: list[Lacking] = []
 

@@ -114,6 +114,13 @@ class Results:
                 raise
         return cls(database)
 
+    @classmethod
+    def look(cls, folder: Path) -> Results:
+        """For reading alone, also while somebody grades into it. Raises as `open` does."""
+        results = cls.open(folder, create=False)
+        results._run("PRAGMA query_only = ON")
+        return results
+
     def __enter__(self) -> Results:
         return self
 
@@ -187,6 +194,11 @@ class Results:
         )
         return [Stored(Unit(*row[:3]), _result(row[3]), row[4], row[5]) for row in rows.fetchall()]
 
+    def evidence(self) -> dict[tuple[str, str], str]:
+        """Where recordings are, relative to the results' folder, by person and exercise."""
+        rows = self._run("SELECT person, exercise, evidence FROM gradings WHERE evidence IS NOT NULL")
+        return {(person, exercise): file for person, exercise, file in rows}
+
     def verdicts(self) -> dict[str, int]:
         """How many gradings ended with each verdict."""
         return dict(self._run("SELECT verdict, COUNT(*) FROM gradings GROUP BY verdict").fetchall())
@@ -199,6 +211,15 @@ class Results:
         """As if it had not been graded."""
         with self._writing():
             self._run("DELETE FROM gradings WHERE person = ? AND exercise = ?", unit.person, unit.exercise)
+
+    @contextlib.contextmanager
+    def at_one_moment(self) -> Iterator[None]:
+        """Whatever is read meanwhile is of the same moment, whoever writes."""
+        self._run("BEGIN")
+        try:
+            yield
+        finally:
+            self._run("ROLLBACK")
 
     @contextlib.contextmanager
     def all_or_nothing(self) -> Iterator[None]:

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Protocol
 
 import course
+from course.batch.gradings import GradingPool, NextTask
 from course.batch.homes import Homes
 from course.batch.model import Graded, Task, Unit
 from course.batch.plan import Planned, submission_of
-from course.batch.pool import NextTask, Pool
 from course.batch.results import Results
 from course.errors import CourseError, UsageError
 from course.feedback import Feedback
@@ -120,7 +120,7 @@ def run(
 
 def _local(jobs: int) -> Rounds:
     def rounds(next_task: NextTask, *, waiting: int, alone: bool) -> Generator[Graded, None, None]:
-        return Pool(1 if alone else min(jobs, max(1, waiting)), next_task).results()
+        return GradingPool(1 if alone else min(jobs, max(1, waiting)), next_task).results()
 
     return rounds
 

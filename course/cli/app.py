@@ -16,17 +16,22 @@ from course.cli import (
     hint,
     init,
     listing,
+    new,
     next_,
     play,
     regrade,
+    report,
     reset,
+    schema,
+    serve,
     shell,
     show,
     similar,
     solution,
     underlay,
+    validate,
 )
-from course.cli.options import Options
+from course.cli.options import Options, course_named
 from course.cli.words import PROGRAM, examples
 
 EPILOG = (
@@ -65,8 +70,13 @@ def program(
         typer.Option("--home", metavar="DIR", help="The course home to work in.", show_default=False),
     ] = None,
     course: Annotated[
-        Path | None,
-        typer.Option("--course", metavar="DIR", help="Another course than the one that comes along."),
+        str | None,
+        typer.Option(
+            "--course",
+            metavar="DIR",
+            help="Another course: its folder, or the name of an installed package.",
+            show_default=False,
+        ),
     ] = None,
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version.")
@@ -76,9 +86,10 @@ def program(
 
     Your work lies in a course home: the folder given with --home, else in the
     environment variable ROS2COURSE_HOME, else the one you are in, else
-    ~/ros2course. `next` makes it when there is none.
+    ~/ros2course. `next` makes it when there is none. One that was made with
+    --course remembers it.
     """
-    ctx.obj = Options(home=home, course=course)
+    ctx.obj = Options(home=home, course=course_named(course))
     if ctx.invoked_subcommand is None:
         typer.echo(ctx.get_help())
 
@@ -97,8 +108,13 @@ for command, name, epilog in (
     (shell.env, "env", shell.ENV_EXAMPLES),
     (grade.grade, "grade", grade.EXAMPLES),
     (regrade.regrade, "regrade", regrade.EXAMPLES),
+    (report.report, "report", report.EXAMPLES),
+    (serve.serve, "serve", serve.EXAMPLES),
     (bundle.make_bundle, "bundle", bundle.EXAMPLES),
     (similar.similar, "similar", similar.EXAMPLES),
+    (new.new, "new", new.EXAMPLES),
+    (schema.schema, "schema", schema.EXAMPLES),
+    (validate.validate, "validate", validate.EXAMPLES),
     (doctor.doctor, "doctor", doctor.EXAMPLES),
     (underlay.build_underlay, "build-underlay", underlay.EXAMPLES),
 ):

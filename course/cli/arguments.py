@@ -9,12 +9,12 @@ import typer
 
 def complete_exercise(ctx: typer.Context, incomplete: str) -> list[tuple[str, str]]:
     """Exercise ids with their titles. In the middle of a command line, a fault only means no help."""
-    from course.cli.desk import course_of
+    from course.cli.desk import course_here
     from course.cli.options import options_of
     from course.errors import CourseError
 
     try:
-        exercises = course_of(options_of(ctx)).exercises()
+        exercises = course_here(options_of(ctx)).exercises()
     except CourseError:
         return []
     return [(one.id, one.title) for one in exercises if one.id.startswith(incomplete)]

@@ -30,14 +30,16 @@ def init(
 ) -> None:
     """Make a course home, the folder in which you work.
 
-    Nothing that is there already is changed.
+    Nothing that is there already is changed. With --course, commands in it are
+    about that course from then on.
     """
     from course.cli.homes import make_home, place_for
     from course.cli.options import options_of
     from course.report.console import open_console, put_steps
 
     console = open_console()
-    make_home(console, folder or place_for(options_of(ctx)))
+    options = options_of(ctx)
+    make_home(console, folder or place_for(options), options.course)
     _show_setup_line(console)
     put_steps(console, [(typed("next"), "to begin"), (typed("shell"), "for a shell in it, with ROS 2 ready")])
 

@@ -10,7 +10,7 @@ import typer
 
 @dataclass(frozen=True)
 class Options:
-    """`home` and `course` as given on the command line, or None."""
+    """`home` and `course` (its folder) as given on the command line, or None."""
 
     home: Path | None = None
     course: Path | None = None
@@ -21,7 +21,14 @@ def options_of(ctx: typer.Context) -> Options:
     if isinstance(ctx.obj, Options):
         return ctx.obj
     given = ctx.find_root().params
-    return Options(home=_path(given.get("home")), course=_path(given.get("course")))
+    return Options(home=_path(given.get("home")), course=course_named(given.get("course")))
+
+
+def course_named(value: object) -> Path | None:
+    """The folder of the course that --course names. Raises UsageError when there is none of that name."""
+    from course.content.named import named_course
+
+    return named_course(str(value)) if value else None
 
 
 def _path(value: object) -> Path | None:

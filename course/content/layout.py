@@ -12,6 +12,8 @@ LESSON_TEXT = "lesson.md"
 MISTAKES = "mistakes.yaml"
 ALTERNATIVE = "alternative.yaml"
 PARTS = ("chapters", "graders", "solutions")
+# In every course home and solution: where the packages of exercises lie, and are built.
+WORKSPACE = "ros2_tutorial_workspace"
 CHAPTER_FOLDER = re.compile(r"(\d\d)-[a-z0-9]+(-[a-z0-9]+)*")
 
 

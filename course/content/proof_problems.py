@@ -8,6 +8,7 @@ from pathlib import Path
 
 from course.content import layout
 from course.content.document import Document, Place
+from course.content.edited import Edited
 from course.content.model import Edit, Mistake
 from course.content.names import did_you_mean
 from course.content.proofs import read_alternatives, read_mistakes
@@ -55,26 +56,30 @@ def _missing_deletes(document: Document, files: tuple[str, ...], solution: Path)
 def _edit_problems(
     document: Document, mistake: Mistake, place: Place, solution: Path
 ) -> Iterator[ContentError]:
-    """Only the first edit of a file can be judged by the solution as it is; later ones build on it."""
-    touched: set[str] = set()
+    """Each edit is judged by what those before it made of the solution."""
+    edited = Edited(solution)
     for index, edit in enumerate(mistake.edits):
-        if edit.file not in touched:
-            yield from _edit_problem(document, edit, (*place, index), solution)
-        touched |= {edit.file, edit.rename or edit.file}
+        yield from _edit_problem(document, edit, (*place, index), edited)
+        edited.apply(edit)
 
 
-def _edit_problem(document: Document, edit: Edit, place: Place, solution: Path) -> Iterator[ContentError]:
-    file = solution / edit.file
+def _edit_problem(document: Document, edit: Edit, place: Place, edited: Edited) -> Iterator[ContentError]:
     if edit.answers is not None:
         yield from _answers_problem(document, edit, place)
         return
     if edit.content is not None or _MADE.match(edit.file):
         return
-    if not file.is_file():
-        yield _no_file(document, edit.file, solution, (*place, "file"))
-    elif edit.replace is not None and edit.replace not in file.read_text(encoding="utf-8", errors="replace"):
+    text = edited.text(edit.file)
+    if text is None and (edited.solution / edit.file).is_file():
+        what = f"an edit before this one took `{edit.file}` away"
+        yield document.error(what, "change their order, or name the file as it is called then", place=place)
+    elif text is None:
+        yield _no_file(document, edit.file, edited.solution, (*place, "file"))
+    elif edit.replace is not None and edit.replace not in text:
         what = f"this text does not occur in {edit.file}"
         advice = "copy the text from the reference solution, with its spaces and line ends"
+        if text != Edited(edited.solution).text(edit.file):
+            advice += "; an edit before this one has changed the file"
         yield document.error(what, advice, place=(*place, "replace"))
 
 

@@ -6,13 +6,15 @@ import math
 import re
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, Field, WithJsonSchema
 
-from course.content.schema_parts import Line, Slug, Strict, Text, wrong
+from course.content.schema_parts import Line, Slug, Strict, Text, one_of, wrong
+
+_SHARE = r"^\d+(\.\d+)?\s?%$"
 
 
 def _tolerance(value: Any) -> Any:
-    is_share = isinstance(value, str) and re.fullmatch(r"\d+(\.\d+)?\s?%", value)
+    is_share = isinstance(value, str) and re.fullmatch(_SHARE, value)
     is_width = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < math.inf
     if not is_share and not is_width:
         raise wrong(f"must be a number from 0 on, or a share like `10%`, not `{value}`")
@@ -51,12 +53,16 @@ class ChoiceSchema(Strict):
 class KnownSchema(Strict):
     """One entry of `wrong`: an answer that learners are known to give."""
 
-    answer: Annotated[Any, AfterValidator(_short)] = Field(description="a text or a number that is wrong")
+    answer: Annotated[Any, AfterValidator(_short), WithJsonSchema({"type": ["string", "number"]})] = Field(
+        description="a text or a number that is wrong"
+    )
     why: Text = Field(description="what is wrong about it, without saying what is right")
 
 
 class QuestionSchema(Strict):
     """One entry of `questions` in lesson.yaml; `question_problems` holds what spans keys."""
+
+    model_config = one_of(("choices",), ("text",), ("all_of",), ("number",), ("computed",))
 
     id: Slug = Field(description="a short name in small letters, unique in the exercise: `tab-key`")
     ask: Text = Field(description="the question, in Markdown; its first line is the check's title")
@@ -67,9 +73,11 @@ class QuestionSchema(Strict):
     all_of: list[Line] = Field(default=[], description="a list of short texts that are wanted all")
     exact: bool = Field(default=False, description="`true` when capitals and blanks in a text count")
     number: Annotated[float, AfterValidator(_finite)] | None = Field(default=None, description="the number")
-    tolerance: Annotated[Any, AfterValidator(_tolerance)] = Field(
-        default=0.0, description="how far off a number may be: `0.5`, or `10%` of it"
-    )
+    tolerance: Annotated[
+        Any,
+        AfterValidator(_tolerance),
+        WithJsonSchema({"type": ["number", "string"], "minimum": 0, "pattern": _SHARE}),
+    ] = Field(default=0.0, description="how far off a number may be: `0.5`, or `10%` of it")
     wrong: list[KnownSchema] = Field(default=[], description="a list of known wrong answers with `why`")
     explain: Text | None = Field(
         default=None, description="a text shown after a right answer, and after an unlisted wrong one"

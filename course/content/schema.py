@@ -8,7 +8,15 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
+from pydantic import (
+    AfterValidator,
+    ConfigDict,
+    Field,
+    ValidationInfo,
+    WithJsonSchema,
+    field_validator,
+    model_validator,
+)
 from typing_extensions import Self
 
 from course.content.question_schema import QuestionSchema
@@ -22,6 +30,7 @@ from course.content.schema_parts import (
     Slug,
     Strict,
     Text,
+    one_of,
     unempty,
     wrong,
 )
@@ -32,6 +41,19 @@ OPERATIONS = ("replace", "delete", "rename", "content", "mode", "answers")
 
 class ExerciseSchema(Strict):
     """One entry of `exercises` in lesson.yaml."""
+
+    # For editors: what `_enough` says.
+    model_config = ConfigDict(
+        json_schema_extra={
+            "anyOf": [
+                {"required": ["hints"], "properties": {"hints": {"minItems": FEWEST_HINTS}}},
+                {
+                    "required": ["questions"],
+                    "properties": {"questions": {"minItems": 1}, "packages": {"maxItems": 0}},
+                },
+            ]
+        }
+    )
 
     id: ExerciseId = Field(description="the chapter's two digits, a dash and a name: `18-publisher`")
     title: Line = Field(description="one line, shown as the exercise's heading")
@@ -92,11 +114,17 @@ def _answer_given(value: Any) -> Any:
 
 
 # As it stands in the answers file: a text, a number in quotes, or a list of texts.
-AnswerGiven = Annotated[Any, AfterValidator(_answer_given)]
+AnswerGiven = Annotated[
+    Any,
+    AfterValidator(_answer_given),
+    WithJsonSchema({"type": ["string", "array"], "items": {"type": "string"}}),
+]
 
 
 class EditSchema(Strict):
     """One entry of `edits` in mistakes.yaml: a file, and exactly one thing that is done to it."""
+
+    model_config = one_of(("replace", "with"), *((name,) for name in OPERATIONS if name != "replace"))
 
     file: HomePath = Field(description="a file of the solution, relative to the course home")
     replace: Text | None = Field(default=None, description="a text that occurs in the file; needs `with`")

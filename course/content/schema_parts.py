@@ -7,8 +7,14 @@ import re
 from pathlib import PurePosixPath
 from typing import Annotated
 
-from pydantic import AfterValidator, BaseModel, ConfigDict
+from pydantic import AfterValidator, BaseModel, ConfigDict, WithJsonSchema
 from pydantic_core import PydanticCustomError
+
+# As patterns, for Python and for the JSON Schema that editors check with.
+_EXERCISE_ID = r"\d\d-[a-z0-9]+(-[a-z0-9]+)*"
+_SLUG = r"[a-z0-9]+([-_][a-z0-9]+)*"
+_PACKAGE = r"[a-z][a-z0-9_-]*"
+_OCTAL = r"0?[0-7]{3}"
 
 
 def wrong(message: str) -> PydanticCustomError:
@@ -30,19 +36,19 @@ def _one_line(text: str) -> str:
 
 
 def _exercise_id(text: str) -> str:
-    if not re.fullmatch(r"\d\d-[a-z0-9]+(-[a-z0-9]+)*", text):
+    if not re.fullmatch(_EXERCISE_ID, text):
         raise wrong(f"must look like `18-publisher`, not `{text}`")
     return text
 
 
 def _slug(text: str) -> str:
-    if not re.fullmatch(r"[a-z0-9]+([-_][a-z0-9]+)*", text):
+    if not re.fullmatch(_SLUG, text):
         raise wrong(f"must be small letters, digits and dashes, not `{text}`")
     return text
 
 
 def _package(text: str) -> str:
-    if not re.fullmatch(r"[a-z][a-z0-9_-]*", text):
+    if not re.fullmatch(_PACKAGE, text):
         raise wrong(f"must be the name of a ROS package (small letters, digits, underscores), not `{text}`")
     return text
 
@@ -57,7 +63,7 @@ def _home_path(text: str) -> str:
 
 
 def _octal(text: str) -> str:
-    if not re.fullmatch(r"0?[0-7]{3}", text):
+    if not re.fullmatch(_OCTAL, text):
         raise wrong(f"must be an octal mode in quotes, like `'755'`, not `{text}`")
     return text
 
@@ -68,20 +74,34 @@ def _seconds(value: float) -> float:
     return value
 
 
+def one_of(*groups: tuple[str, ...]) -> ConfigDict:
+    """For editors: the keys of exactly one of these groups are given."""
+    return ConfigDict(json_schema_extra={"oneOf": [{"required": list(group)} for group in groups]})
+
+
 def unempty(items: list[str]) -> list[str]:
     if not items:
         raise wrong("must not be an empty list")
     return items
 
 
-Text = Annotated[str, AfterValidator(_filled)]
-Line = Annotated[str, AfterValidator(_one_line)]
-ExerciseId = Annotated[str, AfterValidator(_exercise_id)]
-Slug = Annotated[str, AfterValidator(_slug)]
-Package = Annotated[str, AfterValidator(_package)]
-HomePath = Annotated[str, AfterValidator(_home_path)]
-Mode = Annotated[str, AfterValidator(_octal)]
-Seconds = Annotated[float, AfterValidator(_seconds)]
+def _like(pattern: str) -> WithJsonSchema:
+    """What an editor is told of a text."""
+    return WithJsonSchema({"type": "string", "pattern": pattern})
+
+
+Text = Annotated[str, AfterValidator(_filled), _like(r"\S")]
+Line = Annotated[str, AfterValidator(_one_line), _like(r"^\s*\S[^\n]*\s*$")]
+ExerciseId = Annotated[str, AfterValidator(_exercise_id), _like(f"^{_EXERCISE_ID}$")]
+Slug = Annotated[str, AfterValidator(_slug), _like(f"^{_SLUG}$")]
+Package = Annotated[str, AfterValidator(_package), _like(f"^{_PACKAGE}$")]
+HomePath = Annotated[str, AfterValidator(_home_path), _like(r"^(?!/|~|\./)[^\\]+$")]
+Mode = Annotated[str, AfterValidator(_octal), _like(f"^{_OCTAL}$")]
+Seconds = Annotated[
+    float,
+    AfterValidator(_seconds),
+    WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": 3600}),
+]
 
 
 class Strict(BaseModel):

@@ -56,7 +56,7 @@ class Service:
 
 @dataclass(frozen=True)
 class Graph:
-    """Who was there. Names are full (`/amazing_quote`); everything is sorted."""
+    """Who was there. Names are full (`/chatter`); everything is sorted."""
 
     nodes: tuple[str, ...] = ()
     endpoints: tuple[Endpoint, ...] = ()

@@ -83,7 +83,7 @@ class Recording:
         return Decoder(self.definitions)
 
     def topic(self, name: str) -> TopicView:
-        """What was received on a topic, by its full name (`/amazing_quote`)."""
+        """What was received on a topic, by its full name (`/chatter`)."""
         return TopicView(name, self.messages(name), self.lost(name), self.duration)
 
     def messages(self, topic: str) -> tuple[Message, ...]:

@@ -16,7 +16,7 @@ class Judgement:
     """What the grading process found. evidence: seconds that the scenario took.
 
     lag: seconds that the process had to wait for a CPU at worst meanwhile. cpu: seconds of it that the
-    submission's programs used.
+    submission's programs used. judged: False where the recording was kept for somebody else to judge.
     """
 
     checks: tuple[CheckResult, ...]
@@ -24,6 +24,7 @@ class Judgement:
     fault: Feedback | None = None
     lag: float = 0.0
     cpu: float = 0.0
+    judged: bool = True
 
 
 class Channel:
@@ -52,6 +53,6 @@ def read_message(line: str) -> str | Judgement:
             return str(data["text"])
         checks = tuple(check_from_dict(item) for item in data["checks"])
         fault = feedback_from_dict(data["fault"])
-        return Judgement(checks, data["evidence"], fault, data["lag"], data["cpu"])
+        return Judgement(checks, data["evidence"], fault, data["lag"], data["cpu"], data["judged"])
     except (KeyError, TypeError) as error:
         raise ValueError(f"this is no message of the grading process: {error}") from error

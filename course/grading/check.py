@@ -11,6 +11,7 @@ import contextlib
 import sys
 import time
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,7 @@ from course.arena.sandbox.view import hidden, shown
 from course.build import BuildOutcome, Interrupt, Store, Workspace, build
 from course.build.underlay import provide
 from course.content import Exercise
+from course.content.layout import WORKSPACE
 from course.errors import OurFault
 from course.grading.channel import Judgement
 from course.grading.job import Job
@@ -36,12 +38,12 @@ from course.grading.supervisor import Supervisor
 from course.grading.workers import workers
 from course.rosenv import Ros, node_environment, places_of, plain_environment, prepare
 
-WORKSPACE = "ros2_tutorial_workspace"
 STATE = ".ros2course"
 
 ON_OWN_MACHINE = "It is about your own machine, and no part of what is handed in."
 
 Progress = Callable[[str], None]
+Judge = Callable[[Exercise, Path], Judgement]
 
 
 def check_exercise(
@@ -55,6 +57,7 @@ def check_exercise(
     evidence: Path | None = None,
     local: bool = True,
     seed: int | None = None,
+    judge: Judge | None = None,
 ) -> Result:
     """Grade `exercise` as it stands in the course home `home`.
 
@@ -64,6 +67,7 @@ def check_exercise(
     local: False for a submission: what is about the learner's own machine is then not applicable.
     ros: None only where `load.runs_programs` says that none is needed. seed: the learner's own (see
     `CourseHome.seed`), or one made of their submission's name; needed for mysteries.
+    judge: judges the recording kept in `evidence`, in place of the grading process (see `rejudge.Beside`).
     Raises MissingHere and StorageError for what this machine lacks; KeyboardInterrupt passes
     through after everything that was started has ended.
     """
@@ -85,11 +89,14 @@ def check_exercise(
             outcome = learners.result()
             built = time.monotonic()
             job = _job(exercise, home, ros, outcome, where, evidence, local, seed)
-            judgement = supervisor.grade(job, exercise.time_limit, on_progress)
+            job = replace(job, judge=judge is None)
+            recorded = supervisor.grade(job, exercise.time_limit, on_progress)
+        judgement = _judged(recorded, judge, exercise, evidence)
         if is_spoilt(judgement.checks):
             on_progress("watching your program once more")
             with Supervisor(where.around, node_environment(ros, reference)) as another:
-                judgement = another.grade(job, exercise.time_limit, on_progress)
+                recorded = another.grade(job, exercise.time_limit, on_progress)
+            judgement = _judged(recorded, judge, exercise, evidence)
     timing = Timing(
         build=round(built - began, 3),
         evidence=round(judgement.evidence, 3),
@@ -99,6 +106,13 @@ def check_exercise(
     )
     result = _result(exercise, judgement, timing, where.around.kind, where.around.missing)
     return with_questions(result, exercise, home, seed)
+
+
+def _judged(recorded: Judgement, judge: Judge | None, exercise: Exercise, evidence: Path | None) -> Judgement:
+    if recorded.judged or judge is None or evidence is None:
+        return recorded
+    said = judge(exercise, evidence)
+    return replace(recorded, checks=said.checks, fault=said.fault, judged=True)
 
 
 def _build(

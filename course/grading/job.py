@@ -21,6 +21,7 @@ class Job:
     the course home that become evidence. plain: the environment of programs that need no ROS.
     local: False when a submission is graded. seed: the exercise's own, for its mystery. acts: name and
     detail of what the learner did while it was played. sandbox: what their programs are confined to, or None.
+    judge: False where somebody else judges the recording kept in `evidence`.
     """
 
     exercise: str
@@ -37,6 +38,7 @@ class Job:
     seed: int | None = None
     acts: tuple[tuple[str, str], ...] = ()
     sandbox: Plan | None = None
+    judge: bool = True
 
 
 def to_line(job: Job) -> str:

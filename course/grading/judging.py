@@ -27,13 +27,16 @@ def judge(
     exercises: Collection[str],
     recordings: Iterable[Recording],
     tell: Callable[[Judgement], None],
+    over: Callable[[], None] = lambda: None,
 ) -> None:
     """Judge recordings of these exercises, all of which have their checks in the module `grader`.
 
     recordings: each is taken when the one before has been judged, so that they need not be held all.
     tell: gets one judgement for each, in their order; with a fault where the grader cannot be run.
+    over: called when pytest has ended; what it left of the recordings is told as a fault after that.
     pytest writes its progress to standard output.
     """
     plugin = JudgePlugin(exercises, recordings, tell)
     pytest.main([str(grader), f"--rootdir={grader.parent}", "-c", os.devnull, *_PYTEST], [plugin])
+    over()
     plugin.finish()

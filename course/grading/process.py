@@ -96,8 +96,11 @@ def _grade(job: Job, channel: Channel, folder: Path, launcher: socket) -> Judgem
     except Exception as error:  # noqa: BLE001 - whatever a scenario runs into is our error, kept and shown
         return Judgement((), 0.0, our_error(error))
     used = cpu_seconds([Path(group) for group in job.sandbox.control_groups]) if job.sandbox else 0.0
-    _keep(recording, job, channel)
-    return replace(_judge(recording, job), lag=lag.worst, cpu=used)
+    kept = _keep(recording, job, channel)
+    judgement = (
+        Judgement((), recording.duration, judged=False) if kept and not job.judge else _judge(recording, job)
+    )
+    return replace(judgement, lag=lag.worst, cpu=used)
 
 
 def _judge(recording: Recording, job: Job) -> Judgement:
@@ -108,16 +111,18 @@ def _judge(recording: Recording, job: Job) -> Judgement:
     return judgements[0]
 
 
-def _keep(recording: Recording, job: Job, channel: Channel) -> None:
+def _keep(recording: Recording, job: Job, channel: Channel) -> bool:
     """Save the evidence; that there is no room for it is no reason to withhold the verdict."""
     if job.evidence is None:
-        return
+        return False
     began = time.time_ns() - round(recording.duration * 1e9)
     scenario = scenario_digest(Path(job.grader), job.exercise, job.looks_at)
     try:
         save(replace(recording, scenario=scenario), Path(job.evidence), began_ns=began)
     except StorageError as error:
         channel.progress(error.what)
+        return False
+    return True
 
 
 def _record(job: Job, channel: Channel, folder: Path, launcher: socket) -> Recording:
@@ -150,8 +155,9 @@ def _record(job: Job, channel: Channel, folder: Path, launcher: socket) -> Recor
                 confined=confined,
             ) as arena,
         ):
-            # pytest judges afterwards; it loads while the scenario waits for the learner's program.
-            threading.Thread(target=importlib.import_module, args=(_JUDGING,), daemon=True).start()
+            if job.judge:
+                # pytest judges afterwards; it loads while the scenario waits for the learner's program.
+                threading.Thread(target=importlib.import_module, args=(_JUDGING,), daemon=True).start()
             try:
                 grader.scenario_function(arena)
             except Exception:

@@ -8,12 +8,13 @@ import secrets
 from collections.abc import Callable
 from pathlib import Path
 
+from course.content.layout import WORKSPACE
 from course.errors import StorageError, UsageError
 from course.home.model import MARKER, SCHEMA_VERSION, STATE, CourseHome, is_home, read_marker
 from course.home.storage import inside, storing, sweep, write_new
 
 FOLDERS = (
-    "ros2_tutorial_workspace/src",
+    f"{WORKSPACE}/src",
     "ros2_tutorials_preamble/python",
     "sas_tutorial_workspace/src",
     "cmake_tutorial",

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from course.content.layout import WORKSPACE
 from course.errors import StorageError, UsageError
 from course.home.storage import inside, storing
 
@@ -31,7 +32,7 @@ class CourseHome:
 
     @property
     def workspace(self) -> Path:
-        return self.path / "ros2_tutorial_workspace"
+        return self.path / WORKSPACE
 
     def seed(self) -> int:
         """The learner's own random number (63 bits), made once: what mysteries are drawn from."""

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import time
-from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from rich.console import Console
@@ -13,8 +10,11 @@ from rich.table import Table
 from rich.text import Text
 
 from course.grading.result import Result, Verdict
-from course.report import safe
+from course.report import safe, tally
 from course.report.console import put, put_prose
+from course.report.tally import progress
+
+__all__ = ["Row", "Tally", "line_of", "progress", "render_end", "render_plan"]
 
 _MARKS = {
     Verdict.PASSED: "passed",
@@ -66,50 +66,11 @@ def _exercises(ids: Sequence[str]) -> str:
     return ", ".join(ids) if len(ids) <= 4 else f"{', '.join(ids[:3])} and {len(ids) - 3} more"
 
 
-class Tally:
-    """What has been graded up to now, and how fast."""
-
-    def __init__(self, total: int, before: int) -> None:
-        self.total = total
-        self.done = before
-        self._before = before
-        self._since = time.monotonic()
-        self._verdicts: Counter[Verdict] = Counter()
+class Tally(tally.Tally):
+    """Gradings, by their verdicts."""
 
     def add(self, result: Result) -> None:
-        self.done += 1
-        self._verdicts[result.verdict] += 1
-
-    def line(self) -> str:
-        """For example: 12 of 60, 41 a minute, 1:10 left, 8 passed, 4 not passed."""
-        graded = self.done - self._before
-        minutes = (time.monotonic() - self._since) / 60
-        parts = [f"{self.done} of {self.total}"]
-        if graded and minutes > 0:
-            rate = graded / minutes
-            parts.append(f"{rate:.0f} a minute")
-            left = round((self.total - self.done) / rate * 60)
-            parts.append(f"{left // 60}:{left % 60:02} left")
-        parts += [f"{count} {_MARKS[verdict]}" for verdict, count in self._verdicts.items()]
-        return ", ".join(parts)
-
-
-@contextmanager
-def progress(console: Console) -> Iterator[Callable[[Tally, str | None], None]]:
-    """Yields what shows a tally: a bar on a terminal; elsewhere a plain line for each thing graded."""
-    if not console.is_terminal or console.is_dumb_terminal:
-        yield lambda tally, graded: put(console, f"{graded}  ({tally.line()})") if graded else None
-        return
-    from rich.progress import BarColumn, Progress, TextColumn
-
-    columns = (BarColumn(bar_width=24), TextColumn("{task.description}", markup=False))
-    with Progress(*columns, console=console, transient=True) as shown:
-        task = shown.add_task("", total=None)
-
-        def show(tally: Tally, graded: str | None) -> None:
-            shown.update(task, total=tally.total, completed=tally.done, description=tally.line())
-
-        yield show
+        self.count(_MARKS[result.verdict])
 
 
 def line_of(person: str, result: Result) -> str:

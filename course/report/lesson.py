@@ -72,8 +72,11 @@ def render_new_files(console: Console, home: Path, files: Sequence[Path]) -> Non
     put(console)
 
 
-def render_new_home(console: Console, home: Path, *, was_there: bool) -> None:
-    """That a course home was made, and what it is for; or that it was there already."""
+def render_new_home(console: Console, home: Path, *, was_there: bool, course: Path | None = None) -> None:
+    """That a course home was made, and what it is for; or that it was there already.
+
+    course: what it belongs to from now on, if that is to be said.
+    """
     if was_there:
         put(console, f"This is a course home already: {safe.one_line(str(home))}")
     else:
@@ -81,6 +84,8 @@ def render_new_home(console: Console, home: Path, *, was_there: bool) -> None:
         put_prose(
             console, "It is the folder you will work in. Where a lesson writes ~, it means this folder."
         )
+    if course is not None:
+        put(console, f"It is for the course {safe.one_line(str(course.absolute()))}")
     put(console)
 
 

@@ -4,21 +4,24 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import psutil
 import pytest
 
 from course.batch import pool
+from course.batch.gradings import GRADINGS
 from course.batch.model import Graded, Task, Unit
 from course.batch.pool import Pool
 from course.grading.result import Verdict
 from tests.batch.samples import people
 
+ODD = replace(GRADINGS, worker="tests.batch.odd_worker")
+
 
 @pytest.fixture(autouse=True)
 def odd_worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    monkeypatch.setattr(pool, "_WORKER", "tests.batch.odd_worker")
     monkeypatch.setattr(pool, "_DEATH_TIME", 0.5)
     before = set(psutil.Process().children(recursive=True))
     yield
@@ -32,7 +35,7 @@ def tasks(*exercises: str, evidence: Path = Path("none")) -> Iterator[Task]:
 
 def graded(each: Iterable[Task], jobs: int = 1) -> list[Graded]:
     waiting = iter(each)
-    return list(Pool(jobs, lambda: next(waiting, None)).results())
+    return list(Pool(ODD, jobs, lambda: next(waiting, None)).results())
 
 
 def test_each_task_is_answered_once() -> None:
@@ -84,7 +87,7 @@ def test_whoever_stops_listening_ends_the_workers(
     monkeypatch.setattr(pool, "_END_TIME", 1.0)
     begun = tmp_path / "begun"
     waiting = tasks("fine", way, "fine", evidence=begun)
-    results = Pool(1, lambda: next(waiting, None)).results()
+    results = Pool(ODD, 1, lambda: next(waiting, None)).results()
     next(results)
     while not begun.exists():
         threading.Event().wait(0.02)
@@ -97,4 +100,4 @@ def test_an_error_of_who_hands_out_tasks_comes_through() -> None:
         raise LookupError("no more")
 
     with pytest.raises(LookupError, match="no more"):
-        list(Pool(2, next_task).results())
+        list(Pool(ODD, 2, next_task).results())

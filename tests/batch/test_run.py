@@ -70,7 +70,7 @@ def batch(lay: Lay, quiz_course: Course, tmp_path: Path) -> Callable[..., Batch]
 def workers(monkeypatch: pytest.MonkeyPatch) -> Callable[[Answer], Workers]:
     def of(answer: Answer) -> Workers:
         stand_in = Workers(answer)
-        monkeypatch.setattr(running, "Pool", stand_in)
+        monkeypatch.setattr(running, "GradingPool", stand_in)
         return stand_in
 
     return of

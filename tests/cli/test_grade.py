@@ -58,7 +58,7 @@ class Pool:
 @pytest.fixture
 def pool(monkeypatch: pytest.MonkeyPatch) -> Pool:
     stand_in = Pool()
-    monkeypatch.setattr(running, "Pool", stand_in)
+    monkeypatch.setattr(running, "GradingPool", stand_in)
     monkeypatch.setattr(containment, "sandbox_obstacle", lambda: None)
     return stand_in
 

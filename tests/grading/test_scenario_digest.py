@@ -120,7 +120,7 @@ def test_what_does_not_change_the_evidence(toy: Path, file: str, old: str, new: 
         ("ch04_toys.py", "LONG = 5", "LONG = 6"),
         ("ch04_toys.py", "if text", "if not text"),
         ("ch04_toys.py", "ros=False", "ros=True"),
-        ("ch04_toys.py", "stimulus import words", "stimulus import quotes_to_say as words"),
+        ("ch04_toys.py", "stimulus import words", "stimulus import _WORDS as words"),
         ("ch04_toys.py", "@toy.scenario\n", ""),
         ("shared.py", "Ann", "Bob"),
         ("machine.py", "True", "False"),

@@ -12,6 +12,7 @@ import pytest
 from tests.launcher.machine import GUARD, REPO, Machine
 
 PACKAGES = {"git": "git", "g++": "g++", "cmake": "cmake", "make": "make", "bwrap": "bubblewrap", "zsh": "zsh"}
+PACKAGES |= {"chromium": "chromium"}
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import pytest
 from rich.console import Console
 
 from course.grading.result import CheckResult, Feedback, Outcome, Result, Verdict
-from course.report import batch
+from course.report import tally
 from course.report.batch import Row, Tally, line_of, progress, render_end, render_plan
 
 SHINES = CheckResult("shines", "It shines", 2, Outcome.PASSED)
@@ -77,7 +77,7 @@ def test_a_grading_in_one_line(result: Result, line: str) -> None:
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     now = [1000.0]
-    monkeypatch.setattr(batch.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(tally.time, "monotonic", lambda: now[0])
     return now
 
 

@@ -15,8 +15,8 @@ from course.batch.cluster.fitness import Wanted
 from course.batch.cluster.parcel import pack
 from course.batch.cluster.roster import Roster, Say, lost
 from course.batch.cluster.station import Answer, grade_on_this_worker
+from course.batch.gradings import NextTask
 from course.batch.model import Graded, Task, graded_from_line, task_to_line
-from course.batch.pool import NextTask
 from course.batch.run import not_laid
 from course.errors import OurFault
 from course.home.opening import Refused

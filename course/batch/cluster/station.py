@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 from course.batch.cluster.fitness import Wanted, engine_digest, host, unfit
 from course.batch.cluster.parcel import evidence_of, unpack
 from course.batch.cluster.turn import turn
+from course.batch.gradings import GradingProcess
 from course.batch.model import Graded, Task, graded_to_line, task_from_line
-from course.batch.pool import Worker as GradingProcess
 from course.batch.run import default_jobs, not_laid
 from course.errors import StorageError
 from course.home.opening import Refused

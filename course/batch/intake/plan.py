@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 from xml.etree import ElementTree
 
 from course.batch.intake.model import Kind, Place
-from course.batch.intake.recognise import SRC, WORKSPACE, Packages, Root, and_above, loose, recognise
+from course.batch.intake.recognise import SRC, Packages, Root, and_above, loose, recognise
 from course.batch.intake.tree import Entry, Tree
 from course.build.manifest import guessed_name
+from course.content.layout import WORKSPACE
 from course.home.opening import Finding, visible
 
 _PACKAGE = re.compile(r"[A-Za-z0-9][\w-]{0,99}", re.ASCII)

@@ -12,8 +12,8 @@ from pathlib import PurePosixPath
 
 from course.batch.intake.model import Kind, Place
 from course.batch.intake.tree import Tree
+from course.content.layout import WORKSPACE
 
-WORKSPACE = "ros2_tutorial_workspace"
 SRC = f"{WORKSPACE}/src"
 _STATE = ".ros2course"
 _RANK = (Kind.HOME, Kind.WORKSPACE, Kind.PACKAGES, Kind.FILES)

@@ -9,8 +9,8 @@ from pathlib import Path
 from course.batch.intake.grouping import grouped
 from course.batch.intake.model import Part, Source, Sources
 from course.batch.intake.people import labels, person
-from course.batch.intake.recognise import WORKSPACE
 from course.batch.intake.roster import read_roster
+from course.content.layout import WORKSPACE
 from course.errors import UsageError
 from course.home.opening import (
     USUAL,

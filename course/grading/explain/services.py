@@ -95,7 +95,7 @@ def sleeping(sources: Sources) -> Cause | None:
 
 
 def case_sensitive(sources: Sources, word: str) -> Cause | None:
-    """`'life' in quote`, with nothing that makes capitals and small letters the same."""
+    """`'word' in text`, with nothing that makes capitals and small letters the same."""
     found = [(file, node) for file, tree in trees(sources) for node in ast.walk(tree)]
     if any(isinstance(node, ast.Attribute) and node.attr in _FOLDS for _, node in found):
         return None

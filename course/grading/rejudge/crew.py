@@ -11,37 +11,22 @@ from __future__ import annotations
 import contextlib
 import os
 import selectors
-import signal
-import subprocess
-import sys
-import tempfile
 from collections import deque
 from collections.abc import Iterable, Iterator
 from itertools import islice
 from pathlib import Path
 from typing import Generic
 
-import course
-from course.errors import OurFault
 from course.grading.rejudge.model import (
-    MOST_TIME,
+    PORTION,
     Key,
-    Portion,
     Problem,
     Rejudged,
     Stored,
     Trouble,
     answer_from_line,
-    portion_to_line,
 )
-
-_WORKER = "course.grading.rejudge.worker"
-# So many share one collection by pytest (some 50 ms), and at most so many reports that it keeps.
-_PORTION = 50
-_CHUNK = 1 << 16
-_LOG = 2000
-# No preparation for ROS by the wheels, which takes longer than ten recordings; no plugins but ours.
-_QUICK = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+from course.grading.rejudge.process import Judges
 
 
 def rejudge(
@@ -66,7 +51,7 @@ def _portions(recordings: Iterable[Stored[Key]]) -> Iterator[list[Stored[Key]]]:
         modules.setdefault(stored.exercise.grader, []).append(stored)
     for every in modules.values():
         rest = iter(every)
-        while portion := list(islice(rest, _PORTION)):
+        while portion := list(islice(rest, PORTION)):
             yield portion
 
 
@@ -83,7 +68,7 @@ class _Crew(Generic[Key]):
             self._employ()
         while self._selector.get_map():
             for ready, _ in self._selector.select():
-                worker: _Worker[Key] = ready.data
+                worker: Judges[Key] = ready.data
                 lines = worker.read()
                 for line in lines or ():
                     yield worker.waiting.popleft().key, answer_from_line(line)
@@ -94,19 +79,19 @@ class _Crew(Generic[Key]):
 
     def _employ(self) -> None:
         if self._portions:
-            worker: _Worker[Key] = _Worker()
+            worker: Judges[Key] = Judges()
             self._stack.callback(worker.close)
             self._selector.register(worker.answers, selectors.EVENT_READ, worker)
             worker.take(self._portions.popleft())
 
-    def _go_on(self, worker: _Worker[Key]) -> None:
+    def _go_on(self, worker: Judges[Key]) -> None:
         if self._portions:
             worker.take(self._portions.popleft())
         else:
             self._selector.unregister(worker.answers)
             worker.close()
 
-    def _lost(self, worker: _Worker[Key]) -> Iterator[tuple[Key, Problem]]:
+    def _lost(self, worker: Judges[Key]) -> Iterator[tuple[Key, Problem]]:
         self._selector.unregister(worker.answers)
         problem = Problem(Trouble.FATAL, worker.how_it_ended())
         worker.close()
@@ -114,82 +99,3 @@ class _Crew(Generic[Key]):
         if worker.waiting:
             self._portions.appendleft(list(worker.waiting))
         self._employ()
-
-
-class _Worker(Generic[Key]):
-    """A process. waiting: what it has been given and has not answered. answers: where it does."""
-
-    def __init__(self) -> None:
-        self.waiting: deque[Stored[Key]] = deque()
-        self._ready = False
-        self._rest = b""
-        with contextlib.ExitStack() as stack:
-            self._log = stack.enter_context(tempfile.TemporaryFile("w+", errors="replace"))
-            self.answers, theirs = os.pipe()
-            stack.callback(os.close, self.answers)
-            try:
-                self._process = stack.enter_context(_start(theirs, self._log.fileno()))
-            finally:
-                os.close(theirs)
-            stack.callback(self._process.kill)
-            self._stack = stack.pop_all()
-
-    def take(self, portion: list[Stored[Key]]) -> None:
-        self.waiting.extend(portion)
-        exercises = {stored.exercise.id: stored.exercise for stored in portion}
-        looks_at = {name: (*one.files, *one.looks_at) for name, one in exercises.items()}
-        files = [(stored.exercise.id, str(stored.file)) for stored in portion]
-        line = portion_to_line(Portion(str(portion[0].exercise.grader), looks_at, files))
-        assert self._process.stdin is not None
-        with contextlib.suppress(BrokenPipeError):  # it is read that it ended
-            self._process.stdin.write(line + "\n")
-            self._process.stdin.flush()
-
-    def read(self) -> list[str] | None:
-        """What it answered since; None when it has ended."""
-        data = os.read(self.answers, _CHUNK)
-        if not data:
-            return None
-        *lines, self._rest = (self._rest + data).split(b"\n")
-        if lines and not self._ready:
-            self._ready = True
-            del lines[0]
-        return [line.decode() for line in lines]
-
-    def how_it_ended(self) -> str:
-        """Raises OurFault when it never began."""
-        code = self._process.wait()
-        if not self._ready:
-            self._log.seek(0)
-            raise OurFault(f"recordings cannot be judged here: {self._log.read()[-_LOG:].strip()}")
-        if code == -signal.SIGALRM:
-            return f"Judging it took more than {MOST_TIME} s."
-        how = f"by signal {-code}" if code < 0 else f"with {code}"
-        return f"The process that judged it was ended {how}."
-
-    def close(self) -> None:
-        """End it; more than once does no harm."""
-        with contextlib.suppress(BrokenPipeError):
-            self._stack.close()
-
-
-def _start(answers: int, log: int) -> subprocess.Popen[str]:
-    return subprocess.Popen(
-        [sys.executable, "-m", _WORKER, str(answers)],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.DEVNULL,
-        stderr=log,
-        env=_environment(),
-        cwd="/",
-        pass_fds=(answers,),
-        start_new_session=True,  # Ctrl+C at the terminal is for us
-        text=True,
-    )
-
-
-def _environment() -> dict[str, str]:
-    """Ours, but nothing of it tells pytest what to do."""
-    own = str(Path(course.__file__).parents[1])
-    path = os.pathsep.join(part for part in (own, os.environ.get("PYTHONPATH")) if part)
-    others = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
-    return {**others, **_QUICK, "PYTHONPATH": path}

@@ -16,6 +16,8 @@ Key = TypeVar("Key")
 
 # Seconds for one recording; nearly all take milliseconds.
 MOST_TIME = 60
+# So many share one collection by pytest (some 50 ms), and at most so many reports that it keeps.
+PORTION = 50
 # The first line of a worker, before its answers.
 READY = "ready"
 

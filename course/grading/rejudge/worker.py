@@ -23,6 +23,7 @@ from course.grading.channel import Judgement
 from course.grading.judging import judge
 from course.grading.rejudge.model import (
     MOST_TIME,
+    PORTION,
     READY,
     Portion,
     Problem,
@@ -44,17 +45,43 @@ def main() -> int:
     signal.signal(signal.SIGALRM, signal.SIG_DFL)  # no handler: Python's would wait for a regular expression
     with os.fdopen(int(sys.argv[1]), "w", buffering=1, encoding="utf-8") as answers:
         answers.write(READY + "\n")
-        for line in sys.stdin:
-            _Work(portion_from_line(line), answers).do()
+        portions = _Portions(sys.stdin)
+        while (portion := portions.take()) is not None:
+            _Work(portion, portions, answers).do()
     return 0
 
 
-class _Work:
-    """One portion."""
+class _Portions:
+    """What is asked, as it comes."""
 
-    def __init__(self, portion: Portion, answers: TextIO) -> None:
+    def __init__(self, lines: TextIO) -> None:
+        self._lines = lines
+        self._next: Portion | None = None
+
+    def take(self) -> Portion | None:
+        """The next portion; None when there will be none."""
+        portion, self._next = self._next, None
+        if portion is None and (line := self._lines.readline()):
+            portion = portion_from_line(line)
+        return portion
+
+    def take_like(self, other: Portion) -> Portion | None:
+        """The next portion, if its checks are collected already; else it stays for `take`."""
+        portion = self.take()
+        if portion and (portion.grader, portion.looks_at) == (other.grader, other.looks_at):
+            return portion
+        self._next = portion
+        return None
+
+
+class _Work:
+    """A portion, and those like it that follow: pytest collects once for them."""
+
+    def __init__(self, portion: Portion, following: _Portions, answers: TextIO) -> None:
         self._portion = portion
+        self._following: _Portions | None = following
         self._answers = answers
+        self._asked = 0
         self._answered = 0
         self._scenario = Scenario.UNKNOWN
         self._digest = cache(self._digest_of)
@@ -62,13 +89,32 @@ class _Work:
     def do(self) -> None:
         signal.alarm(MOST_TIME)
         portion = self._portion
-        judge(Path(portion.grader), portion.looks_at.keys(), self._recordings(), self._judged)
-        if self._answered != len(portion.files):  # pytest has swallowed what went wrong; our parent waits
+        judge(Path(portion.grader), portion.looks_at.keys(), self._recordings(), self._judged, self._stop)
+        if self._answered != self._asked:  # pytest has swallowed what went wrong; our parent waits
             raise OurFault("not every recording was judged")
         signal.alarm(0)
 
+    def _stop(self) -> None:
+        """pytest has ended, perhaps too early: others get another session."""
+        self._following = None
+
     def _recordings(self) -> Iterator[Recording]:
-        for exercise, file in self._portion.files:
+        portion: Portion | None = self._portion
+        while portion:
+            self._asked += len(portion.files)
+            yield from self._recordings_of(portion)
+            portion = self._one_more()
+
+    def _one_more(self) -> Portion | None:
+        if self._following is None or self._asked >= PORTION:
+            return None
+        signal.alarm(0)  # there may be nothing to do for long
+        portion = self._following.take_like(self._portion)
+        signal.alarm(MOST_TIME)
+        return portion
+
+    def _recordings_of(self, portion: Portion) -> Iterator[Recording]:
+        for exercise, file in portion.files:
             found = _read(Path(file), exercise)
             if isinstance(found, Problem):
                 self._answer(found)

@@ -35,6 +35,18 @@ def commands(sheet: Sheet, place_in_repository: Callable[[str], str] = lambda fi
     return [_command(found, place_in_repository) for found in chosen]
 
 
+def command(title: str, feedback: Feedback, place: Location | None) -> str:
+    """One workflow command. place: in the repository."""
+    values = {"title": title}
+    if place:
+        values["file"] = place.file
+    if place and place.line:
+        values["line"] = str(place.line)
+    told = ",".join(f"{name}={_escaped(value, _VALUE)}" for name, value in values.items())
+    text = " ".join(part for part in (feedback.summary, feedback.advice) if part)
+    return f"::error {told}::{_escaped(text, _TEXT)}"
+
+
 def _found(sheet: Sheet) -> Iterator[_Found]:
     for mark in sheet.marks:
         if mark.result and mark.result.fault:
@@ -69,14 +81,8 @@ def _title(mark: Mark, check: CheckResult | None = None) -> str:
 
 
 def _command(found: _Found, place_in_repository: Callable[[str], str]) -> str:
-    values = {"title": found.title}
-    if found.place:
-        values["file"] = place_in_repository(found.place.file)
-    if found.place and found.place.line:
-        values["line"] = str(found.place.line)
-    told = ",".join(f"{name}={_escaped(value, _VALUE)}" for name, value in values.items())
-    text = " ".join(part for part in (found.feedback.summary, found.feedback.advice) if part)
-    return f"::error {told}::{_escaped(text, _TEXT)}"
+    place = found.place and Location(place_in_repository(found.place.file), found.place.line)
+    return command(found.title, found.feedback, place)
 
 
 def _escaped(text: str, codes: dict[str, str]) -> str:

@@ -1,4 +1,4 @@
-"""JUnit XML, as CI services read it: a suite for each submission, a case for each check.
+"""JUnit XML, as CI services read it: of a class a suite for each submission, a case for each check.
 
 There is no standard, only readers. Some want `classname`, some show the element's text and not its
 `message`, some mix up cases of the same name; so every case has all of that.
@@ -37,6 +37,15 @@ class Case:
     seconds: float = 0.0
 
 
+@dataclass(frozen=True)
+class Suite:
+    """Cases that belong together. properties: names with their texts; a name may come more than once."""
+
+    name: str
+    cases: tuple[Case, ...]
+    properties: tuple[tuple[str, str], ...] = ()
+
+
 @dataclass
 class Totals:
     """What the root element says of all suites."""
@@ -62,16 +71,21 @@ class Totals:
 
 
 def pieces(name: str, began: datetime, walk: Callable[[], Iterable[Sheet]]) -> Iterator[str]:
+    """A class as a document, a submission at a time; `walk` is called twice."""
+    return document(name, began, lambda: map(_of_sheet, walk()))
+
+
+def document(name: str, began: datetime, walk: Callable[[], Iterable[Suite]]) -> Iterator[str]:
     """The document, a suite at a time. `walk` is called twice: the root's counts stand before the suites."""
     counts = Totals()
-    for sheet in walk():
-        counts.add(cases(sheet))
+    for suite in walk():
+        counts.add(suite.cases)
     root = ET.Element("testsuites", {"name": name, **counts.attributes()})
     yield '<?xml version="1.0" encoding="UTF-8"?>\n'
     yield ET.tostring(root, encoding="unicode").removesuffix(" />") + ">\n"
     names = Names()
-    for sheet in walk():
-        yield _suite(sheet, names.unique(sheet.person.id or "nameless"), began)
+    for suite in walk():
+        yield _suite(replace(suite, name=names.unique(suite.name)), began)
     yield "</testsuites>\n"
 
 
@@ -104,20 +118,24 @@ def _of_check(exercise: str, check: CheckResult) -> Case:
     return Case(exercise, name, _KINDS.get(check.outcome), check.outcome.value, why(check))
 
 
-def _suite(sheet: Sheet, name: str, began: datetime) -> str:
+def _of_sheet(sheet: Sheet) -> Suite:
+    return Suite(sheet.person.id or "nameless", tuple(cases(sheet)), tuple(_properties(sheet)))
+
+
+def _suite(suite: Suite, began: datetime) -> str:
     stamp = began.astimezone(timezone.utc).strftime("%Y-%m-%dT%H:%M:%S")
-    counts = Totals().add(cases(sheet)).attributes()
-    suite = ET.Element("testsuite", {"name": name, **counts, "timestamp": stamp})
-    properties = ET.SubElement(suite, "properties")
-    for key, value in _properties(sheet):
+    counts = Totals().add(suite.cases).attributes()
+    element = ET.Element("testsuite", {"name": suite.name, **counts, "timestamp": stamp})
+    properties = ET.SubElement(element, "properties")
+    for key, value in suite.properties:
         ET.SubElement(properties, "property", {"name": key, "value": value})
     names = Names()
     # A dot in a class name begins a new level in several readers.
-    group = name.replace(".", "_")
-    for case in cases(sheet):
-        _append(suite, replace(case, name=names.unique(case.name)), group)
-    ET.indent(suite, level=1)
-    return f"  {ET.tostring(suite, encoding='unicode')}\n"
+    group = suite.name.replace(".", "_")
+    for case in suite.cases:
+        _append(element, replace(case, name=names.unique(case.name)), group)
+    ET.indent(element, level=1)
+    return f"  {ET.tostring(element, encoding='unicode')}\n"
 
 
 def _properties(sheet: Sheet) -> Iterator[tuple[str, str]]:

@@ -10,8 +10,8 @@ from course.report.gradebook.sheets import INCOMPLETE, NOT_HANDED_IN, Mark, Shee
 from course.report.gradebook.words import NOTHING, headline, labelled, mark_of, points_of, summary, total, why
 
 _INDENT = "  "
-_NOTHING_AT_ALL = "Nothing of yours was found. If you did hand something in, tell your instructor."
-_OWED = (
+NOTHING_AT_ALL = "Nothing of yours was found. If you did hand something in, tell your instructor."
+OWED = (
     "Something could not be checked, through no fault of yours: see below. "
     "Your points are final when that has been done."
 )
@@ -46,9 +46,9 @@ def _opening(sheet: Sheet, course: str) -> Iterator[str]:
     if sheet.source:
         yield f"Handed in: {code(sheet.source)}"
     if sheet.state == NOT_HANDED_IN:
-        yield _NOTHING_AT_ALL
+        yield NOTHING_AT_ALL
     if sheet.state == INCOMPLETE:
-        yield _OWED
+        yield OWED
     yield from (f"Note: {prose(remark)}" for remark in sheet.remarks)
 
 

@@ -195,7 +195,7 @@ def test_stopped_in_the_middle_of_a_check_it_does_not_wait(store: Store, grader:
 
 
 def test_where_no_process_can_be_started_it_is_told(store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("course.grading.rejudge.crew._WORKER", "course.grading.rejudge.nowhere")
+    monkeypatch.setattr("course.grading.rejudge.process._WORKER", "course.grading.rejudge.nowhere")
     with pytest.raises(OurFault, match=r"course\.grading\.rejudge\.nowhere"):
         judged(store("one", 9), store("two", 9))
 

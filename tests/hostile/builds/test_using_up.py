@@ -150,7 +150,8 @@ if os.fork() == 0:
             except OSError:
                 pass
 """
-    known = set(psutil.Process().children(recursive=True))  # other tests' helpers, as multiprocessing has them
+    # Other tests of this process may have left helpers of theirs, as multiprocessing does.
+    known = set(psutil.Process().children(recursive=True))
     built = build_it(python_package(program), guarantee="no process outlives a build")
     assert built.outcome.failure is None, built.words
     before = {path: path.lstat().st_mtime_ns for path in built.entry.rglob("*")}

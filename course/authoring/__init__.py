@@ -1,0 +1,1 @@
+"""Makes courses, chapters and exercises to start from: small, complete, and right as they are."""

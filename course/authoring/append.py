@@ -1,0 +1,99 @@
+"""Adds to files of an author's, which keep every letter that was in them."""
+
+from __future__ import annotations
+
+import ast
+import textwrap
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from course.errors import ContentError
+
+
+def with_item(file: Path, text: str, key: str, item: str) -> str:
+    """`text`, the YAML of `file`, with `item` (`- ...`) as the last of the list `key`.
+
+    Raises ContentError where that cannot be done with certainty.
+    """
+    old = _loaded(file, text)
+    new = _inserted(text, key, item)
+    if new is None or not _holds(new, old, key, yaml.safe_load(item)):
+        what = f"`{key}` is not written as a list with a dash before each entry"
+        raise ContentError(what, "write it so, then try again", file=file, line=_line(text, key), key=key)
+    return new
+
+
+def _loaded(file: Path, text: str) -> Any:
+    try:
+        return yaml.safe_load(text)
+    except yaml.MarkedYAMLError as error:
+        line = error.problem_mark.line + 1 if error.problem_mark else None
+        raise ContentError(
+            "this is not valid YAML", "correct it, then try again", file=file, line=line
+        ) from None
+
+
+def _holds(new: str, old: Any, key: str, more: list[Any]) -> bool:
+    """Whether the new text says what the old one said, and more in that one list."""
+    try:
+        return bool(yaml.safe_load(new) == {**old, key: [*old[key], *more]})
+    except yaml.YAMLError:
+        return False
+
+
+def _inserted(text: str, key: str, item: str) -> str | None:
+    node = _node(text, key)
+    if not isinstance(node, yaml.SequenceNode) or (node.flow_style and node.value):
+        return None
+    if not node.value:  # `key: []`
+        before, after = text[: node.start_mark.index].rstrip(" "), text[node.end_mark.index :]
+        return f"{before}\n{textwrap.indent(item, '  ').rstrip()}{after}"
+    indent = " " * node.start_mark.column
+    before, after = text[: node.end_mark.index].rstrip(), text[node.end_mark.index :]
+    return f"{before}\n{textwrap.indent(item, indent).rstrip()}\n{after}"
+
+
+def _node(text: str, key: str) -> yaml.Node | None:
+    # Not the loader in C, whose marks count bytes.
+    root = yaml.compose(text, Loader=yaml.SafeLoader)
+    pairs = root.value if isinstance(root, yaml.MappingNode) else []
+    return next((value for name, value in pairs if name.value == key), None)
+
+
+def _line(text: str, key: str) -> int | None:
+    node = _node(text, key)
+    return node.start_mark.line + 1 if node else None
+
+
+def with_code(file: Path, text: str, imports: str, code: str) -> str:
+    """`text`, the Python of `file`, with those of `imports` (one a line) that it lacks, and with `code` last.
+
+    Raises ContentError when it is no Python.
+    """
+    try:
+        tree = ast.parse(text)
+    except SyntaxError as error:
+        what = f"this is not valid Python: {error.msg}"
+        raise ContentError(what, "correct it, then try again", file=file, line=error.lineno) from None
+    found = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
+    known = {name for node in found for name in _names(node)}
+    lacking = [line for line in imports.splitlines() if not set(_names(ast.parse(line).body[0])) <= known]
+    lines = text.splitlines()
+    last = max((node.end_lineno or 0 for node in found), default=_after_docstring(tree))
+    together = [*lines[:last], *lacking, *lines[last:]]
+    return "\n".join(together).rstrip() + f"\n\n\n{code}"
+
+
+def _names(node: ast.stmt) -> list[tuple[str, str]]:
+    """What a line imports: (module, name)."""
+    if isinstance(node, ast.ImportFrom):
+        return [(node.module or "", alias.name) for alias in node.names if alias.asname is None]
+    return [("", alias.name) for alias in node.names] if isinstance(node, ast.Import) else []
+
+
+def _after_docstring(tree: ast.Module) -> int:
+    first = tree.body[0] if tree.body else None
+    is_docstring = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
+    return (first.end_lineno or 0) if first and is_docstring else 0

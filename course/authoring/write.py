@@ -1,0 +1,72 @@
+"""Writes what was planned, all of it or nothing, and never over a file that is there."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from course.errors import UsageError
+from course.home.storage import storing, write_new
+from course.rosenv.files import write_atomic
+
+
+@dataclass(frozen=True)
+class Plan:
+    """new: files to make. changed: files that get more, whole. folders: empty folders to make."""
+
+    new: Mapping[Path, str]
+    changed: Mapping[Path, str] = field(default_factory=dict)
+    folders: tuple[Path, ...] = ()
+
+
+@dataclass(frozen=True)
+class Made:
+    """What was made is called `name`; the paths lie below `root`."""
+
+    name: str
+    root: Path
+    new: tuple[Path, ...]
+    changed: tuple[Path, ...] = ()
+
+
+def carry_out(plan: Plan, root: Path, name: str) -> Made:
+    """Raises UsageError when something is in the way, StorageError when the disk does not take it."""
+    for file in plan.new:
+        if os.path.lexists(file):
+            raise UsageError(f"{file} is there already, and is left as it is", "choose another name")
+    with storing("the files cannot be made"), _undone_on_error() as made:
+        for folder in plan.folders:
+            _make(folder, made)
+        for file, text in plan.new.items():
+            _make(file.parent, made)
+            if write_new(file, text.encode()):
+                made.append(file)
+        for file, text in plan.changed.items():
+            write_atomic(file, text)
+    return Made(name, root, tuple(plan.new), tuple(plan.changed))
+
+
+def _make(folder: Path, made: list[Path]) -> None:
+    missing = [each for each in (folder, *folder.parents) if not each.is_dir()]
+    for each in reversed(missing):
+        each.mkdir()
+        made.append(each)
+
+
+@contextlib.contextmanager
+def _undone_on_error() -> Iterator[list[Path]]:
+    """What was made goes again, the last first, when not all of it could be made."""
+    made: list[Path] = []
+    try:
+        yield made
+    except BaseException:
+        for path in reversed(made):
+            with contextlib.suppress(OSError):  # not ours any more, if somebody put something into it
+                if path.is_dir():
+                    path.rmdir()
+                else:
+                    path.unlink()
+        raise

@@ -1,0 +1,112 @@
+"""`report`: a graded class as one page to look at."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from course.cli.options import Options, options_of
+from course.cli.words import examples
+from course.errors import UsageError
+
+if TYPE_CHECKING:
+    from course.report.page.model import ClassPage
+
+EXAMPLES = examples(
+    ("report grades/", "the class: grades/report.html"),
+    ("report grades/ --out class.html", "under another name"),
+    ("report grades/ --learners pages/", "a page for each learner"),
+    ("report grades/ --learner ada", "for one of them"),
+)
+
+
+def report(
+    ctx: typer.Context,
+    results: Annotated[Path, typer.Argument(metavar="DIR", help="The results' folder of `grade`.")],
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="The page; by default report.html in DIR."),
+    ] = None,
+    learner: Annotated[
+        str | None, typer.Option("--learner", metavar="ID", help="A page for this learner alone.")
+    ] = None,
+    learners: Annotated[
+        Path | None,
+        typer.Option("--learners", metavar="DIR", help="A page for each learner, without others' data."),
+    ] = None,
+) -> None:
+    """Make a page of a graded class.
+
+    One file with everything in it, which asks nothing of any server: people and
+    exercises to sort and filter, the distribution of marks, how hard each check
+    was, the commonest mistakes, and each submission's feedback with pictures of
+    what happened.
+    """
+    from course.report.console import open_console, put
+
+    if learners and (learner or out):
+        raise UsageError("--learners makes a page each.", "Leave --learner and --out out.")
+    page = _page(options_of(ctx), results.absolute(), everybody=learner is None, who=learner)
+    if learners:
+        said = f"{learners}/  {_write_each(page, learners)} pages"
+    elif learner is not None:
+        said = str(_write_one(page, _place_of(page, learner), out, results))
+    else:
+        said = str(_write_class(page, out or results / "report.html"))
+    put(open_console(), said)
+
+
+def _page(options: Options, folder: Path, *, everybody: bool, who: str | None) -> ClassPage:
+    from course.batch.pages import PICTURES_ROOM, of_one, read, with_pictures
+    from course.batch.results import Results
+    from course.cli.desk import course_of
+    from course.cli.ending import ended_cleanly
+    from course.report.activity import activity
+    from course.report.console import error_console
+
+    course = course_of(options)
+    with ended_cleanly(), activity(error_console(), "Reading the results", quiet=True) as say:
+        with Results.look(folder) as stored:
+            found = read(folder, stored, course)
+        if not everybody and who is not None:
+            return of_one(found, _place_of(found.page, who))
+        return with_pictures(found, PICTURES_ROOM, lambda done, total: say(f"Drawing: {done} of {total}"))
+
+
+def _place_of(page: ClassPage, who: str) -> int:
+    found = [place for place, sheet in enumerate(page.sheets) if who in (sheet.person.id, sheet.person.name)]
+    if len(found) == 1:
+        return found[0]
+    what = f"{len(found)} submissions are of" if found else "There is no submission of"
+    raise UsageError(f"{what} {who}.", "Name the id, as in the first column of results.csv.")
+
+
+def _write_class(page: ClassPage, file: Path) -> Path:
+    from course.report.gradebook.files import write
+    from course.report.page.html import class_page
+
+    write(file, class_page(page))
+    return file
+
+
+def _write_one(page: ClassPage, place: int, out: Path | None, results: Path) -> Path:
+    from course.report.gradebook.files import file_stem, write
+    from course.report.page.html import learner_page
+
+    file = out or results / f"report-{file_stem(page.sheets[place].person.id)}.html"
+    write(file, [learner_page(page, place)])
+    return file
+
+
+def _write_each(page: ClassPage, folder: Path) -> int:
+    from course.report.gradebook.files import file_stem, write
+    from course.report.gradebook.unique import Names
+    from course.report.page.html import learner_page
+
+    names = Names()
+    for place, sheet in enumerate(page.sheets):
+        name = names.unique(file_stem(sheet.person.id))
+        write(folder / f"{name}.html", [learner_page(page, place)])
+    return len(page.sheets)

@@ -1,0 +1,62 @@
+"""`schema`: what editors need to check and complete the files of a course."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from course.cli.words import examples
+
+if TYPE_CHECKING:
+    from course.content.json_schema import Kind
+
+EXAMPLES = examples(
+    ("schema", "of lesson.yaml"),
+    ("schema mistakes", "of mistakes.yaml"),
+    ("schema --out lesson.json", "into a file, which is replaced"),
+)
+
+
+def schema(
+    file: Annotated[
+        str, typer.Argument(metavar="[FILE]", help="Whose: lesson, mistakes or alternative.")
+    ] = "lesson",
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="Write it there; shown if left out.", show_default=False),
+    ] = None,
+) -> None:
+    """Show the JSON Schema of lesson.yaml and the like.
+
+    Editors check and complete with it: the first line of such a file names it,
+    `# yaml-language-server: $schema=../../.schema/lesson.schema.json`.
+    """
+    from course.content.json_schema import schema_text
+
+    text = schema_text(_kind(file))
+    if out is None:
+        typer.echo(text, nl=False)
+        return
+    from course.home.storage import storing
+    from course.rosenv.files import write_atomic
+
+    with storing(f"{out} cannot be written"):
+        write_atomic(out.absolute(), text)
+    print(f"Wrote {out}")
+
+
+def _kind(name: str) -> Kind:
+    from course.content.json_schema import Kind
+    from course.content.names import did_you_mean
+    from course.errors import UsageError
+
+    known = [kind.value for kind in Kind]
+    plain = name.removesuffix(".yaml")
+    if plain not in known:
+        raise UsageError(
+            f"there is no schema of `{name}`{did_you_mean(plain, known)}",
+            f"allowed: {', '.join(known)}",
+        )
+    return Kind(plain)

@@ -1,0 +1,202 @@
+"""What a class shows as a whole: figures, counted once, for the page to draw."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from statistics import median
+
+from course.grading.result import CheckResult, Outcome, Verdict
+from course.report.gradebook.model import GradedExercise
+from course.report.gradebook.sheets import COMPLETE, INCOMPLETE, NOT_HANDED_IN, Mark, Sheet
+from course.report.page.model import ClassPage
+
+BARS = 10
+_JUDGED = (Outcome.PASSED, Outcome.FAILED, Outcome.SKIPPED)
+
+
+@dataclass(frozen=True)
+class Bar:
+    """How many people have which share of the points."""
+
+    label: str
+    count: int
+
+
+@dataclass(frozen=True)
+class CheckView:
+    """judged: for how many it counts. not_reached: of these, for how many an earlier check had failed."""
+
+    title: str
+    bonus: bool
+    judged: int
+    passed: int
+    failed: int
+    not_reached: int
+
+    @property
+    def percent(self) -> int | None:
+        """Of those who were judged, how many passed it."""
+        return _percent(self.passed, self.judged)
+
+
+@dataclass(frozen=True)
+class ExerciseView:
+    """handed_in: by how many. seconds: of a grading in the middle, and of the longest one."""
+
+    exercise: GradedExercise
+    handed_in: int
+    passed: int
+    not_passed: int
+    not_judged: int
+    points: float | None
+    seconds: float
+    longest: float
+    checks: tuple[CheckView, ...]
+
+    @property
+    def percent(self) -> int | None:
+        """Of those whose work was judged, how many passed."""
+        return _percent(self.passed, self.passed + self.not_passed)
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """Words that failed checks ended with. people: places in the class of those who read them."""
+
+    exercise: str
+    title: str
+    words: str
+    people: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """What could not be judged through no fault of the learner's."""
+
+    exercise: str
+    verdict: str
+    people: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Totals:
+    """states: how many submissions are in which state. seconds: what all gradings took together."""
+
+    people: int
+    gradings: int
+    passed: int
+    not_passed: int
+    not_judged: int
+    states: dict[str, int]
+    median_percent: float | None
+    seconds: float
+
+
+def totals(page: ClassPage) -> Totals:
+    marks = [mark for sheet in page.sheets for mark in sheet.marks]
+    verdicts = Counter(mark.verdict for mark in marks)
+    states = Counter(sheet.state for sheet in page.sheets)
+    shares = [share for sheet in page.sheets if (share := _share(sheet)) is not None]
+    passed, not_passed = verdicts[Verdict.PASSED.value], verdicts[Verdict.NOT_PASSED.value]
+    gradings = sum(mark.result is not None for mark in marks)
+    return Totals(
+        people=len(page.sheets),
+        gradings=gradings,
+        passed=passed,
+        not_passed=not_passed,
+        not_judged=sum(mark.is_open for mark in marks),
+        states={state: states[state] for state in (COMPLETE, INCOMPLETE, NOT_HANDED_IN)},
+        median_percent=round(median(shares) * 100) if shares else None,
+        seconds=sum(sheet.seconds for sheet in page.sheets),
+    )
+
+
+def distribution(page: ClassPage) -> tuple[Bar, ...]:
+    """Of those with a total: equal steps of the share of points; bonus points can bring more than all."""
+    counts: Counter[int] = Counter()
+    for sheet in page.sheets:
+        share = _share(sheet)
+        if share is not None:
+            counts[min(int(share * BARS + 1e-9), BARS)] += 1
+    step = 100 // BARS
+    labels = [f"{low}–{low + step - 1} %" for low in range(0, 100, step)] + ["100 % or more"]
+    return tuple(Bar(label, counts[place]) for place, label in enumerate(labels))
+
+
+def exercises(page: ClassPage) -> tuple[ExerciseView, ...]:
+    return tuple(_exercise(one, [mark for _, mark in page.marks(one)]) for one in page.exercises)
+
+
+def mistakes(page: ClassPage) -> list[Mistake]:
+    """The commonest first."""
+    people: defaultdict[tuple[str, str, str], list[int]] = defaultdict(list)
+    for one in page.exercises:
+        for place, mark in page.marks(one):
+            for check in _checks(mark):
+                if check.outcome is Outcome.FAILED and check.feedback:
+                    found = people[one.id, check.title, check.feedback.summary]
+                    if place not in found[-1:]:  # the same words twice are one person's mistake
+                        found.append(place)
+    every = [Mistake(*words, tuple(places)) for words, places in people.items()]
+    return sorted(every, key=lambda mistake: -len(mistake.people))
+
+
+def troubles(page: ClassPage) -> tuple[Trouble, ...]:
+    found: defaultdict[tuple[str, str], list[int]] = defaultdict(list)
+    for one in page.exercises:
+        for place, mark in page.marks(one):
+            if mark.is_open:
+                found[one.id, mark.verdict].append(place)
+    return tuple(Trouble(*what, tuple(people)) for what, people in found.items())
+
+
+def _exercise(exercise: GradedExercise, marks: Sequence[Mark]) -> ExerciseView:
+    handed_in = [mark for mark in marks if mark.result]
+    verdicts = Counter(mark.verdict for mark in handed_in)
+    points = [mark.points for mark in handed_in if mark.points is not None]
+    seconds = [mark.seconds for mark in handed_in]
+    return ExerciseView(
+        exercise=exercise,
+        handed_in=len(handed_in),
+        passed=verdicts[Verdict.PASSED.value],
+        not_passed=verdicts[Verdict.NOT_PASSED.value],
+        not_judged=sum(mark.is_open for mark in handed_in),
+        points=median(points) if points else None,
+        seconds=median(seconds) if seconds else 0.0,
+        longest=max(seconds, default=0.0),
+        checks=tuple(_check_views(handed_in)),
+    )
+
+
+def _check_views(marks: Iterable[Mark]) -> list[CheckView]:
+    outcomes: defaultdict[tuple[str, str, bool], Counter[Outcome]] = defaultdict(Counter)
+    for mark in marks:
+        for check in _checks(mark):
+            outcomes[check.id, check.title, check.bonus][check.outcome] += 1
+    return [_check_view(title, bonus, counts) for (_, title, bonus), counts in outcomes.items()]
+
+
+def _check_view(title: str, bonus: bool, counts: Counter[Outcome]) -> CheckView:
+    return CheckView(
+        title=title,
+        bonus=bonus,
+        judged=sum(counts[outcome] for outcome in _JUDGED),
+        passed=counts[Outcome.PASSED],
+        failed=counts[Outcome.FAILED],
+        not_reached=counts[Outcome.SKIPPED],
+    )
+
+
+def _checks(mark: Mark) -> tuple[CheckResult, ...]:
+    return mark.result.checks if mark.result else ()
+
+
+def _share(sheet: Sheet) -> float | None:
+    """Of the points; None without a total."""
+    return sheet.points / sheet.max_points if sheet.points is not None and sheet.max_points else None
+
+
+def _percent(part: int, whole: int) -> int | None:
+    return round(part / whole * 100) if whole else None

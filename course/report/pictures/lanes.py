@@ -1,0 +1,208 @@
+"""What happened, sorted into lanes of one time line: programs, nodes, topics, services, logs.
+
+Only what the learner's programs did, and when. What would tell an answer is left out: what a mystery was
+drawn from, what was asked of it, the contents of messages and files.
+"""
+
+from __future__ import annotations
+
+import signal
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import islice
+
+from course.evidence.events import (
+    GraphSeen,
+    LimitReached,
+    MessageSeen,
+    MessageSent,
+    OutputLine,
+    ProcessExited,
+    ProcessStarted,
+    ServiceAnswered,
+    ServiceCalled,
+    ShellRan,
+    SignalSent,
+)
+from course.evidence.recording import ROSOUT, Recording
+from course.report.pictures.svg import Clean, seconds
+
+# More than these of a kind are counted, not drawn.
+MOST = {"program": 5, "node": 5, "topic": 6, "sent": 4, "service": 5, "log": 4}
+_LABEL = 44
+_NOT_SHOWN = (ROSOUT, "/parameter_events")
+_LOG_LINES = 2000
+_SIGNALS: dict[int, str] = {
+    signal.SIGINT: "Ctrl+C",
+    signal.SIGTERM: "SIGTERM",
+    signal.SIGKILL: "SIGKILL",
+    signal.SIGSEGV: "a crash",
+}
+
+
+@dataclass(frozen=True)
+class Lane:
+    """kind: one of MOST. ticks: moments. spans: from when to when. marks: moments with a word to each."""
+
+    kind: str
+    label: str
+    words: str
+    ticks: tuple[float, ...] = ()
+    spans: tuple[tuple[float, float], ...] = ()
+    marks: tuple[tuple[float, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Lanes:
+    """more: how many of each kind are not among them."""
+
+    lanes: tuple[Lane, ...]
+    duration: float
+    more: dict[str, int] = field(default_factory=dict)
+
+    def fewer(self, most: int) -> Lanes:
+        """At most so many lanes, the others counted; of each kind some stay as long as there is room."""
+        turn: Counter[str] = Counter()
+        turns = []
+        for lane in self.lanes:
+            turn[lane.kind] += 1
+            turns.append(turn[lane.kind])
+        last = sorted(turns)[most - 1] if len(turns) > most else len(turns)
+        kept = [lane for lane, place in zip(self.lanes, turns, strict=True) if place <= last][:most]
+        gone = Counter(lane.kind for lane in self.lanes) - Counter(lane.kind for lane in kept)
+        return Lanes(tuple(kept), self.duration, dict(Counter(self.more) + gone))
+
+
+def duration_of(recording: Recording) -> float:
+    """Seconds that a picture of it shows, never none."""
+    last = recording.events[-1].t if recording.events else 0.0
+    return max(recording.duration, last, 0.001)
+
+
+def lanes_of(recording: Recording, clean: Clean) -> Lanes:
+    """clean: makes a text of a submission fit to be shown."""
+    duration = duration_of(recording)
+    every = [
+        *_programs(recording, duration),
+        *_nodes(recording, duration),
+        *_messages(recording, "topic", MessageSeen),
+        *_messages(recording, "sent", MessageSent),
+        *_services(recording, duration),
+        *_logs(recording),
+    ]
+    shown, more = _few(every)
+    return Lanes(tuple(replace(lane, label=_short(clean(lane.label))) for lane in shown), duration, more)
+
+
+def _short(label: str) -> str:
+    """The middle is left out: names of services differ in their ends."""
+    half = _LABEL // 2 - 1
+    return label if len(label) <= _LABEL else f"{label[:half]}…{label[-half:]}"
+
+
+def _few(lanes: Iterable[Lane]) -> tuple[list[Lane], dict[str, int]]:
+    count: Counter[str] = Counter()
+    shown = []
+    for lane in lanes:
+        count[lane.kind] += 1
+        if count[lane.kind] <= MOST[lane.kind]:
+            shown.append(lane)
+    return shown, {kind: have - MOST[kind] for kind, have in count.items() if have > MOST[kind]}
+
+
+def _programs(recording: Recording, duration: float) -> Iterator[Lane]:
+    begun = {event.process: event.t for event in recording.events if isinstance(event, ProcessStarted)}
+    for name in dict.fromkeys(begun):
+        marks = list(_marks(recording, name))
+        ended = [event for event in recording.events if isinstance(event, ProcessExited)]
+        end = next((event for event in ended if event.process == name), None)
+        until = end.t if end else duration
+        lines = tuple(e.t for e in recording.events if isinstance(e, OutputLine) and e.process == name)
+        said = "; ".join(f"{word} at {seconds(t)}" for t, word in marks)
+        printed = f" It printed {_counted(len(lines), 'line')}." if lines else ""
+        words = f"ran from {seconds(begun[name])} to {seconds(until)}{f' ({said})' if said else ''}.{printed}"
+        yield Lane("program", name, words, lines, ((begun[name], until),), tuple(marks))
+
+
+def _marks(recording: Recording, name: str) -> Iterator[tuple[float, str]]:
+    """Signals and the end, with a word to each."""
+    for event in recording.events:
+        if isinstance(event, SignalSent) and event.process == name:
+            yield event.t, _SIGNALS.get(event.signal, f"signal {event.signal}")
+        if isinstance(event, ProcessExited) and event.process == name:
+            yield event.t, _end(event)
+        if isinstance(event, LimitReached):
+            yield event.t, f"out of {event.limit}"
+        if isinstance(event, ShellRan) and event.process == name:
+            yield event.t, "command"
+
+
+def _end(event: ProcessExited) -> str:
+    if event.signal is not None:
+        return f"ended by {_SIGNALS.get(event.signal, f'signal {event.signal}')}"
+    return "ended" if event.code == 0 else f"ended with {event.code}"
+
+
+def _nodes(recording: Recording, duration: float) -> Iterator[Lane]:
+    for name in recording.seen_nodes():
+        spans = tuple(_presence(recording.graphs, name, duration))
+        yield Lane("node", name, f"was there from {_spans(spans)}.", spans=spans)
+
+
+def _presence(graphs: Sequence[GraphSeen], name: str, duration: float) -> Iterator[tuple[float, float]]:
+    since: float | None = None
+    for seen in graphs:
+        here = name in seen.graph.nodes
+        if here and since is None:
+            since = seen.t
+        elif not here and since is not None:
+            yield since, seen.t
+            since = None
+    if since is not None:
+        yield since, duration
+
+
+def _messages(
+    recording: Recording, kind: str, event_type: type[MessageSeen] | type[MessageSent]
+) -> Iterator[Lane]:
+    times: defaultdict[str, list[float]] = defaultdict(list)
+    for event in recording.events:
+        if isinstance(event, event_type) and event.topic not in _NOT_SHOWN:
+            times[event.topic].append(event.t)
+    for topic, at in times.items():
+        yield Lane(kind, topic, f"{_counted(len(at), 'message')}, {_from_to(at)}.", tuple(at))
+
+
+def _services(recording: Recording, duration: float) -> Iterator[Lane]:
+    """From each request to its answer, or to the end when there was none."""
+    answered = {event.call: event.t for event in recording.events if isinstance(event, ServiceAnswered)}
+    spans: defaultdict[str, list[tuple[float, float]]] = defaultdict(list)
+    for event in recording.events:
+        if isinstance(event, ServiceCalled):
+            spans[event.service].append((event.t, answered.get(event.call, duration)))
+    for service, calls in spans.items():
+        words = f"{_counted(len(calls), 'call')}, {_from_to([call[0] for call in calls])}."
+        yield Lane("service", service, words, tuple(call[0] for call in calls), tuple(calls))
+
+
+def _logs(recording: Recording) -> Iterator[Lane]:
+    lines: defaultdict[tuple[str, str], list[float]] = defaultdict(list)
+    for line in islice(recording.log, _LOG_LINES):
+        lines[line.node, line.level].append(line.t)
+    for (node, level), at in lines.items():
+        label = f"{level} {node}" if node else level
+        yield Lane("log", label, f"{_counted(len(at), 'line')}, {_from_to(at)}.", tuple(at))
+
+
+def _spans(spans: Sequence[tuple[float, float]]) -> str:
+    some = [f"{seconds(begin)} to {seconds(end)}" for begin, end in spans[:3]]
+    return " and from ".join(some) + (" and later" if len(spans) > 3 else "")
+
+
+def _from_to(at: Sequence[float]) -> str:
+    return f"at {seconds(at[0])}" if len(at) == 1 else f"from {seconds(min(at))} to {seconds(max(at))}"
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

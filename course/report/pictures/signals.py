@@ -1,0 +1,111 @@
+"""Signals in a recording: the numbers in messages over time, and the time between messages."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice, pairwise
+from typing import Any
+
+from course.evidence.events import MessageSeen
+from course.evidence.messages import Undecodable, UnknownType
+from course.evidence.recording import ROSOUT, Recording
+
+FEWEST = 5  # messages, for a plot to tell something
+CURVES = 6
+_DECODED = 240  # messages of a topic, evenly chosen
+_LARGEST = 64 * 1024
+_MOST = 1e15  # nothing is less than "not a number"
+_OF_NO_INTEREST = ("header", "stamp")
+_NOT_SHOWN = (ROSOUT, "/parameter_events")
+
+Points = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True)
+class Curve:
+    label: str
+    points: Points
+
+
+@dataclass(frozen=True)
+class Signal:
+    """title: what it is, for people. unit: of the values, empty where that is not known."""
+
+    title: str
+    topic: str
+    unit: str
+    curves: tuple[Curve, ...]
+
+
+def signals_of(recording: Recording) -> Iterator[Signal]:
+    """At most one signal of values, and one of intervals: of the topics with the most messages."""
+    topics: defaultdict[str, list[MessageSeen]] = defaultdict(list)
+    for event in recording.events:
+        if isinstance(event, MessageSeen) and event.topic not in _NOT_SHOWN:
+            topics[event.topic].append(event)
+    busiest = sorted(topics.values(), key=len, reverse=True)
+    enough = [messages for messages in busiest if len(messages) >= FEWEST]
+    values = (signal for messages in enough if (signal := _values(recording, messages)))
+    yield from islice(values, 1)
+    if enough:
+        yield _intervals(enough[0])
+
+
+def _intervals(messages: Sequence[MessageSeen]) -> Signal:
+    points = tuple((later.t, later.t - earlier.t) for earlier, later in pairwise(messages))
+    topic = messages[0].topic
+    return Signal("Time between messages", topic, "s", (Curve("since the one before", points),))
+
+
+def _values(recording: Recording, messages: Sequence[MessageSeen]) -> Signal | None:
+    """None where the messages hold no number that changes."""
+    chosen = messages[:: math.ceil(len(messages) / _DECODED)]
+    curves: defaultdict[str, list[tuple[float, float]]] = defaultdict(list)
+    for message in chosen:
+        for name, value in islice(_numbers(_decoded(recording, message)), CURVES):
+            curves[name].append((message.t, value))
+    told = [Curve(name, tuple(at)) for name, at in curves.items() if _changes(at)]
+    topic = messages[0].topic
+    return Signal("Values in the messages", topic, "", tuple(told[:CURVES])) if told else None
+
+
+def _changes(points: Sequence[tuple[float, float]]) -> bool:
+    return len(points) >= FEWEST and len({value for _, value in points}) > 1
+
+
+def _decoded(recording: Recording, message: MessageSeen) -> Any:
+    if len(message.data) > _LARGEST:
+        return None
+    try:
+        return recording.decoder.decode(message.type, message.data)
+    except (Undecodable, UnknownType, KeyError):
+        return None
+
+
+def _numbers(message: Any) -> Iterator[tuple[str, float]]:
+    """Numbers among the fields, by name; of a list of joints, each joint's position by its name."""
+    names, positions = getattr(message, "name", None), getattr(message, "position", None)
+    if isinstance(names, list) and isinstance(positions, list | tuple):
+        yield from _plottable(zip(map(str, names), positions, strict=False))
+        return
+    for field in getattr(message, "__slots__", ()):
+        if field not in _OF_NO_INTEREST:
+            yield from _plottable(_of(str(field), getattr(message, field, None)))
+
+
+def _of(name: str, value: Any) -> Iterator[tuple[str, Any]]:
+    """A field's own value, those of a list, or those of the message in it."""
+    yield name, value
+    if isinstance(value, list | tuple):
+        yield from ((f"{name}[{place}]", item) for place, item in enumerate(value[:CURVES]))
+    for inner in getattr(value, "__slots__", ()):
+        yield f"{name}.{inner}", getattr(value, inner, None)
+
+
+def _plottable(values: Iterable[tuple[str, Any]]) -> Iterator[tuple[str, float]]:
+    for name, value in values:
+        if isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < _MOST:
+            yield name, float(value)

@@ -1,0 +1,89 @@
+"""What all pictures in SVG share: how numbers, texts and times are written, and how large one may become.
+
+Every picture is one `<svg>` element without script, style or link. Its colours are attributes, so that it
+can be looked at alone; a page may set others by the classes. What it shows is told in `<title>` and `<desc>`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from html import escape
+from typing import TypeVar
+
+# Of one picture. Its maker looks at it more coarsely until it fits.
+MOST_BYTES = 8 * 1024
+WIDTH = 560
+LEFT, RIGHT = 8, 12
+DESC_LIMIT = 1500
+
+Clean = Callable[[str], str]
+_Level = TypeVar("_Level")
+
+
+def number(value: float) -> str:
+    """As short as can be: `12`, `3.5`."""
+    return f"{value:.1f}".removesuffix(".0")
+
+
+def element(key: str, height: float, title: str, desc: str, inner: Iterable[str]) -> str:
+    """key: unique on the page. title and desc: plain text, clean."""
+    told = desc if len(desc) <= DESC_LIMIT else f"{desc[: desc.rindex('.', 0, DESC_LIMIT) + 1]} And more."
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="pic" viewBox="0 0 {WIDTH} {number(height)}" '
+        f'font-family="system-ui, sans-serif" font-size="12" role="img" '
+        f'aria-labelledby="{key}t {key}d"><title id="{key}t">{escape(title)}</title>'
+        f'<desc id="{key}d">{escape(told)}</desc>{"".join(inner)}</svg>'
+    )
+
+
+def text(x: float, y: float, words: str, *, cls: str = "label", anchor: str = "") -> str:
+    at = f' text-anchor="{anchor}"' if anchor else ""
+    fill = "#475569" if cls.startswith("axis") else "#0f172a"
+    place = f'x="{number(x)}" y="{number(y)}"{at}'
+    return f'<text class="{cls}" {place} fill="{fill}" stroke="none">{escape(words)}</text>'
+
+
+def scale(duration: float) -> Callable[[float], float]:
+    """From seconds to x."""
+    room = WIDTH - LEFT - RIGHT
+    return lambda t: LEFT + min(max(t / duration, 0.0), 1.0) * room
+
+
+def steps(lowest: float, highest: float, most: int) -> Iterator[float]:
+    """Round values between both, at most `most` and one."""
+    span = highest - lowest
+    if not (math.isfinite(span) and span > 0):
+        return
+    rough = span / most
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(power * factor for factor in (1, 2, 5, 10) if power * factor >= rough)
+    place = math.ceil(lowest / step - 1e-9)
+    while place * step <= highest + 1e-9 * span:
+        yield place * step
+        place += 1
+
+
+def time_axis(duration: float, top: float, bottom: float) -> Iterator[str]:
+    """Thin lines at round times, with the seconds below."""
+    x = scale(duration)
+    at = list(steps(0.0, duration, 6))
+    lines = "".join(f"M{number(x(t))} {number(top)}V{number(bottom)}" for t in at)
+    yield f'<path class="grid" d="{lines}" stroke="#cbd5e1" fill="none"/>'
+    for t in at:
+        anchor = "start" if x(t) < 30 else "end" if x(t) > WIDTH - 30 else "middle"
+        yield text(x(t), bottom + 14, f"{t:g} s", cls="axis", anchor=anchor)
+
+
+def seconds(t: float) -> str:
+    return f"{t:.2f} s" if t < 10 else f"{t:.1f} s"
+
+
+def within_bounds(draw: Callable[[_Level], str], coarseness: Iterable[_Level]) -> str:
+    """The first drawing that is small enough; the last one, whatever it is. draw: takes a coarseness."""
+    drawn = ""
+    for each in coarseness:
+        drawn = draw(each)
+        if len(drawn.encode()) <= MOST_BYTES:
+            break
+    return drawn

@@ -1,0 +1,74 @@
+"""Run as a program: says which lines the `ros2` command would refuse to understand. Runs none of them.
+
+Reads [[words, mentioned, only_name], ...] from its input and prints a list with a complaint or null for
+each. The parsers are the command's own, found through PYTHONPATH. Imports nothing of the course: what it
+finds there must be nothing but the parsers' side of things.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import io
+import itertools
+import json
+import sys
+from typing import Any
+
+ANYTHING = "..."
+# A word that will do for a name as for a number.
+_FILLER = "1"
+# As many arguments as any verb wants.
+_MOST = 4
+# Words of a command's name: `topic echo`.
+_NAME = 2
+
+
+def main() -> None:
+    asked = json.load(sys.stdin)
+    # One parser for all: its parts are filled once.
+    parser = importlib.import_module("ros2cli.parser").ros2_parser()
+    json.dump([_complaint(parser, *one) for one in asked], sys.stdout)
+
+
+def _complaint(parser: Any, words: list[str], mentioned: bool, only_name: bool) -> str | None:
+    """None when the line, or one that it can stand for, is understood."""
+    if only_name:
+        return _parse(parser, [*words[:_NAME], "--help"])  # what follows may be prose
+    first = None
+    for variant in _variants(words, mentioned):
+        complaint = _parse(parser, variant)
+        if complaint is None:
+            return None
+        first = first or complaint
+    return first
+
+
+def _variants(words: list[str], mentioned: bool) -> Any:
+    """With some words in the place of each `...`. A command that is only mentioned may lack arguments."""
+    if mentioned:
+        words = [*words[:_NAME], ANYTHING, *words[_NAME:], ANYTHING]
+    gaps = words.count(ANYTHING)
+    for chosen in itertools.product(range(_MOST), repeat=gaps):
+        fill = iter(chosen)
+        yield [part for word in words for part in ([_FILLER] * next(fill) if word == ANYTHING else [word])]
+
+
+def _parse(parser: Any, words: list[str]) -> str | None:
+    errors = io.StringIO()
+    with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(io.StringIO()):
+        try:
+            parser.parse_args(words)
+        except SystemExit as ended:
+            return _reason(errors.getvalue()) if ended.code else None
+    return None
+
+
+def _reason(printed: str) -> str:
+    """What argparse says after its usage and `error:`; of a wrong choice, without naming the argument."""
+    said = " ".join(printed.rpartition(": error: ")[2].split())
+    return said[said.index("invalid choice") :] if "invalid choice" in said else said
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,48 @@
+"""Classes to make pages of."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable
+
+from course.report.gradebook.cleaning import Cleaner
+from course.report.gradebook.model import Gradebook, Graded
+from course.report.gradebook.sheets import exercises_of, sheets
+from course.report.page.model import ClassPage, Key
+from course.report.pictures.album import pictures
+from tests.report.gradebook.hostile import CLEANER, TEXTS, graded
+from tests.report.gradebook.samples import BEGAN, CLASS, ENDED, gradebook
+from tests.report.pictures.recordings import COUNTER, flood, recording
+
+
+def page_of(book: Gradebook, cleaner: Cleaner, drawn: dict[Key, tuple[str, ...]] | None = None) -> ClassPage:
+    every = tuple(sheets(book, cleaner))
+    return ClassPage("ROS 2, step by step", exercises_of(book, cleaner), every, BEGAN, ENDED, drawn or {})
+
+
+def small() -> ClassPage:
+    """Ada passed, Bảo and Carl did not, of Dilara it is not known, Emre handed nothing in."""
+    drawn = {(1, "18-publisher"): pictures(recording(*COUNTER), key="p1", clean=str)}
+    return page_of(CLASS, Cleaner(), drawn)
+
+
+def hostile(texts: Iterable[str] = TEXTS) -> ClassPage:
+    """One person for each text, everything of theirs being that text."""
+    every: list[Graded] = [graded(text) for text in texts]
+    drawn: dict[Key, tuple[str, ...]] = {}
+    for place, one in enumerate(texts):
+        if place < 4:
+            clean = CLEANER.line
+            drawn[place, "18-publisher"] = pictures(flood(one[:80]), key=f"p{place}", clean=clean)
+    return page_of(gradebook(*every), CLEANER, drawn)
+
+
+def large(people: int) -> ClassPage:
+    """The same few over and over, under other names."""
+    few = list(CLASS.graded)
+    every = [few[place % len(few)] for place in range(people)]
+    named = [
+        dataclasses.replace(one, person=dataclasses.replace(one.person, id=f"{one.person.id}{place:04}"))
+        for place, one in enumerate(every)
+    ]
+    return page_of(gradebook(*named), Cleaner())

@@ -1,0 +1,71 @@
+"""Signals found in recordings, and their plots."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree
+
+import pytest
+
+from course.evidence import events as kinds
+from course.report.pictures.album import pictures
+from course.report.pictures.signal_svg import plot
+from course.report.pictures.signals import Curve, Signal, signals_of
+from course.report.pictures.svg import MOST_BYTES
+from tests.report.pictures.recordings import COUNTER, NUMBER, joints, number, recording
+
+
+def test_numbers_and_intervals_of_the_topic_with_the_most_messages() -> None:
+    values, intervals = signals_of(recording(*COUNTER))
+    (curve,) = values.curves
+    assert (values.topic, curve.label) == ("/counted", "data")
+    assert [value for _, value in curve.points] == [0, 1, 4, 9, 16, 25]
+    assert [value for _, value in intervals.curves[0].points] == [0.5] * 5
+    assert intervals.unit == "s"
+
+
+def test_a_joint_stream_has_a_curve_for_each_joint() -> None:
+    stream = [joints(place * 0.1, elbow=place * 0.5, wrist=-place) for place in range(1, 9)]
+    values, _ = signals_of(recording(*stream))
+    assert [curve.label for curve in values.curves] == ["elbow", "wrist"]
+    assert values.curves[1].points[-1] == (pytest.approx(0.8), -8.0)
+
+
+@pytest.mark.parametrize(
+    "messages",
+    [
+        [number(1.0, 1)] * 4,  # too few
+        [number(place, 7) for place in range(9)],  # always the same
+        [kinds.MessageSeen(place, "/counted", NUMBER, b"\0") for place in range(9)],  # no such messages
+        [kinds.MessageSeen(place, "/counted", "no/msg/Such", b"\0\1\0\0") for place in range(9)],
+    ],
+)
+def test_nothing_to_plot(messages: list[kinds.MessageSeen]) -> None:
+    assert all(signal.unit == "s" for signal in signals_of(recording(*messages)))
+
+
+def test_values_beyond_all_measure_are_left_out() -> None:
+    stream = [joints(place * 0.1, a=float("nan"), b=1e300, c=place) for place in range(1, 9)]
+    source = "".join(pictures(recording(*stream), key="k", clean=str))
+    assert "nan" not in source and "inf" not in source
+
+
+def test_a_plot_is_sound_small_and_keeps_its_peaks() -> None:
+    points = tuple((place * 0.001, 100.0 if place == 3333 else place % 2) for place in range(6000))
+    curves = tuple(Curve(f"curve <{place}> &", points) for place in range(6))
+    source = plot(Signal("Values", "/<a>", "", curves), 6.0, key="k", clean=str)
+    assert len(source.encode()) <= MOST_BYTES
+    picture = ElementTree.fromstring(source)
+    assert "highest 100" in "".join(picture.itertext())
+    peak = min(float(pair.split()[1]) for path in curves_of(picture) for pair in path[1:].split("L"))
+    assert peak == pytest.approx(24 + 130 * 0.08 / 1.16, abs=0.2)
+
+
+def curves_of(picture: ElementTree.Element) -> list[str]:
+    every = picture.iter("{http://www.w3.org/2000/svg}path")
+    drawn = [each.get("d", "") for each in every if each.get("stroke-width") == "1.8"]
+    return [path for path in drawn if "L" in path]
+
+
+def test_a_mystery_has_no_pictures() -> None:
+    assert len(pictures(recording(*COUNTER), key="k", clean=str)) == 3
+    assert pictures(recording(*COUNTER, kinds.Drawn(0.1, 7)), key="k", clean=str) == ()

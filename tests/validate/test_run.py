@@ -1,0 +1,94 @@
+"""Proofs are run until there is a verdict that the machine has not spoilt, at most three times."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import psutil
+import pytest
+
+from course.content import open_course
+from course.feedback import Feedback
+from course.grading.result import CheckResult, Outcome, Result, Timing, Verdict
+from course.validate import run as running
+from course.validate.account import Account
+from course.validate.plan import Kind, Proof, proofs
+from course.validate.run import run
+from course.validate.tasks import (
+    PROOFS,
+    Proven,
+    Task,
+    proven_from_line,
+    proven_to_line,
+    task_from_line,
+    task_to_line,
+)
+from tests.conftest import FIXTURES
+from tests.validate.conftest import QUIZ
+
+COURSE = open_course(FIXTURES / "quiz_course")
+EXERCISE = COURSE.exercise(QUIZ)
+MISTAKE = Proof(QUIZ, Kind.MISTAKE, "saves-oil")
+
+
+def test_a_task_and_its_answer_survive_the_way() -> None:
+    task = Task(MISTAKE, 2, "/course", "/folder", 3, "/evidence.mcap")
+    assert task_from_line(task_to_line(task)) == task
+    checks = (CheckResult("a", "a", 1, Outcome.FAILED, feedback=Feedback("no")),)
+    proven = Proven(MISTAKE, 2, 3, Result(QUIZ, Verdict.NOT_PASSED, checks, Timing(lag=0.1)), 1.5, False)
+    assert proven_from_line(proven_to_line(proven)) == proven
+
+
+@pytest.fixture
+def ways(monkeypatch: pytest.MonkeyPatch) -> pytest.MonkeyPatch:
+    monkeypatch.setattr(running, "PROOFS", replace(PROOFS, worker="tests.validate.odd_worker"))
+    return monkeypatch
+
+
+@pytest.mark.parametrize(
+    ("way", "attempts", "held"),
+    [
+        ("caught", 1, True),
+        ("slips", 1, False),
+        ("caught-busy", 1, True),  # what holds is not looked at again
+        ("slips-busy caught", 2, True),
+        ("slips-busy slips", 2, False),
+        ("slips-busy slips-busy slips-busy caught", 3, False),
+        ("ours caught", 2, True),
+        ("ours", 3, False),
+        ("dies caught", 2, True),
+        ("unlaid", 1, False),
+        ("missing", 1, None),
+    ],
+)
+def test_what_is_doubtful_is_done_again(
+    ways: pytest.MonkeyPatch, way: str, attempts: int, held: bool | None
+) -> None:
+    ways.setenv("WAYS", way)
+    (proven,) = run(COURSE.root, [EXERCISE], [MISTAKE], jobs=2)
+    account = Account([EXERCISE], [MISTAKE])
+    assert (proven.attempt, account.add(proven)) == (attempts, held)
+    assert account.again == attempts - 1
+    assert len(account.findings()) == (held is False)
+    assert (account.why_not(MISTAKE) == "There is no ROS.") is (held is None)
+
+
+def test_each_turn_runs_everything(ways: pytest.MonkeyPatch) -> None:
+    ways.setenv("WAYS", "caught")
+    planned = proofs([EXERCISE])
+    ran = [(one.turn, one.proof) for one in run(COURSE.root, [EXERCISE], planned, jobs=2, turns=3)]
+    assert sorted(ran, key=str) == sorted([(turn, proof) for turn in (1, 2, 3) for proof in planned], key=str)
+
+
+def test_whoever_stops_listening_ends_the_workers_and_nothing_is_left(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    before = set(psutil.Process().children(recursive=True))
+    results = run(COURSE.root, [EXERCISE], proofs([EXERCISE]), jobs=1)
+    next(results)
+    assert list(tmp_path.iterdir())
+    results.close()
+    assert list(tmp_path.iterdir()) == []
+    assert set(psutil.Process().children(recursive=True)) <= before
