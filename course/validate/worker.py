@@ -1,20 +1,14 @@
-"""A process that runs proofs, one after another: `python -m course.validate.worker`.
-
-Each task is a line of JSON on standard input, each answer a line on the descriptor that is the argument.
-It ends with its parent, however that ends, and all that it started ends with it.
-"""
+"""A process that runs proofs: `python -m course.validate.worker DESCRIPTOR`; see `batch.answering`."""
 
 from __future__ import annotations
 
 import contextlib
 import os
-import signal
-import sys
 import tempfile
 import time
 from pathlib import Path
 
-from course.arena.sandbox.linux import PR_SET_PDEATHSIG, process_control
+from course.batch.answering import answer_tasks
 from course.content import Course, Exercise, open_course
 from course.errors import CourseError, MissingHere
 from course.feedback import Feedback
@@ -32,17 +26,8 @@ from course.validate.tasks import Proven, Task, proven_to_line, task_from_line
 
 
 def main() -> int:
-    process_control(PR_SET_PDEATHSIG, signal.SIGKILL)
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    signal.signal(signal.SIGINT, signal.default_int_handler)
-    with (
-        contextlib.suppress(KeyboardInterrupt),
-        os.fdopen(int(sys.argv[1]), "w") as answers,
-        contextlib.closing(Prover()) as prover,
-    ):
-        for line in sys.stdin:
-            answers.write(proven_to_line(prover.run(task_from_line(line))) + "\n")
-            answers.flush()
+    with contextlib.closing(Prover()) as prover:
+        answer_tasks(lambda line: proven_to_line(prover.run(task_from_line(line))))
     return 0
 
 

@@ -37,7 +37,7 @@ class Judges(Generic[Key]):
             self.answers, theirs = os.pipe()
             stack.callback(os.close, self.answers)
             try:
-                self._process = stack.enter_context(_start(theirs, self._log.fileno()))
+                self._process = stack.enter_context(start_judging(_WORKER, theirs, self._log.fileno()))
             finally:
                 os.close(theirs)
             stack.callback(self._process.kill)
@@ -85,9 +85,10 @@ class Judges(Generic[Key]):
             self._stack.close()
 
 
-def _start(answers: int, log: int) -> subprocess.Popen[str]:
+def start_judging(module: str, answers: int, log: int) -> subprocess.Popen[str]:
+    """Run a module that judges recordings. answers, log: descriptors; the former is its argument."""
     return subprocess.Popen(
-        [sys.executable, "-m", _WORKER, str(answers)],
+        [sys.executable, "-m", module, str(answers)],
         stdin=subprocess.PIPE,
         stdout=subprocess.DEVNULL,
         stderr=log,

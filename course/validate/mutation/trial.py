@@ -6,15 +6,13 @@ import contextlib
 import os
 import signal
 import subprocess
-import sys
 import tempfile
 from collections.abc import Generator, Iterator, Sequence
-from pathlib import Path
 from typing import TextIO
 
-import course as package
 from course.content import Course, Exercise
 from course.errors import OurFault
+from course.grading.rejudge.process import start_judging
 from course.validate.mutation.cases import Case, Mutated, Witness, answer_from_line, case_to_line
 from course.validate.mutation.model import Judged, Mutant
 from course.validate.mutation.recordings import Recorded
@@ -24,8 +22,6 @@ _COURT = "course.validate.mutation.court"
 SECONDS = 10.0
 _LOG = 2000
 _CHUNK = 1 << 16
-# No preparation for ROS by the wheels, which judging does not need; no plugins but ours.
-_QUICK = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
 
 
 def judged(
@@ -68,7 +64,7 @@ def _answers(case: Case) -> Iterator[str]:
         reading, writing = os.pipe()
         answers = stack.enter_context(os.fdopen(reading, encoding="utf-8"))
         try:
-            court = stack.enter_context(_start(writing, log.fileno()))
+            court = stack.enter_context(start_judging(_COURT, writing, log.fileno()))
         finally:
             os.close(writing)
         stack.callback(_end, court, answers)
@@ -90,25 +86,3 @@ def _end(court: subprocess.Popen[str], answers: TextIO) -> None:
         os.killpg(court.pid, signal.SIGKILL)  # it leads a group of its own
     while answers.read(_CHUNK):  # all of them hold the other end
         pass
-
-
-def _start(answers: int, log: int) -> subprocess.Popen[str]:
-    return subprocess.Popen(
-        [sys.executable, "-m", _COURT, str(answers)],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.DEVNULL,
-        stderr=log,
-        env=_environment(),
-        cwd="/",
-        pass_fds=(answers,),
-        start_new_session=True,  # Ctrl+C at the terminal is for us
-        text=True,
-    )
-
-
-def _environment() -> dict[str, str]:
-    """Ours, but nothing of it tells pytest what to do."""
-    own = str(Path(package.__file__).parents[1])
-    path = os.pathsep.join(part for part in (own, os.environ.get("PYTHONPATH")) if part)
-    others = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
-    return {**others, **_QUICK, "PYTHONPATH": path}
