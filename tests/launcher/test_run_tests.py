@@ -45,6 +45,18 @@ def test_it_sets_up_then_lints_then_tests(checks: Machine) -> None:
     ]
 
 
+def test_without_arguments_the_course_is_proven_too(checks: Machine) -> None:
+    assert run(checks, "run-tests").returncode == 0
+    assert checks.calls()[-2:] == ["ros2course validate", "python -m pytest -n 3"]
+
+
+def test_what_is_not_proven_fails_it_after_the_tests(checks: Machine) -> None:
+    launcher = os.path.relpath(checks.clone / "ros2course", checks.bin)
+    checks.script(launcher, notes("ros2course") + '\n[ "$1" != validate ] || exit 1')
+    assert run(checks, "run-tests").returncode == 1
+    assert checks.calls()[-1] == "python -m pytest -n 3"
+
+
 def test_ci_calls_it_without_a_terminal(checks: Machine) -> None:
     checks.script(os.path.relpath(checks.clone / ".venv/bin/python", checks.bin), "read -r line || exit 7")
     assert run(checks, ".ci/run").returncode == 7  # pytest's exit code, and an empty standard input
