@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
@@ -17,8 +18,9 @@ from course.build.job import Job, SourcesChanged
 from course.build.key import content_key
 from course.build.manifest import strict_fault
 from course.build.outcome import BuildFailure, BuiltPackage
-from course.build.process import Ended, Ending
+from course.build.process import Ending
 from course.build.refusal import unreadable
+from course.build.renewal import likeness, renewed
 from course.build.sealing import seal
 from course.build.sources import copy_sources
 from course.build.stopped import flawed, stopped
@@ -41,13 +43,19 @@ def build_one(job: Job, stop: Interrupt) -> BuiltPackage | BuildFailure:
         job.on_progress(f"Building {name}")
         if fault := strict_fault(job.package.folder / "package.xml"):
             return unreadable(job.package, fault)
+        began = time.monotonic()
         with _half_made(entry):
-            ended, failure = _run(job, entry, stop)
-            if failure:
-                entry.give_up()
-                return failure
+            _copy(job, entry)
+            like = likeness(job, entry)
+            if like is None or not renewed(job, entry, like):
+                failure = _run(job, entry, stop)
+                if failure:
+                    entry.give_up()
+                    return failure
             entry.finish(name)
-        return BuiltPackage(name, job.package.source, prefix, False, ended.seconds)
+        if like is not None:
+            job.store.note_alike(like, job.key)
+        return BuiltPackage(name, job.package.source, prefix, False, time.monotonic() - began)
 
 
 @contextmanager
@@ -61,8 +69,8 @@ def _half_made(entry: Entry) -> Iterator[None]:
         raise
 
 
-def _run(job: Job, entry: Entry, stop: Interrupt) -> tuple[Ended, BuildFailure | None]:
-    _copy(job, entry)
+def _run(job: Job, entry: Entry, stop: Interrupt) -> BuildFailure | None:
+    copy_sources(entry.kept, entry.kept, entry.src)
     env = build_environment(job.ros, entry, job.overlays)
     require_tools(job.package, env)
     command = colcon_command(job.package, entry, job.ros, env)
@@ -71,23 +79,22 @@ def _run(job: Job, entry: Entry, stop: Interrupt) -> tuple[Ended, BuildFailure |
         ended = run(command, entry.path, entry.log, job.time_limit)
     case = _case(job, entry, env, stop)
     if ended.ending is not Ending.EXITED:
-        return ended, stopped(case, ended, job.time_limit)
+        return stopped(case, ended, job.time_limit)
     limit, flaw = written(entry).now(), seal(entry.install, entry.path)
     if limit := limit or written(entry).now():  # only now can all folders be looked into
-        return ended, stopped(case, replace(ended, ending=Ending.LIMIT, limit=limit), job.time_limit)
+        return stopped(case, replace(ended, ending=Ending.LIMIT, limit=limit), job.time_limit)
     if flaw is not None:
-        return ended, flawed(case, flaw)
+        return flawed(case, flaw)
     if ended.code != 0:
         raise_if_machine(case.lines, Machine(job.store.root, job.ros.python, killed))
-        return ended, explain(case)
-    return ended, explain_success(case, entry.prefix(job.package.name))
+        return explain(case)
+    return explain_success(case, entry.prefix(job.package.name))
 
 
 def _copy(job: Job, entry: Entry) -> None:
     copy_sources(job.package.folder, job.workspace.home, entry.kept)
     if content_key(entry.kept, entry.kept, job.needed, job.ros.identity) != job.key:
         raise SourcesChanged
-    copy_sources(entry.kept, entry.kept, entry.src)
 
 
 def _case(job: Job, entry: Entry, env: Mapping[str, str], stop: Interrupt) -> Case:

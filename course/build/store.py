@@ -8,6 +8,7 @@
     ROOT/<key>/complete written last, by rename: without it the entry is half-made and counts for nothing.
                         It has a digest of what was installed: an entry that is not that is made anew
     ROOT/<key>.lock     held by whoever makes or removes the entry
+    ROOT/<key>.like     the key of an entry whose package differs in its modules alone, see `renewal`
 
 An entry that is complete is never written to again. Its paths are baked into what was built, so it
 cannot move. When it was last used is the age of `complete`.
@@ -129,6 +130,21 @@ class Store:
     def entry(self, key: str) -> Entry:
         return Entry(self.root / key)
 
+    def alike(self, like: str) -> str | None:
+        """The key of the entry that was noted last for that likeness; it may be gone."""
+        with suppress(OSError, ValueError):
+            key = self._like_file(like).read_text(encoding="ascii")
+            return key if _KEY.fullmatch(key) else None
+        return None
+
+    def note_alike(self, like: str, key: str) -> None:
+        """To be found by `alike`. Nothing is wrong when that fails: then it is not found."""
+        file = self._like_file(like)
+        beside = file.with_name(f"{key}.like.new")
+        with suppress(OSError):
+            beside.write_text(key, encoding="ascii")
+            beside.replace(file)
+
     @contextmanager
     def locked(self, key: str, interrupt: Interrupt, on_wait: Callable[[], None]) -> Iterator[Entry]:
         """Hold the entry against everyone else; `on_wait` is called once if that takes a while."""
@@ -162,6 +178,13 @@ class Store:
             if spare and now - used > in_use_seconds:
                 self._remove(key)
                 kept -= size
+        self._forget_likes()
+
+    def _forget_likes(self) -> None:
+        for file in self.root.glob("*.like"):
+            key = self.alike(file.stem)
+            if key is None or not self.entry(key).marker.exists():
+                file.unlink(missing_ok=True)
 
     def _entries(self) -> Iterator[tuple[float, int, str]]:
         """Last use, size and key of each entry; the size of an incomplete one is 0."""
@@ -182,6 +205,9 @@ class Store:
                 self._lock_file(key).unlink(missing_ok=True)
         finally:
             os.close(lock)
+
+    def _like_file(self, like: str) -> Path:
+        return self.root / f"{like}.like"
 
     def _lock_file(self, key: str) -> Path:
         return self.root / f"{key}.lock"

@@ -13,7 +13,7 @@ from course.grading import trial
 from course.grading.channel import Judgement
 from course.grading.check import check_exercise
 from course.grading.rejudge import Beside
-from course.grading.result import Verdict
+from course.grading.result import CheckResult, Verdict
 from course.home import create_home
 from course.rosenv import find_ros
 
@@ -37,6 +37,12 @@ def home(course: Course, exercise: Exercise, tmp_path: Path) -> Path:
     return home
 
 
+def judged(check: CheckResult) -> tuple[object, ...]:
+    """What one run has in common with the next: Ctrl+C need not come upon the same line."""
+    told = check.feedback and (check.feedback.summary, check.feedback.expected, check.feedback.advice)
+    return check.id, check.outcome, check.points, check.skipped_because, told
+
+
 def nobody(exercise: Exercise, file: Path) -> Judgement:
     raise OurFault("there is no recording to judge")
 
@@ -53,7 +59,7 @@ def test_the_same_verdict(
     with contextlib.closing(Beside()) as beside:
         other = check_exercise(exercise, home, ros=find_ros(), evidence=evidence, judge=beside.judge)
     assert itself.verdict is other.verdict is verdict
-    assert other.checks == itself.checks
+    assert [judged(check) for check in other.checks] == [judged(check) for check in itself.checks]
     assert other.timing.evidence > 0
 
 
