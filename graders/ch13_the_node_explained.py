@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 from itertools import pairwise
+from statistics import median
 
 from course.arena.arena import Arena
 from course.arena.process import Process
@@ -106,7 +107,8 @@ def countdown_counts(recording: Recording) -> None:
         raise Failure(miscounted(recording, said))
     times = tuple(line.t for line in recording.log)
     gaps = [later - earlier for earlier, later in pairwise(times)]
-    if not all(PERIOD / 2 <= gap <= 2 * PERIOD for gap in gaps):
+    # A single word may reach us late: most of a period is left for that, and none for two words at once.
+    if not PERIOD / 2 <= median(gaps) <= 2 * PERIOD or min(gaps) < PERIOD / 10:
         raise Failure(
             Feedback(
                 summary="The countdown does not say one word every half a second.",

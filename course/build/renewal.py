@@ -75,6 +75,8 @@ def _changes(earlier: Entry, entry: Entry) -> dict[str, bytes] | None:
     suspects = {PurePosixPath(name).name for name in changed}
     changes: dict[str, bytes] = {}
     for file in _files(earlier.install):
+        if file.is_symlink():  # whatever made that, it was none of what is known here
+            return None
         if file.name not in suspects:
             continue
         name = file.relative_to(earlier.install).as_posix()
@@ -100,12 +102,13 @@ def _sources(installed: str, content: bytes, modules: dict[str, bytes]) -> list[
 
 def _copy(old: Path, new: Path, move: _Move, changes: dict[str, bytes]) -> None:
     compiled = {_compiled(name) for name in changes}
+    for folder, _, _ in os.walk(old):
+        (new / Path(folder).relative_to(old)).mkdir(exist_ok=True)
     for file in _files(old):
         name = file.relative_to(old).as_posix()
         if _without_tag(name) in compiled:
             continue  # Python compiles the module when it is imported
         target = new / name
-        target.parent.mkdir(parents=True, exist_ok=True)
         if name in changes:
             target.write_bytes(changes[name])
             shutil.copymode(file, target)

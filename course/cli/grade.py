@@ -30,7 +30,7 @@ def grade(
         str, typer.Option("--exercises", metavar="ID,...", help="Only these; else all whose files are found.")
     ] = "",
     jobs: Annotated[
-        int | None, typer.Option("--jobs", min=1, max=64, help="Gradings at once; by default three a core.")
+        int | None, typer.Option("--jobs", min=1, max=64, help="Gradings at once; by default four a core.")
     ] = None,
     out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where results go.")] = Path("grades"),
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Show what is found, and stop.")] = False,

@@ -34,7 +34,7 @@ def validate(
     ] = None,
     static: Annotated[bool, typer.Option("--static", help="Only look at what is written.")] = False,
     jobs: Annotated[
-        int | None, typer.Option("--jobs", min=1, max=64, help="Gradings at once; by default three a core.")
+        int | None, typer.Option("--jobs", min=1, max=64, help="Gradings at once; by default four a core.")
     ] = None,
     repeat: Annotated[
         int, typer.Option("--repeat", metavar="K", min=1, help="Everything K times: no verdict may change.")

@@ -29,6 +29,7 @@ def package(src: Path) -> Path:
     """With modules of one name and one content, a launch file, and a test."""
     package = src / "small_node"
     edit(package / "setup.py", "    ],\n    install_requires", LAUNCH)
+    edit(package / "setup.py", "data_files=[", "data_files=[('share/empty', []), ")
     edit(package / "setup.py", "from setuptools", "import os\nfrom glob import glob\nfrom setuptools")
     for name in ("small_node/inner/__init__.py", "launch/talker.py", "test/test_talker.py"):
         (package / name).parent.mkdir(exist_ok=True)
@@ -56,11 +57,14 @@ def tree(entry: Path) -> dict[str, object]:
     found: dict[str, object] = {}
     for file in sorted((entry / "install").rglob("*")):
         name = file.relative_to(entry).as_posix()
-        if file.is_file() and "__pycache__" not in name:
+        if "__pycache__" in name:  # Python makes what is missing there
+            continue
+        found[name] = file.stat().st_mode & 0o777
+        if file.is_file():
             content = file.read_bytes().replace(bytes(entry), b"ENTRY")
             if name.endswith("SOURCES.txt"):  # in the order in which the disk lists files
                 content = b"\n".join(sorted(content.split(b"\n")))
-            found[name] = (content, file.stat().st_mode & 0o777)
+            found[name] = (content, found[name])
     return found
 
 
