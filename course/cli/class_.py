@@ -87,8 +87,12 @@ def grade_class(course: Course, asked: Asked, graders: Graders, gradescope: Path
             jobs = graders.jobs or default_jobs()
             batch = Batch(asked.out, planned, jobs, asked.course, graders.contained)
             console = error_console()
-            with ended_cleanly(), progress(console) as show, _rounds(graders, asked, console) as rounds:
-                run(batch, results, _Teller(show), rounds)
+            with (
+                ended_cleanly() as again,
+                progress(console) as show,
+                _rounds(graders, asked, console, again) as rounds,
+            ):
+                run(batch, results, _Teller(show, again), rounds)
         except KeyboardInterrupt:
             put(error_console(), "Stopped. The same command goes on from here.")
             raise
@@ -131,8 +135,10 @@ def _note(results: Results, planned: Planned, asked: Asked, contained: bool, beg
 
 
 @contextmanager
-def _rounds(graders: Graders, asked: Asked, console: Console) -> Iterator[Rounds | None]:
-    """What grades: a cluster's workers, or None for those of this machine."""
+def _rounds(
+    graders: Graders, asked: Asked, console: Console, again: Callable[[], None]
+) -> Iterator[Rounds | None]:
+    """What grades: a cluster's workers, or None for those of this machine. again: see `ending`."""
     if graders.cluster is None:
         yield None
         return
@@ -143,7 +149,7 @@ def _rounds(graders: Graders, asked: Asked, console: Console) -> Iterator[Rounds
     like_this = wanted(asked.course, graders.contained)
     with scheduler_at(graders.cluster, graders.security) as client:
         say = partial(_say, console)
-        yield Cluster(client, like_this, say, graders.jobs)
+        yield Cluster(client, like_this, say, graders.jobs, again)
 
 
 def _say(console: Console, text: str) -> None:
@@ -154,10 +160,11 @@ def _say(console: Console, text: str) -> None:
 
 
 class _Teller:
-    """Tells the terminal how far it is. show: as `report.batch.progress` yields it."""
+    """Tells the terminal how far it is. show: as `report.batch.progress` yields it. again: see `ending`."""
 
-    def __init__(self, show: Callable[[Tally, str | None], None]) -> None:
+    def __init__(self, show: Callable[[Tally, str | None], None], again: Callable[[], None]) -> None:
         self._show = show
+        self._again = again
         self._tally: Tally
 
     def __call__(self, state: Progress, graded: Graded | None) -> None:
@@ -169,6 +176,7 @@ class _Teller:
         else:
             self._tally.add(graded.result)
             self._show(self._tally, line_of(graded.unit.person, graded.result))
+        self._again()
 
 
 def _show(planned: Planned) -> None:

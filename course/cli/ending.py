@@ -4,22 +4,42 @@ from __future__ import annotations
 
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from types import FrameType
 from typing import NoReturn
+
+_LIKE_INTERRUPT = (signal.SIGTERM, signal.SIGHUP)
 
 
 @contextmanager
-def ended_cleanly() -> Iterator[None]:
-    """A closed terminal or a `kill` ends what goes on like Ctrl+C does, with everything it started."""
-    signals = (signal.SIGTERM, signal.SIGHUP)
-    before = {number: signal.signal(number, _leave) for number in signals}
+def ended_cleanly() -> Iterator[Callable[[], None]]:
+    """A closed terminal or a `kill` ends what goes on like Ctrl+C does, with everything it started.
+
+    Yields what a long loop has to call now and then: it raises once more when a signal came and what it
+    raised was lost. Python prints, and forgets, whatever is raised while an object is being destroyed.
+    """
+    came: list[int] = []
+
+    def leave(number: int, _frame: FrameType | None) -> NoReturn:
+        came.append(number)
+        _raise(number)
+
+    def again() -> None:
+        if came:
+            _raise(came[0])
+
+    # Who was started in the background ignores Ctrl+C, and goes on doing so.
+    ctrl_c = (signal.SIGINT,) if signal.getsignal(signal.SIGINT) is signal.default_int_handler else ()
+    before = {number: signal.signal(number, leave) for number in (*ctrl_c, *_LIKE_INTERRUPT)}
     try:
-        yield
+        yield again
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
 
 
-def _leave(number: int, _frame: object) -> NoReturn:
+def _raise(number: int) -> NoReturn:
+    if number == signal.SIGINT:
+        raise KeyboardInterrupt
     sys.exit(128 + number)

@@ -29,7 +29,7 @@ def _mutated(course: Course, exercises: Sequence[Exercise], jobs: int | None) ->
     from course.report.tally import Tally, progress
     from course.validate.mutation.run import mutate
 
-    with ended_cleanly(), progress(error_console()) as show:
+    with ended_cleanly() as again, progress(error_console()) as show:
         tally = Tally(0)
 
         def told(step: Step) -> None:
@@ -40,6 +40,7 @@ def _mutated(course: Course, exercises: Sequence[Exercise], jobs: int | None) ->
             else:
                 tally.count(step.judged.fate.value if step.judged else "recorded")
                 show(tally, _line(step))
+            again()
 
         return mutate(course, exercises, jobs=jobs, on_progress=told)
 

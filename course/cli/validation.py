@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from pathlib import Path
@@ -59,8 +59,8 @@ def validate_course(course: Course, asked: Asked) -> ExitCode:
     if account is None:
         return _shown(seen, asked)
     try:
-        with ended_cleanly():
-            _run(course, exercises, seen, asked)
+        with ended_cleanly() as again:
+            _run(course, exercises, seen, asked, again)
     except KeyboardInterrupt:
         _shown(seen, asked, stopped=True)
         raise
@@ -98,7 +98,9 @@ def _planned(course: Course, exercises: Sequence[Exercise], turns: int) -> tuple
     return Account(sound, every, turns), every
 
 
-def _run(course: Course, exercises: Sequence[Exercise], seen: Seen, asked: Asked) -> None:
+def _run(
+    course: Course, exercises: Sequence[Exercise], seen: Seen, asked: Asked, again: Callable[[], None]
+) -> None:
     from course.batch.run import default_jobs
     from course.report.console import error_console
     from course.report.tally import Tally, progress
@@ -114,6 +116,7 @@ def _run(course: Course, exercises: Sequence[Exercise], seen: Seen, asked: Asked
             tally.count({True: "held", False: "broken", None: "not available here"}[held])
             told = held is False or tally.done % _LINES_EVERY == 0
             show(tally, str(proven.proof) if told else None)
+            again()
 
 
 def _shown(seen: Seen, asked: Asked, *, stopped: bool = False) -> ExitCode:

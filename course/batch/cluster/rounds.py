@@ -5,7 +5,7 @@ from __future__ import annotations
 import queue
 import time
 from collections import deque
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -48,13 +48,21 @@ class Cluster:
     """The workers behind `client`, as what grades a round of tasks (see `course.batch.run.Rounds`).
 
     most: gradings at once in the whole cluster, None for as many as its workers have threads.
-    say: takes a sentence for the instructor.
+    say: takes a sentence for the instructor. on_look: called about once a second; ends all if it raises.
     """
 
-    def __init__(self, client: Client, wanted: Wanted, say: Say, most: int | None = None) -> None:
+    def __init__(
+        self,
+        client: Client,
+        wanted: Wanted,
+        say: Say,
+        most: int | None = None,
+        on_look: Callable[[], None] = lambda: None,
+    ) -> None:
         self._client = client
         self._say = say
         self._most = most
+        self._on_look = on_look
         self._news: queue.SimpleQueue[str] = queue.SimpleQueue()
         self._roster = Roster(client, wanted, lambda: self._news.put(_NEWS), say)
         self._sent: dict[str, Sent] = {}
@@ -109,6 +117,7 @@ class Cluster:
 
     def _look(self, alone: bool) -> None:
         self._next_look = time.monotonic() + _LOOK
+        self._on_look()
         self._roster.look()
         self._rescue(alone)
 

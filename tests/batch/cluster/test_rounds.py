@@ -34,9 +34,14 @@ class Class:
         )
 
     def round(
-        self, client: Client, *, most: int | None = None, alone: bool = False
+        self,
+        client: Client,
+        *,
+        most: int | None = None,
+        alone: bool = False,
+        on_look: Callable[[], None] = lambda: None,
     ) -> Generator[Graded, None, None]:
-        cluster = Cluster(client, WANTED, self.told.append, most)  # type: ignore[arg-type]
+        cluster = Cluster(client, WANTED, self.told.append, most, on_look)  # type: ignore[arg-type]
         return cluster(self._next, waiting=len(self._left), alone=alone)
 
     def _next(self) -> Task | None:
@@ -54,6 +59,19 @@ def test_all_are_graded_once(of: Callable[[int], Class]) -> None:
     client = Client({"a": 2, "b": 1}, Future.pass_)
     assert people(group.round(client)) == group.names
     assert len(client.gradings) == 50
+
+
+def test_who_looks_on_may_end_it(of: Callable[[int], Class]) -> None:
+    """As when Ctrl+C was lost, and all workers have heard it: nothing would ever arrive any more."""
+    group, client, looks = of(9), Client({"a": 2}, lambda future: None), iter(range(5))
+
+    def look() -> None:
+        if next(looks) == 4:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        people(group.round(client, on_look=look))
+    assert client.gradings and all(future.cancelled() for future in client.gradings)
 
 
 def test_a_result_that_arrives_twice_counts_once(of: Callable[[int], Class]) -> None:
