@@ -40,6 +40,15 @@ class Feedback:
     details: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
+class Pace:
+    """What a check asked of how often messages come: the median seconds between two on `topic`."""
+
+    topic: str
+    shortest: float
+    longest: float
+
+
 def feedback_from_dict(data: Mapping[str, Any] | None) -> Feedback | None:
     """Feedback out of its JSON form."""
     if data is None:

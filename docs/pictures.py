@@ -6,7 +6,9 @@
 Between `<!-- check:begin -->` and `<!-- check:end -->` of the README stands what two real checks of
 18-publisher print: one with a known mistake, one of the reference solution. Between
 `<!-- validate:begin -->` and `<!-- validate:end -->` of validating.md stands what `validate` prints of a
-quiz: as it is, and with a mistake of which something else is claimed than is so.
+quiz: as it is, and with a mistake of which something else is claimed than is so. Between
+`<!-- evidence:begin -->` and `<!-- evidence:end -->` of evidence.md stands what `evidence show` draws after
+the same two checks. No two runs look the same there: only who publishes and who listens is compared.
 """
 
 from __future__ import annotations
@@ -18,7 +20,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from course.content import Course, open_course
@@ -28,10 +31,14 @@ ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"
 EXERCISE = "18-publisher"
 MISTAKE = "publisher-topic-plural"
+SHOW = ("evidence", "show", EXERCISE)
 VALIDATING = ROOT / "docs" / "validating.md"
 QUIZ = "16-interfaces-quiz"
+EVIDENCE = ROOT / "docs" / "evidence.md"
 # Durations differ from run to run, and with them how wide their column is.
 SECONDS = re.compile(r" +\d+\.\d+( s|\n)")
+# What does not tell who publishes and who listens.
+DRAWN = re.compile(r"^(?!.*─→).*\n", re.MULTILINE)
 
 
 def main() -> int:
@@ -42,18 +49,21 @@ def main() -> int:
     fresh = [
         drawn(README, "check", picture, write=not only_check),
         drawn(VALIDATING, "validate", validated, write=not only_check),
+        drawn(EVIDENCE, "evidence", evidence, write=not only_check, varies=DRAWN),
     ]
     return 0 if all(fresh) or not only_check else 1
 
 
-def drawn(document: Path, name: str, draw: Callable[[], str], *, write: bool) -> bool:
-    """Whether the document's picture was as it is drawn now."""
+def drawn(
+    document: Path, name: str, draw: Callable[[], str], *, write: bool, varies: re.Pattern[str] = SECONDS
+) -> bool:
+    """Whether the document's picture was as it is drawn now. varies: what no two runs have in common."""
     region = re.compile(rf"(?<=<!-- {name}:begin -->\n).*?(?=<!-- {name}:end -->)", re.DOTALL)
     before = document.read_text(encoding="utf-8")
     after = region.sub(lambda _: draw(), before)
     if write:
         document.write_text(after, encoding="utf-8")
-    return SECONDS.sub("", after) == SECONDS.sub("", before)
+    return varies.sub("", after) == varies.sub("", before)
 
 
 def validated() -> str:
@@ -87,8 +97,26 @@ def picture() -> str:
     return f"```console\n{shown}\n```\n"
 
 
+def evidence() -> str:
+    """What `evidence show` draws of both checks."""
+    course = open_course(ROOT)
+    texts = []
+    for mistaken in (True, False):
+        with laid(course, mistaken) as home:
+            run("--home", str(home), "check", EXERCISE)
+            texts.append("$ ./ros2course evidence show\n" + tidy(run("--home", str(home), *SHOW)))
+    return "```console\n" + "\n".join(texts) + "```\n"
+
+
 def checked(course: Course, mistaken: bool) -> str:
     """What `check` prints at 80 columns, with the mistake in the solution or without."""
+    with laid(course, mistaken) as home:
+        return tidy(run("--home", str(home), "check", EXERCISE)).rstrip("\n")
+
+
+@contextmanager
+def laid(course: Course, mistaken: bool) -> Iterator[Path]:
+    """A course home with the solution, with the mistake in it or without."""
     exercise = course.exercise(EXERCISE)
     with tempfile.TemporaryDirectory() as folder:
         home = Path(folder)
@@ -97,7 +125,7 @@ def checked(course: Course, mistaken: bool) -> str:
             mistake = next(found for found in exercise.mistakes() if found.id == MISTAKE)
             trial.apply_mistake(exercise, mistake, home)
         run("init", folder)
-        return "\n".join(line.rstrip() for line in run("--home", folder, "check", EXERCISE).splitlines())
+        yield home
 
 
 def run(*words: str, cwd: Path = ROOT) -> str:

@@ -35,7 +35,8 @@ files = Grader("01-files", builds=None)
 
 @files.check("empty_file", "`~/a_folder/an_empty_file.txt` is there, and empty")
 def empty_file(recording: Recording) -> None:
-    found = expect_file(recording, EMPTY, advice="`cd ~/a_folder`, then `touch an_empty_file.txt`.")
+    make = "`mkdir ~/a_folder`, if there is no such folder yet; then `touch ~/a_folder/an_empty_file.txt`."
+    found = expect_file(recording, EMPTY, advice=make)
     if found.size:
         raise Failure(
             Feedback(
@@ -43,7 +44,7 @@ def empty_file(recording: Recording) -> None:
                 expected="0 bytes",
                 seen=f"`{found.lines[0][:60]}`" if found.lines else f"{found.size} bytes",
                 where=(Location(EMPTY),),
-                advice="Remove it with `rm`, and make it anew with `touch`.",
+                advice="Remove it with `rm`, and make it again with `touch`.",
             )
         )
 
@@ -51,7 +52,9 @@ def empty_file(recording: Recording) -> None:
 @files.check("stuff", "`~/a_folder/file_with_stuff.txt` holds the line `stuff`")
 def stuff(recording: Recording) -> None:
     write = "`echo stuff > ~/a_folder/file_with_stuff.txt` writes it."
-    found = expect_text(recording, STUFF, advice=write)
+    found = expect_text(
+        recording, STUFF, advice=f"{write} If there is no such folder yet: `mkdir ~/a_folder`."
+    )
     if "stuff" in (line.rstrip() for line in found.lines):
         return
     written = next((line for line in found.lines if line.strip()), None)
@@ -95,7 +98,7 @@ def listing(recording: Recording) -> None:
 
 def overwritten(lines: tuple[str, ...]) -> Feedback:
     return Feedback(
-        summary="Only `done` is left in the file: the second `>` began it anew, and the listing is gone.",
+        summary="Only `done` is left in the file: the second `>` emptied it first, and the listing is gone.",
         expected="the listing, and `done` after it",
         seen=listed(lines[:3]),
         where=(Location(LISTING, 1),),
@@ -125,7 +128,7 @@ def appended(recording: Recording) -> None:
             where=(Location(LISTING, elsewhere or len(found.lines) or None),),
             advice="The word needs a line of its own."
             if glued
-            else "Small letters, nothing else in the line."
+            else "Write just `done`: in small letters, and nothing else on the line."
             if close
             else "`echo done >> result_of_ls.txt` adds it to the end; two `>`, or the listing is lost.",
         )
@@ -159,7 +162,7 @@ def robocop_lines(recording: Recording) -> None:
         raise Failure(
             Feedback(
                 summary=summary,
-                expected=f"{len(wanted)} lines, as they stand in `a_file.whatever`",
+                expected=f"{len(wanted)} lines, just as they are in `a_file.whatever`",
                 seen=f"{len(seen)} lines" if len(seen) != len(wanted) else seen[0][:120],
                 where=(Location(FOUND, number),),
                 advice=advice,
@@ -245,12 +248,12 @@ def unknown_alias(recording: Recording) -> Feedback:
         advice = "Correct its name in `~/.bashrc`."
     elif function:
         summary = "`say_hello` is a function, not an alias."
-        advice = "That works too, but an alias is asked for: `alias say_hello='echo hello'`."
+        advice = "It works too, but the task is about an alias: `alias say_hello='echo hello'`."
     elif commented:
-        summary = "The line with `say_hello` begins with `#`, so bash passes it over as a remark."
+        summary = "The line with `say_hello` begins with `#`, so bash skips it."
         advice = "Take the `#` away."
     else:
-        summary = "A new terminal knows no alias `say_hello`."
+        summary = "A new terminal does not know the alias `say_hello`."
         advice = "Add a line to `~/.bashrc`: `alias`, the name, `=`, and the command in quotation marks."
     return Feedback(
         summary=summary,
@@ -265,11 +268,11 @@ def spaces(recording: Recording) -> Feedback | None:
     for number, line in enumerate(recording.home.file(BASHRC).lines, 1):
         if re.match(r"\s*alias\s+say_hello(\s+=|\s*=\s)", line):
             return Feedback(
-                summary="There is a space beside the `=` of the alias; bash sees words, and no alias.",
+                summary="There is a space beside the `=`, so bash does not see an alias.",
                 expected="alias say_hello='echo hello'",
                 seen=line.strip(),
                 where=(Location(BASHRC, number),),
-                advice="Take the spaces on both sides of the `=` away.",
+                advice="Take away the spaces beside the `=`.",
             )
     return None
 
@@ -304,7 +307,7 @@ def prints(recording: Recording) -> None:
     lost = any("command not found" in line for line in printed)
     raise Failure(
         Feedback(
-            summary="The alias stands for something that is no command."
+            summary="The alias stands for something that is not a command."
             if lost
             else "`say_hello` prints nothing."
             if not printed

@@ -62,8 +62,8 @@ def made(recording: Recording) -> None:
             summary=f"There is no environment `~/{ENVIRONMENT}`; there is `~/{other}`."
             if other
             else f"There is no virtual environment in `~/{ENVIRONMENT}`.",
-            expected=f"~/{ENVIRONMENT}/pyvenv.cfg",
-            seen=f"~/{others[0]}" if others else None,
+            expected=f"a virtual environment in ~/{ENVIRONMENT}",
+            seen=f"one in ~/{other}" if other else "none",
             advice=f"`python3 -m venv ~/{ENVIRONMENT}` makes it. One that exists cannot be renamed.",
         )
     )
@@ -81,7 +81,7 @@ def its_python_runs(recording: Recording) -> None:
             summary=f"`~/{ENVIRONMENT}` has no Python that runs.",
             expected=f"~/{ENVIRONMENT}/bin/python3",
             seen=view.text[-1][:120] if view.text else "no such program",
-            advice=f"Remove it (`rm -r ~/{ENVIRONMENT}`) and make it anew: it may have been moved, or the "
+            advice=f"Remove it (`rm -r ~/{ENVIRONMENT}`) and make it again: it may have been moved, or the "
             "Python that it was made with is gone.",
         )
     )
@@ -112,7 +112,7 @@ def pycharm_alias(recording: Recording) -> None:
     if ran.code != 0:
         raise Failure(
             Feedback(
-                summary="A new terminal knows no alias `pycharm_ros2`.",
+                summary="A new terminal does not know the alias `pycharm_ros2`.",
                 where=tuple(text_places(only(recording, BASHRC), "pycharm")[:1]) or (Location(BASHRC),),
                 advice="As in chapter 1: `alias pycharm_ros2='...'` in `~/.bashrc`, with the path of "
                 "PyCharm's program in the quotation marks, and no spaces around the `=`.",
@@ -196,7 +196,7 @@ def interrupt(recording: Recording) -> None:
 def imports(recording: Recording) -> None:
     expect_text(recording, SCRIPT)
     if recording.probe().ran and not recording.probe().finished and not recording.probe().answers:
-        raise Failure(runs_when_imported(recording, "it goes on for ever"))
+        raise Failure(runs_when_imported(recording, "it goes on forever"))
     expect_importable(recording, "from minimalist_package import minimalist_script")
     printed = recording.process("probe").text
     if printed:
@@ -212,7 +212,7 @@ def runs_when_imported(recording: Recording, seen: str) -> Feedback:
         expected="an import runs nothing",
         seen=seen,
         where=tuple(Location(SCRIPT, n) for n in top[:2]) or (Location(SCRIPT),),
-        advice="What stands at the margin runs at each import. Move it into `main()`"
+        advice="A line without spaces before it runs at each import. Move it into `main()`"
         + (
             ", or under the `if` at the end."
             if guard
@@ -255,7 +255,8 @@ def shebang(recording: Recording) -> None:
             Feedback(
                 summary="The lines of the file end as in Windows, so the first one names a program that does "
                 "not exist.",
-                seen="an invisible sign after `python3`",
+                expected="nothing after `python3`",
+                seen="an invisible sign after it",
                 where=(Location(SCRIPT, 1),),
                 advice="Let your editor save the file with the line ends of Linux (LF), or take the signs "
                 "out: `sed -i 's/\\r$//' minimalist_script.py`.",
@@ -273,8 +274,8 @@ def shebang(recording: Recording) -> None:
         summary = f"The first line does not name python3: `{first[:60]}`."
         advice = "Write `#!/usr/bin/env python3`: it finds the python3 that is on the PATH."
     else:
-        summary = "The first line does not say which program shall read the file."
-        advice = "Begin the file with `#!/usr/bin/env python3`. Without it, bash takes the file for its own."
+        summary = "The first line does not say which program reads the file."
+        advice = "Begin the file with `#!/usr/bin/env python3`. Without it, bash reads the file itself."
     raise Failure(
         Feedback(
             summary=summary,
@@ -306,7 +307,7 @@ def direct(recording: Recording) -> None:
             summary="`./minimalist_script.py` does not print `Howdy!`.",
             seen=view.text[-1][:120] if view.text else "nothing",
             where=(Location(SCRIPT, 1),),
-            advice="Start it that way yourself, and read what it says.",
+            advice="Type it yourself in a terminal, and read what it says.",
             details=view.text[-6:],
         )
     )
@@ -410,8 +411,8 @@ def attributes(recording: Recording) -> None:
 @minimalist_class.check("apart", "two objects do not share their numbers", needs="attributes")
 def apart(recording: Recording) -> None:
     shares = (
-        "What belongs to one object is set with `self.` in `__init__`. What stands in the class itself, or "
-        "is set as `MinimalistClass.attribute`, is shared by all objects, and so is a list in the class."
+        "Set what belongs to one object with `self.`, in `__init__`. All objects share what is set as "
+        "`MinimalistClass.attribute`, and also a list in the class itself."
     )
     where = place(recording, "__init__")
     two = "[first.attribute, first.get_private_attribute(), second.attribute, second.get_private_attribute()]"
@@ -473,7 +474,7 @@ def static(recording: Recording) -> None:
         decorated = bare is not None and bare.error is None
         raise Failure(
             Feedback(
-                summary="`static_method` is no static method: it lacks the line `@staticmethod` above it."
+                summary="`static_method` is not a static method: it lacks the line `@staticmethod` above it."
                 if decorated
                 else "`static_method` wants an argument, such as `self`; a static method has none.",
                 expected="MinimalistClass.static_method() and MinimalistClass().static_method() both work",
@@ -616,7 +617,7 @@ def found(recording: Recording) -> None:
             where=tuple(Location(TEST, n) for n in (defs or classes)[:2]) or (Location(TEST),),
             advice="A test is a method whose name begins with `test`, as in `def test_method(self):`."
             if derived
-            else "Tests are methods of a class that derives from `unittest.TestCase`.",
+            else "Tests are methods of a class such as `class TestIt(unittest.TestCase):`.",
             details=recording.process("right").text[-6:],
         )
     )
@@ -626,7 +627,13 @@ def found(recording: Recording) -> None:
 def right(recording: Recording) -> None:
     view = recording.process("right")
     if view.exited is None or view.exited.signal is not None:
-        raise Failure(Feedback(summary="The tests do not come to an end.", where=(Location(TEST),)))
+        raise Failure(
+            Feedback(
+                summary="The tests do not come to an end.",
+                where=(Location(TEST),),
+                advice="Look for a loop that never ends, or for an `input()` that waits.",
+            )
+        )
     if view.exited.code == 0:
         return
     found = crash(view.traceback(), recording.packages, recording.sources)
@@ -653,7 +660,7 @@ def notices(recording: Recording) -> None:
     raise Failure(
         Feedback(
             summary=f"Your tests pass on {len(missed)} of {len(FAULTS)} broken classes."
-            + ("" if asserts else " They call, but they compare nothing."),
+            + ("" if asserts else " They call the class, but they compare nothing."),
             expected=f"at least {NOTICED} noticed",
             seen=f"{len(FAULTS) - len(missed)} noticed",
             where=(Location(TEST),),

@@ -79,13 +79,13 @@ def missing(recording: Recording) -> Feedback:
 
 def reasons(recording: Recording) -> Iterable[tuple[str, str, tuple[Location, ...]]]:
     yield (
-        "The line that sources ROS 2 begins with `#`, so bash passes it over as a remark.",
+        "The line that sources ROS 2 begins with `#`, so bash skips it.",
         "Take the `#` away.",
         places(recording, rf"\s*#+\s*(source|\.)\s+{SETUP}"),
     )
     yield (
-        "`setup.bash` is run, not sourced: what it sets ends with it.",
-        f"Put `source` before the path, and nothing else. {ADVICE}",
+        "`setup.bash` is run, not sourced, so what it sets is gone at its end.",
+        f"Put just the word `source` before the path. {ADVICE}",
         places(recording, rf"\s*((ba|z)?sh\s+)?[/~.$]{SETUP}"),
     )
     yield (

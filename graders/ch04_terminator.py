@@ -52,8 +52,8 @@ def reads(recording: Recording) -> None:
                 summary="Terminator cannot read this file.",
                 seen=found.lines[number - 1].strip()[:120] if number else None,
                 where=(Location(CONFIG, number),),
-                advice="A heading has as many closing brackets as opening ones, one more than the heading "
-                "that it belongs to; every other line is a name, `=`, and a value.",
+                advice="Simplest: remove the file, and save the layout once more in Terminator. If you "
+                "edited it by hand: does each heading close as many brackets as it opens?",
                 details=(str(first),),
             )
         ) from None
@@ -137,10 +137,12 @@ def too_few(name: str, entry: tuple[Part, ...], file: HomeFile) -> Feedback:
     windows = len([window for window in counts if window is not None])
     if orphan and sum(counts.values()) >= ENOUGH:
         summary = f"In the layout `{name}`, `{orphan.name}` lies in `{orphan.parent}`, which is in no window."
-        advice = f"Its `parent` is one of {listed(sorted(p.name for p in entry if p.kind != 'Terminal'))}."
+        advice = (
+            f"Set its `parent` to one of {listed(sorted(p.name for p in entry if p.kind != 'Terminal'))}."
+        )
     elif windows > 1:
         summary = f"The layout `{name}` has {windows} windows, and none of them holds {ENOUGH} terminals."
-        advice = "Divide one window (Ctrl+Shift+E, Ctrl+Shift+O) instead of opening others, then save it."
+        advice = "Divide one window (Ctrl+Shift+E, Ctrl+Shift+O) in place of opening others, then save it."
     else:
         summary = f"The layout `{name}` has too few terminals: {sum(counts.values()) - lost}."
         advice = f"Divide the window until it holds {ENOUGH}, then save the layout again. {SAVE}"

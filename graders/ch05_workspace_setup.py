@@ -88,7 +88,7 @@ def not_built(recording: Recording, missing: list[str]) -> Feedback:
 def half_built() -> Feedback:
     return Feedback(
         summary=f"`build` and `install` in `~/{WS}` are not what colcon makes.",
-        expected="build/.built_by, install/.colcon_install_layout, install/setup.bash",
+        expected="both as `colcon build` makes them, with `install/setup.bash`",
         advice=f"Nothing needs to be made by hand: `cd ~/{WS}`, then `rm -r {' '.join(MADE)}`, then "
         "`colcon build`.",
     )
@@ -135,14 +135,14 @@ def not_sourced(recording: Recording, written: tuple[Location, ...]) -> Feedback
     lines = recording.home.file(BASHRC).lines
     text = lines[(written[0].line or 1) - 1] if written else ""
     if text.lstrip().startswith("#"):
-        summary = "The line begins with `#`, so bash passes it over as a remark."
+        summary = "The line begins with `#`, so bash skips it."
         advice = "Take the `#` away."
     elif "/src/" in text:
-        summary = "The line names `setup.bash` below `src`; the workspace's own is one folder higher."
-        advice = f"The line is `{LINE}`."
+        summary = "The line names a `setup.bash` inside `src`; the right one is one folder higher."
+        advice = f"Write the line so: `{LINE}`."
     elif written:
         summary = "The workspace is named in `~/.bashrc`, but it is not sourced there."
-        advice = f"The line is `{LINE}`; and no line before it may end the reading."
+        advice = f"Write the line so: `{LINE}`. And does a line before it end the reading, such as `return`?"
     else:
         summary = "`~/.bashrc` does not source the workspace."
         advice = f"Add to its end: `{LINE}`. With two `>` if you use `echo`."
@@ -157,8 +157,8 @@ def after(recording: Recording) -> None:
             Feedback(
                 summary="`~/.bashrc` no longer sources ROS 2, only this: was it written with one `>`?",
                 where=(over.where,),
-                advice="A single `>` begins a file anew, and what was in it is gone. Put the line of chapter "
-                "3 back, above this one; `ros2course init` prints it. And your alias of chapter 1.",
+                advice="A single `>` empties a file first. Put the line of chapter 3 back, above this one "
+                "(`ros2course init` prints it), and your alias of chapter 1.",
             )
         )
     places = order(recording)
@@ -168,7 +168,7 @@ def after(recording: Recording) -> None:
                 summary="The workspace is sourced before ROS 2.",
                 expected="ROS 2 first, then the workspace",
                 where=(over.where, under[0].where),
-                advice="Exchange the two lines: what is sourced last is found first.",
+                advice="Swap the two lines: what is sourced last is found first.",
             )
         )
 

@@ -68,7 +68,7 @@ def greeting(recording: Recording) -> None:
             expected=GREETING,
             seen=text[0] if text else "nothing",
             where=tuple(call.where for call in calls(recording.sources, "print"))[:2],
-            advice="Print these very words: capitals, underscores and the full stop count."
+            advice="Print exactly these words: capitals, underscores and the full stop count."
             if text
             else "Does the entry point name the function that prints, and does that function call `print`?",
         )

@@ -84,13 +84,13 @@ def runs(recording: Recording) -> None:
         Feedback(
             summary=f"After sourcing, `ros2 run` still says: {lost}."
             if lost
-            else f"`{PROGRAM}` does not come to its end."
+            else f"`{PROGRAM}` does not come to an end."
             if after.exited is None or after.exited.signal
             else f"`{PROGRAM}` is found, and ends with an error.",
             expected=f"Hi from {PACKAGE}.",
             seen=text[-1][:120] if text else "nothing",
             where=(Location(f"{SOURCE}/setup.py"),),
-            advice=f"Is `{PROGRAM}` among the `console_scripts` of setup.py? Then build anew: {ANEW}",
+            advice=f"Is `{PROGRAM}` among the `console_scripts` of setup.py? Then build again: {ANEW}",
             details=tuple(text[-6:]),
         )
     )

@@ -81,7 +81,7 @@ def counts(recording: Recording) -> None:
                 summary=f"The first message is `{lines[0].text}`, not `{FIRST}`.",
                 expected=FIRST,
                 seen=lines[0].text,
-                advice="Begin with a count of 0, and add one after logging, not before.",
+                advice="Begin with a count of 0, and add one after the message is logged, not before.",
             )
         )
     if len(lines) < ENOUGH:
@@ -102,7 +102,7 @@ def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:
     cause = timer_cause(recording.sources)
     return Feedback(
         summary=f"The node logged only {len(lines)} time{'s' if len(lines) > 1 else ''}; it "
-        "should go on for ever.",
+        "should go on forever.",
         expected="a message every 0.5 s",
         seen=f"{len(lines)} in all",
         where=cause.where if cause else timer_places(recording.sources),

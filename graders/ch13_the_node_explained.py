@@ -155,7 +155,7 @@ def lamp(recording: Recording) -> None:
         Feedback(
             summary="The night watch puts out its lamp while it is still on duty."
             if before
-            else "After Ctrl+C the lamp is left burning: the program ends before it gets there.",
+            else "After Ctrl+C the lamp stays on: the program ends before it puts it out.",
             expected=f"{LAMP} after Ctrl+C, and not before",
             seen=f"{LAMP} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",
             where=places[:2],

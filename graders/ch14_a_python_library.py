@@ -27,7 +27,7 @@ LIBRARY = "sample_python_library"
 MODULE = f"{PACKAGE}.{LIBRARY}"
 CLASS = "SampleClass"
 FUNCTION = "sample_function_for_square_of_sum"
-GIVEN = "what the probe was given"
+GIVEN = "what was drawn"
 EXACT = 1e-9
 TRIES = 6
 PATIENCE = 5.0  # seconds
@@ -221,7 +221,7 @@ def class_(recording: Recording) -> None:
             ("Keep it in the object: `self._name = name` in `__init__`, not `SampleClass._name = ...`."),
         )
     elif seen == [None, None]:
-        summary, advice = "`get_name()` returns nothing.", "It has to `return self._name`, not to print it."
+        summary, advice = "`get_name()` returns nothing.", "It has to `return self._name`, not just print it."
     elif "bound method" in str(seen[0]):
         summary, advice = (
             "`get_name()` returns itself, not the name.",
@@ -230,7 +230,7 @@ def class_(recording: Recording) -> None:
     else:
         summary, advice = (
             "`get_name()` does not return the name that the object was made with.",
-            ("`__init__` puts the name away, `self._name = name`, and `get_name` returns it, unchanged."),
+            ("`__init__` keeps the name, `self._name = name`, and `get_name` returns it unchanged."),
         )
     raise Failure(
         Feedback(
@@ -254,7 +254,7 @@ def broken(recording: Recording, call: str, error: str, where: tuple[Location, .
 
 def remedy(error: str) -> str:
     every = (text for words, text in REMEDIES if all(word in error for word in words))
-    return next(every, "The place is the line of yours that led to it.")
+    return next(every, "Look at the line named here: it is the one of yours that led to the error.")
 
 
 REMEDIES = (
@@ -271,7 +271,7 @@ REMEDIES = (
     (("takes", "given"), "The first argument of each method is `self`: `def get_name(self):`."),
     (("has no attribute 'get_name'",), "The class needs a method `get_name`, indented below `class`."),
     (("has no attribute",), "Is it set in `__init__`, with `self.`, and spelt the same in both places?"),
-    (("missing", "argument"), "It is called with just what the task names: compare."),
+    (("missing", "argument"), "Compare its arguments with those in the task."),
     (("'str' object is not callable",), "A method and what it returns need two names: `self._name`."),
 )
 # What Python adds to some messages: where the installed file lies, which says nothing to a learner.
@@ -305,7 +305,7 @@ FORMULAS: tuple[tuple[Callable[[float, float], float], str], ...] = (
     (lambda a, b: a**2 + b**2, "The part in the middle is missing: 2·a·b."),
     (lambda a, b: a**2 + a * b + b**2, "The part in the middle counts twice: 2·a·b, not a·b."),
     (lambda a, b: (a - b) ** 2, "The part in the middle is added, not taken away."),
-    (lambda a, b: a + b, "It is the sum; its square is asked for."),
+    (lambda a, b: a + b, "That is the sum of both. The task asks for its square."),
     (lambda a, b: 2 * a + 2 * a * b + 2 * b, "`a * 2` doubles a. The square is `a**2`."),
     (lambda a, b: a**2 + 2 * a + b + b**2, "Between 2, a and b there are two `*`."),
 )

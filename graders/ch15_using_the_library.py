@@ -129,7 +129,7 @@ def no_numbers(recording: Recording) -> Feedback:
     decimal = next((text for text in texts if DECIMAL.search(text)), None)
     printed = tuple(call.where for call in calls(recording.sources, "print"))
     if braces:
-        advice = "The braces were logged as they stand: put an `f` before the string, `f'...'`."
+        advice = "The braces were logged as they are: put an `f` before the string, `f'...'`."
     elif decimal:
         advice = "Log A and B as well as what the function returned, all in one line."
     elif printed:
@@ -157,7 +157,7 @@ def outside(recording: Recording, found: Sum) -> Feedback:
     name, value, limits = ("B", found.b, B_RANGE) if within(found.a, A_RANGE) else ("A", found.a, A_RANGE)
     low, high = (f"{limit:g}" for limit in limits)
     return Feedback(
-        summary="A and B are exchanged: A is drawn from [1, 2], and B from [0, 1]."
+        summary="A and B are swapped: A is drawn from [1, 2], and B from [0, 1]."
         if swapped
         else f"{name} is {value:g}; it should lie between {low} and {high}.",
         expected="A in [0, 1], B in [1, 2]",
@@ -186,7 +186,7 @@ def wrong(recording: Recording, found: Sum) -> Feedback:
             summary="The numbers were rounded before they were logged, so C is not right for A and B.",
             expected=f"{(found.a + found.b) ** 2!r}",
             seen=found.line.text[:200],
-            advice="Log them as they are, `{a}` and not `{a:.2f}`.",
+            advice="Log them as they are: `{a}`, not `{a:.2f}`.",
         )
     return Feedback(
         summary="C is not the square of A + B.",
@@ -194,11 +194,11 @@ def wrong(recording: Recording, found: Sum) -> Feedback:
         seen=found.line.text[:200],
         where=tuple(call.where for call in calls(recording.sources, FUNCTION))[:2],
         advice="Hand the very numbers that you log to the function of the library. If you do, it is the "
-        "library: `check 14-library`.",
+        "library: `ros2course check 14-library`.",
     )
 
 
-@user.check("random_numbers", "A and B are drawn anew each time", needs=("ranges", "right"))
+@user.check("random_numbers", "A and B are drawn again each time", needs=("ranges", "right"))
 def random_numbers(recording: Recording) -> None:
     found = sums(recording)
     if all(each.a.is_integer() and each.b.is_integer() for each in found):
@@ -236,11 +236,11 @@ def always(recording: Recording, what: str, value: str) -> Feedback:
 def too_few(recording: Recording, line: LogLine) -> Feedback:
     cause = timer_cause(recording.sources)
     return Feedback(
-        summary="The node says this only once; it should go on for ever.",
+        summary="The node says this only once; it should go on forever.",
         expected="a line every 0.5 s",
         seen=line.text[:200],
         where=cause.where if cause else timer_places(recording.sources),
-        advice=cause.text if cause else "Let a timer of 0.5 s call what logs, with `create_timer`.",
+        advice=cause.text if cause else "Make a timer of 0.5 s with `create_timer`; its callback logs.",
     )
 
 
@@ -258,7 +258,7 @@ def class_(recording: Recording) -> None:
             raise Failure(odd)
 
 
-@user.check("random_names", "the name is drawn anew each time", needs="class")
+@user.check("random_names", "the name is drawn again each time", needs="class")
 def random_names(recording: Recording) -> None:
     lines = name_lines(recording)
     if len(set(varying_names(lines))) >= 2:

@@ -39,7 +39,7 @@ TOPIC = "/amazing_quote"
 PUBLISHER = "amazing_quote_publisher_node"
 SUBSCRIBER = "amazing_quote_subscriber_node"
 ENOUGH = 5
-COMPARE = "Compare its fields with chapter 17: names, types and order. `check 17` tells which."
+COMPARE = "Compare its fields with chapter 17: names, types, order. `ros2course check 17` tells which."
 
 publisher = Grader("18-publisher")
 subscriber = Grader("18-subscriber")

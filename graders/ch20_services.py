@@ -49,7 +49,7 @@ SERVER_NODE = "what_is_the_point_service_server"
 CLIENT_NODE = "what_is_the_point_service_client"
 SERVER = f"{SERVER_NODE}_node"
 CLIENT = f"{CLIENT_NODE}_node"
-COMPARE = "Compare its fields with chapter 17: names, types and order. `check 17` tells which."
+COMPARE = "Compare its fields with chapter 17: names, types, order. `ros2course check 17` tells which."
 ANSWER = 42.0
 PERIOD = 0.5
 ENOUGH = 5
@@ -185,7 +185,7 @@ def life(recording: Recording) -> None:
             advice=cause.text
             if cause
             else "Look for `life` anywhere in `request.quote.quote.lower()`, and choose two numbers "
-            "freely; the third is 42 less these two.",
+            "as you like: the third is 42 minus both.",
             details=tuple(shown(call) for call in wrong[:SHOWN]),
         )
     )
@@ -227,7 +227,7 @@ def random_point(recording: Recording) -> None:
             expected="a random point at each call",
             seen=shown(asked[0]),
             where=seeds or settings(own),
-            advice="After `random.seed` the draws begin anew: leave it out."
+            advice="After `random.seed` the same numbers come again: leave it out."
             if seeds
             else "Draw the numbers in the callback, at each call: `random.uniform(0.0, 100.0)`.",
         )

@@ -42,7 +42,7 @@ NODE = f"/{EXECUTABLE}"
 INTERFACES = "package_with_interfaces"
 QUOTE = f"{INTERFACES}/msg/AmazingQuote"
 QUOTE_HASH = "RIHS01_6eb8a339124c22e6ee8541e6132c3bccee5a2125c643270c85cae174a4aaeb21"
-COMPARE = "Compare its fields with chapter 17: names, types and order. `check 17` tells which."
+COMPARE = "Compare its fields with chapter 17: names, types, order. `ros2course check 17` tells which."
 TEXTS = ("quote", "philosopher_name")
 DEFAULTS: dict[str, str | float] = {
     "quote": "Use the force, Pikachu!",
@@ -59,8 +59,8 @@ GIVEN: dict[str, str | float] = {
 }
 TOPIC, GIVEN_TOPIC = f"/{DEFAULTS['topic_name']}", f"/{GIVEN['topic_name']}"
 NOT_TAKEN = (
-    "What follows `--ros-args -p` takes the place of the default value. Hand the command line "
-    "on (`rclpy.init(args=args)`), declare without `ignore_override`, and do not set the parameter yourself."
+    "`--ros-args -p` replaces the default value. For that, call `rclpy.init(args=args)`, declare "
+    "without `ignore_override`, and do not set the parameter yourself."
 )
 PERIOD, GIVEN_PERIOD, LATER_PERIOD = 0.5, 0.2, 0.05
 SECOND_RUN = f"{EXECUTABLE} with other values"

@@ -248,16 +248,16 @@ def _empty() -> Feedback:
     return Feedback(
         summary=f"`~/{FILE}` is empty.",
         where=(Location(FILE),),
-        advice="bash makes the file before the command runs; it stays empty if the node is not found. Play "
-        f"the mystery, then: {DUMP}",
+        advice="bash makes the file first, and it stays empty if the node is not found. Play the "
+        f"mystery, then: {DUMP}",
     )
 
 
 def _no_yaml(what: str, line: int | None) -> Feedback:
     return Feedback(
-        summary=f"`{PurePosixPath(FILE).name}` is no valid YAML: {what}.",
+        summary=f"`{PurePosixPath(FILE).name}` cannot be read as YAML: {what}.",
         where=(Location(FILE, line),),
-        advice=f"Only what `ros2 param dump` prints belongs into it. {DUMP}",
+        advice=f"Only what `ros2 param dump` prints belongs in it. {DUMP}",
     )
 
 
@@ -269,9 +269,9 @@ def _no_node(text: str, nodes: Mapping[Any, Any]) -> Feedback:
         if close
         else "The file does not say for which node it is.",
         expected=f"{NODE}:",
-        seen=listed(names, "no name at the left edge"),
+        seen=listed(names, "no name at the beginning of a line"),
         where=_places(text, close),
-        advice=f"The node's name, and a colon, stand in the first line. {DUMP}",
+        advice=f"The node's name, and a colon, belong in the first line. {DUMP}",
     )
 
 
@@ -279,7 +279,7 @@ def _no_parameters(text: str, inside: Any) -> Feedback:
     names = [str(name) for name in inside] if isinstance(inside, dict) else []
     close = nearest(KEY, names)
     return Feedback(
-        summary=f"Below the node's name stands `{close}`, not `{KEY}`."
+        summary=f"Below the node's name is `{close}`, not `{KEY}`."
         if close
         else f"There is no `{KEY}:` below the node's name, with the parameters below that.",
         expected=f"{KEY}:",
@@ -306,10 +306,10 @@ def _no_value(text: str, name: str, value: Any) -> Feedback:
     return Feedback(
         summary=f"`{name}` has no value in the file."
         if value is None
-        else f"The value of `{name}` is no single text, number, true or false.",
+        else f"The value of `{name}` is not a single text, number, true or false.",
         seen=None if value is None else str(value)[:80],
         where=_places(text, name),
-        advice=f"The value stands behind the colon and a blank. {DUMP}",
+        advice=f"Write the value after the colon and a space. {DUMP}",
     )
 
 

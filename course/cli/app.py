@@ -12,6 +12,7 @@ from course.cli import (
     bundle,
     check,
     doctor,
+    evidence,
     grade,
     hint,
     init,
@@ -30,6 +31,7 @@ from course.cli import (
     solution,
     underlay,
     validate,
+    watch,
 )
 from course.cli.options import Options, course_named
 from course.cli.words import PROGRAM, examples
@@ -38,6 +40,7 @@ EPILOG = (
     examples(
         ("next", "begin, or go on where you left off"),
         ("check", "check the exercise you are at"),
+        ("watch", "check it at every save"),
         ("hint", "a hint for it"),
         ("shell", "a shell in your course home, with ROS 2 ready"),
         ("doctor", "what is here, and what is missing"),
@@ -97,6 +100,7 @@ def program(
 for command, name, epilog in (
     (next_.next_, "next", next_.EXAMPLES),
     (check.check, "check", check.EXAMPLES),
+    (watch.watch, "watch", watch.EXAMPLES),
     (hint.hint, "hint", hint.EXAMPLES),
     (play.play, "play", play.EXAMPLES),
     (listing.list_, "list", listing.EXAMPLES),
@@ -119,3 +123,5 @@ for command, name, epilog in (
     (underlay.build_underlay, "build-underlay", underlay.EXAMPLES),
 ):
     app.command(name, epilog=epilog)(command)
+
+app.add_typer(evidence.evidence, name="evidence", epilog=evidence.EXAMPLES)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     ("check", "check the exercise you are at"),
     ("check 18-publisher", "check another one"),
+    ("check --timeline", "and draw what happened"),
     ("check --again", "answer anew what is not right in a quiz"),
     ("check --json", "the result for a program to read"),
 )
@@ -41,6 +42,10 @@ def check(
         bool,
         typer.Option("--again", help="Ask again what is not right or not answered; all if all is right."),
     ] = False,
+    timeline: Annotated[
+        bool,
+        typer.Option("--timeline", help="Draw what happened: on a time line, signals, who talks to whom."),
+    ] = False,
 ) -> None:
     """Build and run what you wrote, and judge what it does.
 
@@ -50,16 +55,20 @@ def check(
     """
     from course.cli.desk import open_desk
 
+    if json and timeline:
+        raise UsageError("--json prints the result and nothing else.", "Leave --timeline out, or --json.")
     with open_desk(ctx) as desk:
         chosen = desk.exercise(exercise)
-        _ask(desk, chosen, quiet=json, again=again)
+        ask_questions(desk, chosen, quiet=json, again=again)
         result = _judged(desk, chosen, quiet=json, namespaces=namespaces)
         previous = desk.progress.last_result(chosen.id)
         if json:
             _print_json(result)
         else:
             _render(result, chosen, previous)
-        _remember(desk, chosen, result)
+        if timeline:
+            _draw(desk, chosen, result)
+        remember(desk, chosen, result)
         if not json:
             _next_steps(desk, chosen, result)
     raise typer.Exit(exit_code(result))
@@ -78,7 +87,7 @@ def exit_code(result: Result) -> ExitCode:
     }[result.verdict]
 
 
-def _ask(desk: Desk, exercise: Exercise, *, quiet: bool, again: bool) -> None:
+def ask_questions(desk: Desk, exercise: Exercise, *, quiet: bool, again: bool) -> None:
     """Ask what is to be answered; only a person at a terminal is asked."""
     at_terminal = sys.stdin.isatty() and sys.stdout.isatty() and not quiet
     if again and not (exercise.questions and at_terminal):
@@ -104,6 +113,7 @@ def _cannot_ask(exercise: Exercise) -> UsageError:
 
 
 def _judged(desk: Desk, exercise: Exercise, *, quiet: bool, namespaces: bool) -> Result:
+    from course.cli.recorded import recording_file
     from course.grading.check import check_exercise
     from course.grading.load import runs_programs
     from course.report.activity import activity
@@ -119,7 +129,7 @@ def _judged(desk: Desk, exercise: Exercise, *, quiet: bool, namespaces: bool) ->
                 ros=find_ros() if runs_programs(exercise) else None,
                 on_progress=say,
                 namespaces=namespaces,
-                evidence=desk.home.state / "evidence" / f"{exercise.id}.mcap",
+                evidence=recording_file(desk.home, exercise.id),
                 seed=desk.home.seed() if exercise.questions or exercise.play else None,
             )
     except KeyboardInterrupt:
@@ -150,7 +160,21 @@ def _render(result: Result, exercise: Exercise, previous: Result | None) -> None
         render_after(console, exercise.after)
 
 
-def _remember(desk: Desk, exercise: Exercise, result: Result) -> None:
+def _draw(desk: Desk, exercise: Exercise, result: Result) -> None:
+    from course.cli.recorded import recorded
+    from course.report.console import open_console, put, put_prose
+    from course.report.drawn.album import belongs, render_pictures
+
+    found = recorded(desk.home, exercise.id)
+    console = open_console()
+    put(console)
+    if found and belongs(result, found.recording):
+        render_pictures(console, found.recording, result)
+    else:
+        put_prose(console, "There is nothing to draw: this check has no recording.")
+
+
+def remember(desk: Desk, exercise: Exercise, result: Result) -> None:
     desk.progress.record(result)
     if desk.progress.current() is None or not desk.is_passed(exercise.id):
         desk.progress.set_current(exercise.id)
@@ -174,7 +198,7 @@ def _steps(desk: Desk, exercise: Exercise, result: Result) -> list[tuple[str, st
     again = (typed(f"check{name}"), "to check again")
     if result.verdict is not Verdict.NOT_PASSED:
         return [(typed("doctor"), "to see what this machine has"), again]
-    if _has_wrong_answers(exercise, result):
+    if has_wrong_answers(exercise, result):
         again = (typed(f"check{name} --again"), "to answer again what is not right yet")
     if desk.progress.hints_shown(exercise.id) < len(exercise.hints):
         return [(typed(f"hint{name}"), "for a hint"), again]
@@ -183,7 +207,7 @@ def _steps(desk: Desk, exercise: Exercise, result: Result) -> list[tuple[str, st
     return [(typed(f"hint{name} --all"), "to read the hints again"), again]
 
 
-def _has_wrong_answers(exercise: Exercise, result: Result) -> bool:
+def has_wrong_answers(exercise: Exercise, result: Result) -> bool:
     """Whether it is answers that are not right, and not only what a grader checks beside them."""
     asked = {question.id for question in exercise.questions}
     return any(check.id in asked and not check.earned for check in result.checks)

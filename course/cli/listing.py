@@ -23,11 +23,11 @@ def list_(ctx: typer.Context) -> None:
     from course.report.overview import render_list
 
     with open_desk(ctx) as desk:
-        rows = [_row(exercise, desk.progress) for exercise in desk.course.exercises()]
+        rows = [row_of(exercise, desk.progress) for exercise in desk.course.exercises()]
         render_list(open_console(), rows)
 
 
-def _row(exercise: Exercise, progress: Progress) -> Row:
+def row_of(exercise: Exercise, progress: Progress) -> Row:
     from course.report.overview import Row
 
     last = progress.last_result(exercise.id)

@@ -13,6 +13,8 @@ from course.errors import UsageError
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from course.content.question import Question
+
 
 def next_exercise(desk: Desk) -> Exercise | None:
     """The one begun and not passed, else the first after it that is not passed, else any such; or None."""
@@ -39,27 +41,32 @@ def chapter_text(exercise: Exercise) -> str:
 
 def put_questions(console: Console, desk: Desk, exercise: Exercise) -> None:
     """The questions of a quiz, to read; nothing for other exercises."""
+    questions = questions_of(desk, exercise)
+    if questions:
+        from course.report.questions import render_questions
+
+        render_questions(console, questions)
+
+
+def questions_of(desk: Desk, exercise: Exercise) -> tuple[Question, ...]:
+    """The questions of a quiz as this learner is asked them; none for other exercises."""
     if not exercise.questions:
-        return
+        return ()
     from course.grading.mystery.load import questions_for
     from course.grading.quiz.order import as_seen
-    from course.report.questions import render_questions
 
     seed = desk.home.seed()
-    render_questions(console, as_seen(questions_for(exercise, seed), exercise.id, seed))
+    return as_seen(questions_for(exercise, seed), exercise.id, seed)
 
 
 def right_answers_of(desk: Desk, exercise: Exercise) -> dict[str, str]:
     """The file of right answers to an exercise's questions, by its path; nothing without questions."""
     if not exercise.questions:
         return {}
-    from course.grading.mystery.load import questions_for
-    from course.grading.quiz.order import as_seen
     from course.grading.quiz.right import right_answers
     from course.grading.quiz.writing import answers_text
 
-    seed = desk.home.seed()
-    questions = as_seen(questions_for(exercise, seed), exercise.id, seed)
+    questions = questions_of(desk, exercise)
     text = answers_text(exercise.id, questions, right_answers(questions))
     return {answers_file(exercise.id): text}
 

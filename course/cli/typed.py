@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any
 
@@ -14,15 +14,21 @@ def complaint(words: Sequence[str]) -> str | None:
     """What is wrong with the words after `ros2course`, as the command line says it; None when nothing."""
     group = _group()
     whole = group.context_class(group, info_name=group.name, **group.context_settings)
-    said, rest = _parsed(group, whole, words)
+    return _said_of(group, whole, words)
+
+
+def _said_of(command: Any, context: Any, words: Sequence[str]) -> str | None:
+    """The same for a command, or for one that has commands of its own."""
+    said, rest = _parsed(command, context, words)
     if said or not rest:
         return said
-    command = group.commands.get(rest[0])
-    if command is None:
-        return _unknown(rest[0], group.commands)
-    context = command.context_class(command, info_name=command.name, parent=whole)
-    said, rest = _parsed(command, context, rest[1:])
-    return said or (f"unexpected argument `{rest[0]}`" if rest else None)
+    below: Mapping[str, Any] = getattr(command, "commands", {})
+    if not below:
+        return f"unexpected argument `{rest[0]}`"
+    inner = below.get(rest[0])
+    if inner is None:
+        return _unknown(rest[0], list(below))
+    return _said_of(inner, inner.context_class(inner, info_name=inner.name, parent=context), rest[1:])
 
 
 @cache

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from course.evidence.graph import Graph
+from course.evidence.graph import Graph, Kind
 
 Side = Literal["client", "server"]
 
@@ -99,6 +99,15 @@ class MessageSent(Event):
     topic: str
     type: str
     data: bytes
+
+
+@dataclass(frozen=True)
+class Joined(Event):
+    """The arena itself took part in a topic from this moment on. end: what it made there."""
+
+    topic: str
+    type: str
+    end: Kind
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,9 @@
-"""Recordings as MCAP files, which Foxglove, PlotJuggler and rosbag2 open too.
+"""Recordings as MCAP files, which Foxglove, PlotJuggler and rosbags open too.
 
 ROS messages are kept as they came over the wire, one channel a topic (and one more for what
-the arena sent there); all other events are JSON on one channel. The learner's files and what
-was built are attachments.
+the arena sent there); every other event is a text of JSON on one channel, in a message
+type that the file defines: so whoever reads ROS messages can read all of it. The learner's files and
+what was built are attachments.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import struct
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from io import BytesIO
@@ -28,6 +30,9 @@ EVENTS = "/ros2course/events"
 _NAME = "ros2course"
 _VERSION = "1"
 _ROS = "ros2msg"
+_EVENT = "ros2course/msg/Event"
+_EVENT_FIELDS = "string json\n"
+_CDR = b"\0\1\0\0"  # little endian
 _NANO = 1_000_000_000
 
 
@@ -123,9 +128,9 @@ class _Channels:
         if isinstance(event, MessageSeen | MessageSent):
             return self._ros(event.topic, event.type, isinstance(event, MessageSent)), event.data
         if self._events is None:
-            schema = self._writer.register_schema("ros2course.Event", "jsonschema", b'{"type": "object"}')
-            self._events = self._writer.register_channel(EVENTS, "json", schema)
-        return self._events, json.dumps(event_json.to_dict(event), allow_nan=False).encode()
+            schema = self._writer.register_schema(_EVENT, _ROS, _EVENT_FIELDS.encode())
+            self._events = self._writer.register_channel(EVENTS, "cdr", schema)
+        return self._events, _text(json.dumps(event_json.to_dict(event), allow_nan=False))
 
     def _ros(self, topic: str, type_name: str, sent: bool) -> int:
         key = (topic, type_name, sent)
@@ -134,6 +139,12 @@ class _Channels:
             schema = self._schemas[type_name]
             self._known[key] = self._writer.register_channel(topic, "cdr", schema, about)
         return self._known[key]
+
+
+def _text(text: str) -> bytes:
+    """A message with one string in it."""
+    data = text.encode() + b"\0"
+    return _CDR + struct.pack("<I", len(data)) + data
 
 
 def _records(data: bytes) -> Iterator[Any]:
@@ -168,7 +179,7 @@ def _unpacked(records: tuple[Any, ...], about: Mapping[str, str]) -> Recording:
     return Recording(
         exercise=about["exercise"],
         events=tuple(_events(records, {schema.id: schema.name for schema in schemas}, int(about["began"]))),
-        definitions={schema.name: schema.data.decode() for schema in schemas if schema.encoding == _ROS},
+        definitions={schema.name: schema.data.decode() for schema in schemas if _is_ros(schema)},
         sources=Sources(parts["sources.json"]["files"], tuple(parts["sources.json"]["others"])),
         packages=packages_from_dict(parts["packages.json"]),
         duration=parts["recording.json"]["duration"],
@@ -176,6 +187,10 @@ def _unpacked(records: tuple[Any, ...], about: Mapping[str, str]) -> Recording:
         local=parts["recording.json"]["local"],
         scenario=about.get("scenario", ""),  # recordings of before have none
     )
+
+
+def _is_ros(schema: Any) -> bool:
+    return bool(schema.encoding == _ROS and schema.name != _EVENT)
 
 
 def _events(records: tuple[Any, ...], types: Mapping[int, str], began: int) -> Iterator[Event]:
@@ -189,6 +204,8 @@ def _events(records: tuple[Any, ...], types: Mapping[int, str], began: int) -> I
 
 def _event(message: Any, channel: Any, types: Mapping[int, str], began: int) -> Event:
     if channel.topic == EVENTS:
-        return event_json.from_dict(json.loads(message.data))
+        # In recordings of before they are JSON itself.
+        plain = message.data if channel.message_encoding == "json" else message.data[len(_CDR) + 4 : -1]
+        return event_json.from_dict(json.loads(plain))
     kind = MessageSent if channel.metadata.get(_NAME) == "sent" else MessageSeen
     return kind((message.log_time - began) / _NANO, channel.topic, types[channel.schema_id], message.data)

@@ -27,8 +27,16 @@ from rclpy.serialization import serialize_message
 from rclpy.signals import SignalHandlerOptions
 
 from course.errors import OurFault
-from course.evidence.events import GraphSeen, Marked, MessagesCut, MessageSeen, MessageSent, MessagesLost
-from course.evidence.graph import Graph
+from course.evidence.events import (
+    GraphSeen,
+    Joined,
+    Marked,
+    MessagesCut,
+    MessageSeen,
+    MessageSent,
+    MessagesLost,
+)
+from course.evidence.graph import Graph, Kind, infrastructure
 from course.evidence.graph_reader import GraphReader
 from course.evidence.messages import UnknownType, full_definition
 from course.evidence.recording import GRAPH_CUT, ROSOUT, ROSOUT_TYPE, UNREADABLE
@@ -129,6 +137,7 @@ class Recorder:
         if topic not in self._listeners:
             self.define(type_name)
             self._listeners[topic] = Listener(self, topic, type_name, reliability, durability)
+            self._joined(topic, type_name, "subscription")
         return self._listeners[topic]
 
     def publisher(
@@ -136,7 +145,12 @@ class Recorder:
     ) -> Stimulus:
         """A publisher of our own, whose messages are recorded as sent."""
         self.define(type_name)
+        self._joined(topic, type_name, "publisher")
         return Stimulus(self, topic, type_name, _profile(reliability, durability))
+
+    def _joined(self, topic: str, type_name: str, end: Kind) -> None:
+        if not infrastructure(topic):
+            self.timeline.add(Joined(self.timeline.now(), topic, type_name, end))
 
     def client(self, service: str, type_name: str, name: str | None = None) -> Client:
         """A client of our own."""

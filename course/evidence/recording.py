@@ -38,6 +38,7 @@ from course.evidence.service_view import ServiceView
 from course.evidence.shell_view import ShellView
 from course.evidence.sources import Sources
 from course.evidence.topic_view import LogLine, Message, TopicView
+from course.feedback import Pace
 
 _E = TypeVar("_E", bound=Event)
 
@@ -84,7 +85,7 @@ class Recording:
 
     def topic(self, name: str) -> TopicView:
         """What was received on a topic, by its full name (`/chatter`)."""
-        return TopicView(name, self.messages(name), self.lost(name), self.duration)
+        return TopicView(name, self.messages(name), self.lost(name), self.duration, self.paces.append)
 
     def messages(self, topic: str) -> tuple[Message, ...]:
         """Messages received on `topic`, decoded, in the order of their arrival."""
@@ -198,6 +199,11 @@ class Recording:
     def marked(self, name: str) -> Marked | None:
         """The point of that name that the scenario reached, if it did."""
         return next((event for event in self._of(Marked) if event.name == name), None)
+
+    @cached_property
+    def paces(self) -> list[Pace]:
+        """What was asked of it up to now about how often messages come."""
+        return []
 
     @cached_property
     def _messages(self) -> dict[str, tuple[Message, ...]]:

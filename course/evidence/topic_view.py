@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import median
 from typing import Any
 
 from course.evidence.messages import Decoder
 from course.evidence.unreadable import decoded
-from course.feedback import Failure, Feedback
+from course.feedback import Failure, Feedback, Pace
 
 MIN_INTERVALS = 4
 
@@ -55,13 +56,14 @@ _LEVELS = {10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
 class TopicView:
     """What arrived on one topic. `lost`: messages that our own reception missed.
 
-    watched: how long the recording lasted, in seconds.
+    watched: how long the recording lasted, in seconds. asked: told of each pace that is asked for.
     """
 
     name: str
     messages: tuple[Message, ...]
     lost: int
     watched: float
+    asked: Callable[[Pace], None] = field(default=lambda pace: None, compare=False, repr=False)
 
     @property
     def times(self) -> tuple[float, ...]:
@@ -72,6 +74,7 @@ class TopicView:
 
         Needs at least four intervals. Raises Failure with both figures otherwise.
         """
+        self.asked(Pace(self.name, period * (1 - tolerance), period * (1 + tolerance)))
         expect_period(self.times, period, what=f"messages on {self.name}", tolerance=tolerance, advice=advice)
 
 

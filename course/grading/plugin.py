@@ -9,13 +9,14 @@ number of recordings, each as if it were the only one: fixtures end with it.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator
+from dataclasses import replace
 from itertools import zip_longest
 from typing import Any
 
 import pytest
 
 from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, NotApplicable
+from course.feedback import Failure, Feedback, NotApplicable, Pace
 from course.grading import outcome
 from course.grading.author import CheckSpec, Grader
 from course.grading.channel import Judgement
@@ -146,7 +147,15 @@ class JudgePlugin:
         if known is None or known.outcome is Outcome.PASSED:
             result = _result(item.spec, call)
             if result is not None and self._recording is not None:
-                self._results[item.spec.id] = with_limit(result, self._recording.limit_reached)
+                limited = with_limit(result, self._recording.limit_reached)
+                self._results[item.spec.id] = replace(limited, pace=_last(self._recording.paces))
+
+
+def _last(paces: list[Pace]) -> Pace | None:
+    """What a check asked for last; the next one begins with an empty list."""
+    pace = paces[-1] if paces else None
+    paces.clear()
+    return pace
 
 
 def _result(spec: CheckSpec, call: pytest.CallInfo[None]) -> CheckResult | None:

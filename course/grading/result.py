@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
-from course.feedback import Feedback, Location, feedback_from_dict
+from course.feedback import Feedback, Location, Pace, feedback_from_dict
 
 __all__ = [
     "CheckResult",
@@ -68,6 +68,7 @@ class CheckResult:
     bonus: not needed to pass the exercise.
     feedback: set when failed or error; on a right answer of a quiz, its explanation.
     skipped_because: set when skipped or not applicable.
+    pace: how often messages were to come, where it asked for that.
     """
 
     id: str
@@ -77,6 +78,7 @@ class CheckResult:
     bonus: bool = False
     feedback: Feedback | None = None
     skipped_because: str | None = None
+    pace: Pace | None = None
 
     @property
     def earned(self) -> float:
@@ -197,4 +199,5 @@ def check_from_dict(data: dict[str, Any]) -> CheckResult:
         bonus=data["bonus"],
         feedback=feedback_from_dict(data["feedback"]),
         skipped_because=data["skipped_because"],
+        pace=Pace(**data["pace"]) if data.get("pace") else None,
     )

@@ -6,7 +6,7 @@ wrote, so all of it is made safe here.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Protocol
 
 from rich.console import Console
@@ -49,16 +49,21 @@ def render_result(console: Console, result: Result, exercise: Titled, previous: 
     """The checks one by one, what to do about each, and the total; `previous` is for comparison."""
     put(console, Text.assemble((exercise.id, "bold"), "  ", exercise.title))
     put(console)
-    before = {check.id: check.outcome for check in previous.checks} if previous else {}
-    for check in result.checks:
-        _put_check(console, check, before.get(check.id))
+    render_checks(console, result.checks, previous)
     if result.checks:
         put(console)
-    _put_headline(console, result, previous)
+    put(console, headline(result, previous))
     if result.fault:
         put_feedback(console, result.fault)
     for note in result.notes:
         put_prose(console, with_code(console, safe.paragraph(note), "dim"), first="  Note: ")
+
+
+def render_checks(console: Console, checks: Iterable[CheckResult], previous: Result | None = None) -> None:
+    """The checks alone, in the order given."""
+    before = {check.id: check.outcome for check in previous.checks} if previous else {}
+    for check in checks:
+        _put_check(console, check, before.get(check.id))
 
 
 def put_feedback(console: Console, feedback: Feedback) -> None:
@@ -108,12 +113,13 @@ def earned_of(check: CheckResult) -> str:
     return f"{word}0 of {number(check.points)}"
 
 
-def _put_headline(console: Console, result: Result, previous: Result | None) -> None:
+def headline(result: Result, previous: Result | None = None) -> Text:
+    """The verdict with its points, in one line."""
     word, style = HEADLINES[result.verdict]
     counted = result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED)
     points = f": {total_of(result)}{_change(result, previous)}."
     rest = points if counted else ". This attempt does not count."
-    put(console, Text.assemble("  ", (word, style), rest, (_seconds(result), "dim")))
+    return Text.assemble("  ", (word, style), rest, (_seconds(result), "dim"))
 
 
 def total_of(result: Result) -> str:

@@ -15,7 +15,7 @@ from course.cli.words import global_options_first
 NAMES = sorted(get_command(app).commands)  # type: ignore[attr-defined]
 EXPECTED = {"init", "next", "check", "hint", "list", "show", "reset", "solution", "shell", "env", "doctor"}
 EXPECTED |= {"new", "schema", "validate", "build-underlay", "play", "bundle", "grade", "regrade", "similar"}
-EXPECTED |= {"report", "serve"}
+EXPECTED |= {"report", "serve", "evidence", "watch"}
 
 
 def help_of(capsys: pytest.CaptureFixture[str], *words: str) -> str:

@@ -49,6 +49,7 @@ EVENTS: tuple[Event, ...] = (
     kinds.MessageSeen(0.3, "/talk", STRING, HELLO),
     kinds.OutputLine(0.3, "talker", ""),
     kinds.MessageSeen(0.333333333, "/other", NUMBER, b""),
+    kinds.Joined(0.4, "/talk", STRING, "subscription"),
     kinds.MessagesLost(0.5, "/talk", 3),
     kinds.MessagesCut(0.6, "/talk"),
     kinds.OutputCut(0.7, "talker", 10**12),

@@ -12,7 +12,7 @@ from std_msgs.msg import Header, String
 
 from course.errors import OurFault
 from course.evidence import recorder as module
-from course.evidence.events import GraphSeen, MessagesCut, MessageSeen, MessageSent
+from course.evidence.events import GraphSeen, Joined, MessagesCut, MessageSeen, MessageSent
 from course.evidence.recorder import Recorder
 from course.evidence.recording import ROSOUT, Recording
 from course.evidence.timeline import Timeline
@@ -87,6 +87,8 @@ with Recorder(timeline) as recorder:
     found["heard"] = [(header.frame_id, header.stamp.sec, header.stamp.nanosec) for header in heard]
     (sent,) = timeline.of(MessageSent)
     found["sent"] = deserialize_message(sent.data, Header).frame_id
+
+    found["joined"] = [(event.topic, event.end) for event in timeline.of(Joined)]
 
     timeline.wait_until(lambda: "/robot/talker" in recorder.graph.nodes, WAIT)
     found["nodes"] = recorder.graph.nodes

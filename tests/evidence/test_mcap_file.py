@@ -9,12 +9,14 @@ from pathlib import Path
 
 import pytest
 from mcap.reader import make_reader
+from mcap.writer import Writer
 from mcap_ros2.decoder import DecoderFactory
+from rosbags.highlevel import AnyReader
 
 from course.errors import StorageError
 from course.evidence import event_json
 from course.evidence.events import MessageSeen, OutputLine
-from course.evidence.mcap_file import EVENTS, BadRecording, OtherFormat, load, save
+from course.evidence.mcap_file import EVENTS, BadRecording, OtherFormat, _attachments, load, save
 from course.evidence.recording import Recording
 
 from .conftest import HELLO, NUMBER, STRING
@@ -84,7 +86,7 @@ def test_the_library_s_own_reader_reads_it(file: Path) -> None:
     assert header.profile == "ros2"
     assert summary is not None
     names = {schema.name for schema in summary.schemas.values()}
-    assert names == {STRING, NUMBER, "a/msg/Unused", "ros2course.Event"}
+    assert names == {STRING, NUMBER, "a/msg/Unused", "ros2course/msg/Event"}
     assert decoded == [("/talk", BEGAN + 300_000_000, "hello")] * 2
 
 
@@ -93,9 +95,38 @@ def test_other_events_are_json_for_every_reader(file: Path) -> None:
         raise AssertionError(f"{name} is no JSON")
 
     with file.open("rb") as stream:
-        messages = [m.data for _, _, m in make_reader(stream).iter_messages(topics=[EVENTS])]
-    kinds = [json.loads(data, parse_constant=refuse)["kind"] for data in messages]
+        reader = make_reader(stream, decoder_factories=[DecoderFactory()])
+        texts = [data.json for _, _, _, data in reader.iter_decoded_messages(topics=[EVENTS])]
+    kinds = [json.loads(text, parse_constant=refuse)["kind"] for text in texts]
     assert kinds.count("GraphSeen") == 2
+
+
+def test_rosbags_reads_all_of_it(file: Path) -> None:
+    with AnyReader([file]) as reader:
+        found = [
+            (connection.topic, connection.msgtype, reader.deserialize(data, connection.msgtype))
+            for connection, _, data in reader.messages()
+            if data
+        ]
+    assert [message.data for topic, _, message in found if topic == "/talk"] == ["hello"] * 2
+    told = [json.loads(message.json) for topic, _, message in found if topic == EVENTS]
+    assert {"GraphSeen", "ProcessExited"} <= {event["kind"] for event in told}
+
+
+def test_events_of_recordings_of_before_are_read(tmp_path: Path) -> None:
+    """They were JSON itself, on a channel that says so."""
+    event = OutputLine(0.5, "talker", "hello")
+    with (tmp_path / "old.mcap").open("wb") as stream:
+        writer = Writer(stream)
+        writer.start(profile="ros2", library="ros2course")
+        writer.add_metadata("ros2course", {"version": "1", "exercise": "x", "began": str(BEGAN)})
+        for name, data in _attachments(Recording("x", duration=2.0)).items():
+            writer.add_attachment(BEGAN, BEGAN, name, "application/json", json.dumps(data).encode())
+        schema = writer.register_schema("ros2course.Event", "jsonschema", b'{"type": "object"}')
+        channel = writer.register_channel(EVENTS, "json", schema)
+        writer.add_message(channel, BEGAN, json.dumps(event_json.to_dict(event)).encode(), BEGAN)
+        writer.finish()
+    assert load(tmp_path / "old.mcap") == Recording("x", (event,), duration=2.0)
 
 
 def test_what_we_sent_is_a_channel_of_its_own(file: Path) -> None:

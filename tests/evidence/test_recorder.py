@@ -45,6 +45,11 @@ def test_what_is_published_is_recorded_and_heard(found: dict[str, Any]) -> None:
     assert found["sent"] == "arm"
 
 
+def test_where_the_arena_itself_takes_part_is_recorded(found: dict[str, Any]) -> None:
+    listened = [[name, "subscription"] for name in ("/reliable", "/best_effort", "/flood", "/early")]
+    assert found["joined"] == [*listened, ["/header", "publisher"]]
+
+
 def test_the_graph_is_without_the_recorder(found: dict[str, Any]) -> None:
     assert found["nodes"] == ["/robot/talker"]
     assert found["graphs"]

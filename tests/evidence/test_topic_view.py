@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 from itertools import accumulate
 from types import SimpleNamespace
 
 import pytest
 
+from course.evidence.events import MessageSeen
 from course.evidence.messages import Decoder
+from course.evidence.recording import Recording
 from course.evidence.topic_view import LogLine, Message, TopicView, expect_period, seconds
-from course.feedback import Failure, Feedback
+from course.feedback import Failure, Feedback, Pace
 
 from .conftest import HELLO, STRING
 
@@ -113,3 +116,14 @@ def test_a_line_of_the_log_that_cannot_be_read() -> None:
 )
 def test_durations_for_people(value: float, text: str) -> None:
     assert seconds(value) == text
+
+
+@pytest.mark.parametrize("period", [0.5, 5.0])
+def test_a_recording_knows_what_was_asked_of_it(period: float) -> None:
+    """Whether it was so or not."""
+    recording = Recording(
+        "x", tuple(MessageSeen(n / 2, "/talk", STRING, HELLO) for n in range(9)), {STRING: ""}
+    )
+    with contextlib.suppress(Failure):
+        recording.topic("/talk").expect_period(period, tolerance=0.2)
+    assert recording.paces == [Pace("/talk", pytest.approx(period * 0.8), pytest.approx(period * 1.2))]

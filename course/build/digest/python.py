@@ -94,7 +94,7 @@ def _names_differ(case: Case, named: str, details: Sequence[str]) -> BuildFailur
         case.place("setup.py", name_line(case.text("setup.py"), named)),
         manifest_place(case.package, "name"),
     ]
-    advice = "Write the same name in both, and in setup.cfg, and call the folder and the marker so, too."
+    advice = "Write the same name in both and in setup.cfg, for the folder, and for the file in resource/."
     return case.failure("names-differ", summary, where=where, advice=advice, details=details)
 
 

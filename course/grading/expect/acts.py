@@ -23,7 +23,7 @@ def expect_act(recording: Recording, name: str, summary: str, *, near_miss: str 
         Feedback(
             summary=summary,
             seen=", ".join(f"`{detail}`" for detail in close[-_SHOWN:]) or None,
-            advice=f"Start it in one terminal with `ros2course play {recording.exercise}`, and do it "
-            "in another while it runs. What you did is remembered.",
+            advice=f"Start the mystery in one terminal, `ros2course play {recording.exercise}`, and do "
+            "this in another one while it runs. It remembers what you did.",
         )
     )

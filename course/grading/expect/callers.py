@@ -32,7 +32,7 @@ def expect_waiting(recording: Recording, process: str, until: float) -> None:
             summary="While there is no service, the node says so with `print`, and not in its log."
             if printed
             else "While there is no service, the node says nothing.",
-            expected="a log message, for instance `Waiting for the service.`",
+            expected="a log message, such as `Waiting for the service.`",
             seen=printed[0][:120] if printed else "no message",
             where=cause.where if cause else tuple(call.where for call in waiting)[:1],
             advice=cause.text
@@ -59,9 +59,12 @@ def expect_calls(
             if requests
             else "The service is there, but the node does not call it.",
             expected=f"a call every {seconds(period)}",
-            seen=f"{len(requests)} in {recording.duration - since:.1f} s",
+            seen=f"{len(requests)} calls in {recording.duration - since:.1f} s",
             where=cause.where if cause else timer_places(recording.sources),
-            advice=cause.text if cause else "Does the timer's callback reach `call_async`, each time?",
+            advice=cause.text
+            if cause
+            else "Check that the timer's callback comes to `call_async` each time: does a `return` or "
+            "an `if` before it keep it from there?",
         )
     )
 
@@ -103,8 +106,8 @@ def expect_patience(
             else tuple(call.where for call in calls(recording.sources, "done"))[:1],
             advice=cause.text
             if cause
-            else "Do not wait for ever for a future: when the next call is due and it is not "
-            "`done()`, `cancel()` it, say so, and call again.",
+            else "Do not wait forever for one answer. When it is time for the next call and the "
+            "future is not `done()` yet: `cancel()` it, log that, and call again.",
         )
     )
 
@@ -128,7 +131,8 @@ def _not_logged(
     return Feedback(
         summary="The answers are shown by `print`: they are on the terminal, but not in the node's log."
         if printed
-        else f"{len(lost)} of {every} answers did not reach the log; of the first it lacks {listed(names)}.",
+        else f"{len(lost)} of {every} answers are not in the log, or not all of them: "
+        f"it lacks {listed(names)} of the first one.",
         expected=", ".join(f"{name}={part}" for name, part in wanted.items()),
         seen=shown[0][:120] if shown else "no message",
         where=cause.where if cause else tuple(call.where for call in made)[:2],
@@ -140,7 +144,7 @@ def _advice(names: list[str], wanted: Mapping[str, str], after: list[str], print
     if printed:
         return "Use the node's logger in place of `print`: `self.get_logger().info(...)`."
     if any("{" in text for text in after):
-        return "The braces were logged as they stand: put an `f` before the string, `f'...'`."
+        return "The braces were logged as they are: put an `f` before the string, `f'...'`."
     if len(names) < len(wanted):
         return f"Log all of {', '.join(f'`{name}`' for name in wanted)}; `{names[0]}` is missing."
     return "Take `future.result()` once the future is `done()`, and log each field of the answer."

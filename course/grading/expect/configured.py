@@ -59,7 +59,7 @@ def expect_texts(recording: Recording, message: Message, wanted: Mapping[str, st
                     expected=text,
                     seen=seen[:120] or "an empty string",
                     where=_filling(recording, name),
-                    advice="The two are exchanged: each field gets the parameter of its own name."
+                    advice="The two are swapped: give each field the parameter of its own name."
                     if exchanged
                     else f"Fill it from there: `message.{name} = self.get_parameter('{name}').value`.",
                 )
@@ -100,7 +100,7 @@ def _no_more(recording: Recording, name: str, count: int) -> Feedback:
         expected="a message with the new value",
         seen=f"{count} messages",
         where=timer_places(recording.sources)[:2],
-        advice="Let the timer go on when a parameter changes.",
+        advice="Does something stop the timer, or the node, when the parameter changes? Take that out.",
     )
 
 

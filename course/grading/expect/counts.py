@@ -43,7 +43,7 @@ def has_number(text: str, number: int) -> bool:
 def _printed(recording: Recording, text: str) -> Feedback:
     return Feedback(
         summary="The count comes from `print`: it is on the terminal, but not in the node's log.",
-        expected="a message on /rosout",
+        expected="a message in the node's log",
         seen=f"on the terminal only: {text[:120]}",
         where=tuple(call.where for call in calls(recording.sources, "print"))[:1],
         advice="Use the node's logger in place of `print`: `self.get_logger().info(...)`.",
@@ -56,7 +56,7 @@ def _wrong(recording: Recording, reached: int, total: int, what: str) -> Feedbac
     if not lines:
         summary = f"There were {total} {what}, and the node logged nothing."
     elif from_zero:
-        summary = f"The count begins with 0: after {total} {what} it has come to {reached} only."
+        summary = f"The count begins with 0, so after {total} {what} it is only at {reached}."
     else:
         summary = (
             f"There were {total} {what}, and the log does not count them: no message holds {reached + 1}."
@@ -67,8 +67,8 @@ def _wrong(recording: Recording, reached: int, total: int, what: str) -> Feedbac
         expected=f"messages with 1, 2, 3 and so on to {total}",
         seen=lines[0][:120] if lines else "no message",
         where=tuple(call.where for call in calls(recording.sources, "info"))[:1],
-        advice="The braces were logged as they stand: put an `f` before the string, `f'...'`."
+        advice="The braces were logged as they are: put an `f` before the string, `f'...'`."
         if braces
-        else "Keep the count in the node: 0 in `__init__`, one more in each callback, and then log it.",
+        else "Keep the count in the node: set it to 0 in `__init__`, add 1 in each callback, then log it.",
         details=lines[:_SHOWN],
     )

@@ -64,21 +64,21 @@ def _portions(recording: Recording, sent: tuple[Message, ...]) -> list[tuple[Mes
 def _some_missing(recording: Recording, sent: tuple[Message, ...], silent: int) -> Feedback:
     sleeps = calls(recording.sources, "sleep")
     return Feedback(
-        summary=f"The node does not log each message: {silent} of {len(sent)} left no trace within a second.",
+        summary=f"The node does not log each message: {silent} of {len(sent)} are not in its log.",
         expected=f"{len(sent)} messages logged",
         seen=f"{len(sent) - silent} logged",
         where=tuple(call.where for call in sleeps)[:1]
         or tuple(call.where for call in calls(recording.sources, "info"))[:1],
-        advice="A callback that calls `sleep` keeps all others waiting: leave the sleep out."
+        advice="While a callback sleeps, all others wait: take the `sleep` out."
         if sleeps
-        else "Log in every call of the callback, without any condition.",
+        else "Log each time the callback is called: no `if` around it, and no `return` before it.",
     )
 
 
 def _printed(recording: Recording, printed: list[str]) -> Feedback:
     return Feedback(
         summary="The messages are shown by `print`: they are on the terminal, but not in the node's log.",
-        expected="a log message on /rosout",
+        expected="a message in the node's log",
         seen=f"on the terminal only: {printed[0][:120]}",
         where=tuple(call.where for call in calls(recording.sources, "print"))[:2],
         advice="Use the node's logger in place of `print`: `self.get_logger().info(...)`.",
@@ -100,13 +100,11 @@ def _field_missing(
     value = getattr(message.data, field)
     shown = text.splitlines()[0][:120] if text else "nothing"
     if "{" in text:
-        advice = "The braces were logged as they stand: put an `f` before the string, `f'...'`."
+        advice = "The braces were logged as they are: put an `f` before the string, `f'...'`."
     elif message is not sent[0] and str(getattr(sent[0].data, field)) in text:
-        advice = "What came first is logged again: use the message that this call of the callback was given."
+        advice = "The first message is logged again: use the one that the callback gets this time."
     else:
-        advice = (
-            f"Log `{field}` of the message that the callback is given: `{{message.{field}}}` in an f-string."
-        )
+        advice = f"Log `{field}` of the message that the callback gets: `f'{{message.{field}}}'`."
     return Feedback(
         summary=f"The log does not hold the `{field}` of a message that was sent.",
         expected=_cut(str(value)) if value != "" else "an empty text",

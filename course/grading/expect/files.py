@@ -32,9 +32,9 @@ def expect_text(recording: Recording, path: str, *, advice: str | None = None) -
     if found.text is None:
         raise Failure(
             Feedback(
-                summary=f"`~/{path}` is no text file, or far too large ({found.size} bytes).",
+                summary=f"`~/{path}` is not a text file, or is far too large ({found.size} bytes).",
                 where=(Location(path),),
-                advice=advice or "Remove it with `rm`, and make it anew.",
+                advice=advice or "Remove it with `rm`, and make it again.",
             )
         )
     return found
@@ -87,7 +87,7 @@ def _wrong_kind(found: HomeFile) -> Feedback:
     path, name = found.path, PurePosixPath(found.path).name
     if found.kind == "folder":
         return Feedback(
-            summary=f"`~/{path}` is a folder; a file of that name is asked for.",
+            summary=f"`~/{path}` is a folder; it should be a file.",
             where=(Location(path),),
             advice=f"Remove the folder with `rm -r ~/{path}`, then make the file: `touch` makes files, "
             "`mkdir` folders.",
@@ -101,7 +101,7 @@ def _wrong_kind(found: HomeFile) -> Feedback:
     return Feedback(
         summary=f"`~/{path}` cannot be read.",
         where=(Location(path),),
-        advice=f"Look at it with `ls -l`: only its owner needs to read `{name}`, but must be able to.",
+        advice=f"You, its owner, must be able to read `{name}`: `chmod u+r ~/{path}` allows it.",
     )
 
 
@@ -109,7 +109,7 @@ def _missing(recording: Recording, path: str, advice: str | None) -> Feedback:
     wanted = PurePosixPath(path)
     near = recording.home.near(path)
     if near:
-        return _moved(wanted, PurePosixPath(near[0]))
+        return _moved(recording, wanted, PurePosixPath(near[0]))
     parent = str(wanted.parent)
     if parent != "." and not recording.home.file(parent).exists:
         return _no_folder(recording, wanted, advice)
@@ -117,13 +117,15 @@ def _missing(recording: Recording, path: str, advice: str | None) -> Feedback:
     return Feedback(
         summary=f"There is no file `~/{path}`.",
         seen=f"{_place(wanted.parent)} holds {listed(there[:_SHOWN], 'nothing')}",
-        advice=advice or f"Make it, with just this name: `{wanted.name}`.",
+        advice=advice or f"Make it, with exactly this name: `{wanted.name}`.",
     )
 
 
-def _moved(wanted: PurePosixPath, near: PurePosixPath) -> Feedback:
+def _moved(recording: Recording, wanted: PurePosixPath, near: PurePosixPath) -> Feedback:
     """There is a file that was probably meant: under another name, or in another place."""
-    step = f"`mv ~/{near} ~/{wanted}` brings it to its place and name."
+    there = recording.home.file(str(wanted.parent)).exists
+    first = "" if there or str(wanted.parent) == "." else f"`mkdir -p ~/{wanted.parent}`, then "
+    step = f"{first}`mv ~/{near} ~/{wanted}` moves it there."
     if near.parent == wanted.parent:
         summary = f"{_place(wanted.parent)} has no `{wanted.name}`; it has `{near.name}`."
         step = f"The name must be right letter by letter. `mv ~/{near} ~/{wanted}` renames it."
@@ -163,7 +165,7 @@ def _difference(path: str, seen: Sequence[str], wanted: Sequence[str], place: in
     if place >= len(seen):
         return f"`~/{path}` ends after line {len(seen)}; {len(wanted) - len(seen)} more should follow."
     if place >= len(wanted):
-        return f"`~/{path}` has {len(seen) - len(wanted)} lines too many, from line {place + 1} on."
+        return f"`~/{path}` should end before line {place + 1}; it has {len(seen)} lines."
     return f"Line {place + 1} of `~/{path}` is not what it should be."
 
 

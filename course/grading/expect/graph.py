@@ -25,11 +25,11 @@ def expect_node(recording: Recording, name: str) -> None:
         Feedback(
             summary=f"The node is called `{close}`, not `{name}`."
             if close
-            else f"No node `{name}` appeared.",
+            else f"There is no node `{name}`.",
             expected=name,
             seen=listed(nodes, "no node at all"),
             where=_name_places(recording, close) if close else (),
-            advice=f"The node's name is what `super().__init__('{plain}')` gets.",
+            advice=f"Give the node its name in `__init__` of its class: `super().__init__('{plain}')`.",
         )
     )
 
@@ -105,9 +105,8 @@ def expect_compatible_qos(recording: Recording, topic: str) -> None:
             offered, asked = getattr(Qos(), policy), getattr(endpoint.qos, policy)
             raise Failure(
                 Feedback(
-                    summary=f"The subscription asks for more than the publisher offers: {policy} "
-                    "does not match, "
-                    "so no message is delivered.",
+                    summary=f"The subscription asks for more than the publisher offers ({policy}), "
+                    "so no message arrives.",
                     expected=f"{policy}: {_policy_value(offered)}",
                     seen=f"{policy}: {_policy_value(asked)}",
                     where=tuple(call.where for call in calls(recording.sources, "create_subscription"))[:2],

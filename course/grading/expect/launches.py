@@ -144,7 +144,7 @@ def expect_launch_interrupt(recording: Recording, file: str) -> None:
         raise Failure(
             Feedback(
                 summary="Ctrl+C ended `ros2 launch`, but a program that it had started still ran.",
-                expected="all programs end",
+                expected="all programs end with `ros2 launch`",
                 seen=" ".join(view.left[0].command)[:120],
                 advice="A program must end when it gets SIGINT, the signal that Ctrl+C sends.",
             )
@@ -169,8 +169,8 @@ def _expect_no_slip(recording: Recording, file: str, name: str) -> None:
                 expected=name,
                 seen=close,
                 where=named(own, close)[:1],
-                advice="Spell it as the node declares it. ROS passes over a parameter that no node declares, "
-                "in silence.",
+                advice="Spell it as the node declares it. ROS says nothing of a parameter that no node "
+                "declares.",
             )
         )
 
@@ -240,7 +240,7 @@ def _nothing(recording: Recording, file: str) -> Feedback:
     nodes = calls(own, "Node")
     places = (nodes or calls(own, "LaunchDescription"))[:1]
     return Feedback(
-        summary="`ros2 launch` reads the file, and starts nothing: the launch description is empty.",
+        summary="`ros2 launch` reads the file, and starts nothing: `LaunchDescription` holds no node.",
         expected="one node",
         seen="no program",
         where=tuple(call.where for call in places),
@@ -256,10 +256,10 @@ def _expect_no_wrong_type(recording: Recording, file: str, view: ProcessView) ->
         name, wanted = found["name"], found["wanted"]
         raise Failure(
             Feedback(
-                summary=f"The launch file gives `{name}` as a {found['given'].lower()}; the node declares a "
-                f"{wanted.lower()}, and stops with InvalidParameterTypeException.",
-                expected=f"a {wanted.lower()}",
-                seen=f"a {found['given'].lower()}",
+                summary=f"The launch file gives `{name}` the type {found['given'].lower()}, but the node "
+                f"declares it as {wanted.lower()}, and so it stops.",
+                expected=f"the type {wanted.lower()}",
+                seen=f"the type {found['given'].lower()}",
                 where=named(launch_file(recording, file), name)[:1],
                 advice=f"Write its value {_WRITTEN.get(wanted, f'as a {wanted.lower()}')}.",
                 details=(found.group(),),

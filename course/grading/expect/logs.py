@@ -55,10 +55,10 @@ def _methods(level: str) -> tuple[str, ...]:
 def _other_words(recording: Recording, line: LogLine, example: str) -> Feedback:
     braces = "{" in line.text
     advice = (
-        "The braces were logged as they stand: put an `f` before the string, `f'...'`, and "
+        "The braces were logged as they are: put an `f` before the string, `f'...'`, and "
         "Python fills them in."
         if braces
-        else "Log the words just as the task gives them, full stop and capitals included."
+        else "Log exactly the words of the task, with its capitals and its full stop."
     )
     return Feedback(
         summary=f"The node logs other words: `{line.text[:120]}`.",
@@ -72,7 +72,7 @@ def _other_words(recording: Recording, line: LogLine, example: str) -> Feedback:
 def _printed(recording: Recording, text: str) -> Feedback:
     return Feedback(
         summary="The text comes from `print`: it is on the terminal, but not in the node's log.",
-        expected="a message on /rosout",
+        expected="a message in the node's log",
         seen=f"on the terminal only: {text[:120]}",
         where=tuple(call.where for call in calls(recording.sources, "print"))[:_SHOWN],
         advice="Use the node's logger in place of `print`: `self.get_logger().info(...)`.",
@@ -96,5 +96,5 @@ def _silent(recording: Recording, example: str) -> Feedback:
         where=cause.where if cause else (),
         advice=cause.text
         if cause
-        else "Is the callback ever called, and does it reach `self.get_logger().info(...)`?",
+        else "Check that something calls the callback, and that it comes to `self.get_logger().info(...)`.",
     )

@@ -9,7 +9,7 @@ from course.grading.explain.package_xml import RUN_TAGS, Manifest, manifest
 
 _LUCK = (
     " Without it, colcon does not know which of the two packages must be built first: "
-    "if it builds and runs today, that is luck."
+    "if it works today, that is luck."
 )
 
 
@@ -18,7 +18,12 @@ def expect_manifest(recording: Recording, package: str) -> Manifest:
     built = recording.packages.get(package)
     found = manifest(recording.sources, built.source) if built else None
     if found is None:
-        raise Failure(Feedback(summary=f"The package `{package}` has no package.xml that can be read."))
+        raise Failure(
+            Feedback(
+                summary=f"The package `{package}` has no package.xml that can be read.",
+                advice="Compare it with the package.xml of a new package from `ros2 pkg create`.",
+            )
+        )
     return found
 
 

@@ -68,6 +68,7 @@ def expect_parameter(
                 expected=_written(value),
                 seen=_written(found.value),
                 where=_declarations(recording, name),
+                advice=f"Correct the value that `{name}` gets. Quotes, capitals and each digit count.",
             )
         )
 
@@ -90,7 +91,7 @@ def expect_set(recording: Recording, node: str, name: str) -> None:
                 where=tuple(
                     call.where for call in calls(recording.sources, "add_on_set_parameters_callback")
                 )[:1],
-                advice="The function that hears of changes must take this one: let it end with "
+                advice="Your callback for changes should accept this one: let it end with "
                 "`return SetParametersResult(successful=True)`."
                 if refused
                 else "A node answers while `rclpy.spin(node)` runs and no callback keeps it busy.",
@@ -107,8 +108,8 @@ def _view(recording: Recording, node: str) -> ParameterView:
         raise Failure(
             Feedback(
                 summary=f"The node `{node}` does not answer when it is asked for its parameters.",
-                expected="an answer, as every node that is spun gives it",
-                seen="none",
+                expected="an answer, as from every node that `rclpy.spin` runs",
+                seen="no answer",
                 where=tuple(call.where for call in calls(recording.sources, "sleep"))[:1],
                 advice="A node answers while `rclpy.spin(node)` runs and no callback keeps it busy.",
             )
@@ -127,7 +128,7 @@ def _undeclared(recording: Recording, name: str, default: ParameterData, own: li
         expected=f"a parameter `{name}`",
         seen=f"the node has {listed(own, 'no parameter of its own')}",
         where=(cause.where if cause else ()) or named(recording.sources, name)[:2],
-        advice="The line that declares it stands there, but is it reached when the node is made?"
+        advice="There is a line that declares it, but it does not run: call it in `__init__`."
         if in_source
         else f"Declare it in `__init__`: `self.declare_parameter('{name}', {default!r})`.",
         details=(error,) if error else (),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from course.errors import OurFault
@@ -10,14 +11,15 @@ from course.evidence.recording import Recording
 from course.feedback import Failure, Feedback, Location
 
 _LAST_LINES = 6
+_FOLDERS = re.compile(r" \(/[^)]*\)")  # where an import was looked for: a copy of ours
 _ADVICE = (
     (("SyntaxError",), "Python cannot read the file. Look at this line, and at the end of the one before."),
     (("IndentationError",), "Check the spaces at the beginning of this line: four for each level."),
     (("takes", "positional argument"), "Does each method name `self` as its first argument?"),
-    (("unexpected keyword argument",), "The arguments' names are part of the task: compare them."),
-    (("missing", "argument"), "An argument with a default value may be left out: `name=value`."),
+    (("unexpected keyword argument",), "The names of the arguments must be those of the task: compare them."),
+    (("missing", "argument"), "Give the argument a default value, `name=value`: a call may omit it then."),
     (("has no attribute",), "Is the name spelt as in the task, and is it set in `__init__` with `self.`?"),
-    (("SystemExit",), "Nothing should end the program when it is imported."),
+    (("SystemExit",), "An import must not end the program: take the `exit` out, or put it into a function."),
 )
 
 
@@ -92,17 +94,22 @@ def trouble(answer: Answer, summary: str, where: Location | None = None) -> Feed
     place = Location(answer.file, answer.line) if answer.file else where
     error = answer.error or ""
     advice = next((text for words, text in _ADVICE if all(word in error for word in words)), None)
+    otherwise = (
+        "Look at the line named here: it is the one of yours that led to the error."
+        if place
+        else "Are all names in it spelt as in the task, and is each defined in its file?"
+    )
     return Feedback(
-        summary=f"{summary}: {error}",
+        summary=f"{summary}: {_FOLDERS.sub('', error)}",
         where=(place,) if place else (),
-        advice=advice or "The place is the line of yours that led to it.",
+        advice=advice or otherwise,
     )
 
 
 def _hangs(recording: Recording, what: str, name: str) -> Feedback:
     return Feedback(
         summary=f"`{what}` does not come to an end.",
-        advice="A loop, or a question to the user, perhaps at the top of a file: what stands there runs "
+        advice="Look for a loop without end or an `input()`, perhaps outside of any function: that runs "
         "when the file is imported. Put it into a function.",
         details=recording.process(name).text[-_LAST_LINES:],
     )

@@ -24,9 +24,9 @@ _QUIET_EXITS = (0, 1, 128 + signal.SIGINT)
 _LAST_LINES = 6
 _WITH_CODE_0 = (
     "What `main` returns becomes the exit code, and a text counts as 1: let it return nothing. "
-    "`sys.exit()` needs no number, or 0."
+    "Give `sys.exit()` no number, or 0."
 )
-_WITH_AN_END = "Let `main` come to its end: look for a loop without end, or for an `input()` that waits."
+_WITH_AN_END = "Let `main` come to its end: look for a loop that never ends, or for an `input()` that waits."
 _WITH_SPIN = "Put `rclpy.spin(node)` into a `try:` and add `except KeyboardInterrupt:` with `pass`."
 _WITH_LOOP = (
     "Ctrl+C raises KeyboardInterrupt in Python. Put the loop into a `try:`, and add "
@@ -66,7 +66,7 @@ def expect_running(recording: Recording, process: str, *, until: float = inf) ->
 def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
     return Feedback(
         summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; "
-        "it should go on for ever.",
+        "it should go on forever.",
         expected="it runs until Ctrl+C",
         seen=_how(ended),
         advice="A loop that never ends keeps it running: `while True:`. Is `main()` called at all?",
@@ -90,14 +90,14 @@ def _how(ended: ProcessExited) -> str:
     if ended.signal is None:
         return f"exit code {ended.code}"
     names = {number.value: number.name for number in signal.Signals}  # signals from 35 to 63 have none
-    return f"ended by {names.get(ended.signal, f'signal {ended.signal}')}"
+    return f"ended by the signal {names.get(ended.signal, ended.signal)}"
 
 
 def _advice_to_keep_running(recording: Recording) -> str:
     if not calls(recording.sources, "init"):
         return "`main()` has to call `rclpy.init()`, make the node, and hand it to `rclpy.spin(node)`."
     if calls(recording.sources, "spin"):
-        return "Look at what lets the program get past `rclpy.spin`; an exception caught in silence, perhaps."
+        return "Something ends `rclpy.spin`: an error that an `except` hides, or `rclpy.shutdown()`?"
     if calls(recording.sources, "spin_once"):
         return "`spin_once` handles one event and returns. `rclpy.spin(node)` goes on until Ctrl+C."
     return "Nothing keeps it running: call `rclpy.spin(node)` in `main()` after the node is made."
@@ -136,7 +136,13 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
     view = recording.process(process)
     asked = view.interrupted_at
     if asked is None:
-        raise Failure(Feedback(summary="The program had ended before Ctrl+C could be tried."))
+        raise Failure(
+            Feedback(
+                summary="The program ended before Ctrl+C could be tried.",
+                expected="it runs until Ctrl+C",
+                advice="Start it yourself, and read what it says at its end.",
+            )
+        )
     ended = view.exited
     if ended is None or ended.signal == signal.SIGKILL:
         raise Failure(_deaf(recording))
@@ -151,6 +157,8 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
                 summary=f"After Ctrl+C the program ended with exit code {ended.code}.",
                 expected="exit code 0",
                 seen=f"exit code {ended.code}",
+                advice="Let `main` come to its end after `except KeyboardInterrupt:`, with no number in "
+                "`sys.exit()`.",
                 details=view.text[-_LAST_LINES:],
             )
         )
@@ -159,10 +167,10 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
 def _deaf(recording: Recording) -> Feedback:
     return Feedback(
         summary=f"Ctrl+C does not end the program: it still ran {INTERRUPT_GRACE:.0f} s later.",
-        expected="it ends soon after SIGINT, the signal that Ctrl+C sends",
+        expected="it ends soon after Ctrl+C",
         where=tuple(call.where for call in calls(recording.sources, "signal"))[:2],
-        advice="Let `main()` come to its end when KeyboardInterrupt is caught; "
-        "a loop around it, or a handler that ignores SIGINT, keeps the program alive.",
+        advice="Let `main()` end after `except KeyboardInterrupt:`. A loop around the `try:`, or a "
+        "`signal.signal(...)` that ignores Ctrl+C, keeps the program running.",
     )
 
 

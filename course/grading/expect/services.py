@@ -106,7 +106,7 @@ def _silent(recording: Recording, name: str, made: tuple[ServiceCall, ...], sile
     cause = (
         called_callback(sources) or no_response(sources) or sleeping(sources) or spin_in_callback(sources)
     ) or Cause(
-        "Does the node reach `rclpy.spin`, and does the callback come to its `return response`?",
+        "Check that `main()` comes to `rclpy.spin(node)`, and the callback to `return response`.",
         _makers(recording, "server"),
     )
     count = "The call" if len(made) == 1 else f"{silent} of {len(made)} calls"
@@ -122,11 +122,11 @@ def _silent(recording: Recording, name: str, made: tuple[ServiceCall, ...], sile
 def _late(recording: Recording, slowest: float, within: float) -> Feedback:
     cause = sleeping(recording.sources)
     return Feedback(
-        summary=f"An answer took {seconds(slowest)}; whoever asks must wait so long.",
+        summary=f"An answer took {seconds(slowest)}; a client has to wait that long.",
         expected=f"an answer within {seconds(within)}",
         seen=seconds(slowest),
         where=cause.where if cause else (),
-        advice=cause.text if cause else "Let the callback do its work and return at once.",
+        advice=cause.text if cause else "Let the callback return at once: does a long loop keep it?",
     )
 
 

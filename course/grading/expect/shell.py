@@ -23,19 +23,19 @@ _STUCK = {
     ),
     "running": (
         "`~/.bashrc` does not come to an end: it runs `{program}`, and waits for that.",
-        "Take the line out that starts it. What stands in `.bashrc` runs each time a terminal opens.",
+        "Take out the line that starts it. What stands in `.bashrc` runs each time a terminal opens.",
     ),
     "waiting": (
         "`~/.bashrc` does not come to an end: bash waits for somebody to type.",
         "Look for `read` in it, or for a command that asks something, and take it out.",
     ),
     "busy": (
-        "`~/.bashrc` does not come to an end: bash is busy with it for ever.",
+        "`~/.bashrc` does not come to an end: bash is busy with it forever.",
         "Look for a loop in it, or for a line that reads `.bashrc` itself, and take it out.",
     ),
     "flood": (
         "`~/.bashrc` prints without end.",
-        "Take the line out that prints. What stands in `.bashrc` runs each time a terminal opens.",
+        "Take out the line that prints. What stands in `.bashrc` runs each time a terminal opens.",
     ),
 }
 
@@ -95,9 +95,10 @@ def _stuck(recording: Recording, stuck: ShellStuck) -> Feedback:
 def _broken(line: str) -> Feedback:
     where, what = _complaint(line)
     return Feedback(
-        summary=f"bash cannot read all of `~/.bashrc`: {what}.",
+        summary=f"bash cannot read all of `~/.bashrc`. It says: {what}.",
         where=(where or Location(BASHRC),),
-        advice="Look at this line and those before it: is a quotation mark or a bracket left open?",
+        advice="Look at this line and those before it: is the second one of two quotation marks or "
+        "brackets missing?",
     )
 
 

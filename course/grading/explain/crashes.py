@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from course.evidence.packages import BuiltPackages
@@ -43,7 +43,7 @@ _KNOWN = (
     (("object.__init__() takes exactly one argument",), _NO_NODE),
     (
         ("ParameterAlreadyDeclaredException",),
-        "A parameter is declared once, in `__init__`: not in a callback, which comes again and again.",
+        "Declare each parameter once, in `__init__`: not in a callback, which runs again and again.",
     ),
     (
         ("InvalidParameterTypeException",),
@@ -62,7 +62,7 @@ _KNOWN = (
     ),
     (
         ("has no attribute '_TYPE_SUPPORT'",),
-        "Give the type itself, imported from its package and without quotes, not its name.",
+        "Give the type itself, without quotes: import it from its package first.",
     ),
     (
         ("circular import",),
@@ -94,11 +94,13 @@ class _Remedy:
 def crash_feedback(found: Crash, packages: BuiltPackages, sources: Sources) -> Feedback:
     """The feedback for a program that stopped with this exception."""
     places = (found.where,) if found.where else ()
-    feedback = Feedback(
-        summary=f"The program stopped with an error: {found.error}", where=places, details=found.shown
-    )
     remedy = _remedy(found, packages, sources)
-    return replace(feedback, advice=remedy.advice, where=tuple(dict.fromkeys((*remedy.where, *places))))
+    return Feedback(
+        summary=f"The program stopped with an error: {found.error}",
+        where=tuple(dict.fromkeys((*remedy.where, *places))),
+        advice=remedy.advice,
+        details=found.shown,
+    )
 
 
 def _remedy(found: Crash, packages: BuiltPackages, sources: Sources) -> _Remedy:
@@ -121,9 +123,7 @@ def _known(error: str) -> _Remedy:
     for words, advice in _KNOWN:
         if all(word in error for word in words):
             return _Remedy(advice)
-    return _Remedy(
-        "The last line of the traceback names the error; the place is the line of yours that led to it."
-    )
+    return _Remedy("Look at the line named here: it is the one of yours that led to the error.")
 
 
 def _missing_module(error: str, packages: BuiltPackages, sources: Sources) -> _Remedy | None:
@@ -133,7 +133,7 @@ def _missing_module(error: str, packages: BuiltPackages, sources: Sources) -> _R
     name = match["name"]
     moved = _elsewhere(name, packages, sources)
     if moved:
-        text = f"The file lies at `{moved[0]}`; it belongs at `{moved[1]}`, in the folder within."
+        text = f"The file is at `{moved[0]}`. Move it to `{moved[1]}`."
         return _Remedy(text, (Location(moved[0]),))
     neighbour = _neighbour(name, packages, sources)
     if neighbour:
@@ -141,7 +141,7 @@ def _missing_module(error: str, packages: BuiltPackages, sources: Sources) -> _R
     entry = _entry_for(name, packages, sources)
     if entry:
         modules = [PurePosixPath(file).stem for file in _modules(entry, packages, sources)]
-        text = f"The entry point names a module that does not exist. There are {listed(modules)}."
+        text = f"The entry point names a module that does not exist. The package has {listed(modules)}."
         return _Remedy(text, (entry.where,))
     return _Remedy(f"Check the import: is `{name}` spelt right, and does package.xml name its package?")
 

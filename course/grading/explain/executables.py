@@ -14,7 +14,10 @@ def no_executable(missing: ExecutableMissing, packages: BuiltPackages, sources: 
     """`No executable found`, with the likely cause in the learner's setup.py."""
     package = packages.get(missing.package)
     if package is None:
-        return Feedback(summary=f"The package `{missing.package}` was not built, so there is nothing to run.")
+        return Feedback(
+            summary=f"The package `{missing.package}` was not built, so there is nothing to run.",
+            advice="See to it first that it builds: `colcon build` names the error.",
+        )
     setup = Location(f"{package.source}/setup.py")
     declared = {entry.name: entry.where for entry in entry_points(sources, package.source)}
     joined = joined_entry_points(sources, package.source)
@@ -40,7 +43,7 @@ def _comma(text: str, where: Location) -> Feedback:
 def _elsewhere(package: str, name: str, where: Location) -> Feedback:
     return Feedback(
         summary=f"No executable found: `{name}` is declared, but not installed where ROS looks for it.",
-        expected=f"installed in lib/{package}",
+        expected=f"installed in the folder lib/{package}",
         where=(where,),
         advice="`setup.cfg` beside `setup.py` says where it goes. Under `[install]` it needs the line "
         f"`install_scripts=$base/lib/{package}`.",

@@ -52,15 +52,16 @@ def compare(file: InterfaceFile | None, wanted: tuple[Section, ...], package: st
     """Feedback that names the first difference between the file and the wanted sections."""
     if file is None:
         return Feedback(
-            summary=f"`{short}` has other fields than the task asks for, and its file was not found."
+            summary=f"`{short}` has other fields than the task asks for, and its file was not found.",
+            advice="Its file belongs in the folder `msg` or `srv` of the package: compare it with the task.",
         )
     names = _SECTION_NAMES[len(wanted)]
     found = tuple(_pairs(section, package) for section in file.sections)
     if len(wanted) == 2 and found == (_short(wanted[1], package), _short(wanted[0], package)):
         return Feedback(
-            summary=f"In `{short}`, request and response are exchanged.",
+            summary=f"In `{short}`, request and response are swapped.",
             where=(Location(file.file, 1),),
-            advice="The request stands above the line `---`, the response below it.",
+            advice="Put the request above the line `---`, the response below it.",
         )
     for name, section, fields in zip(names, wanted, file.sections, strict=False):
         difference = _difference(
@@ -73,7 +74,9 @@ def compare(file: InterfaceFile | None, wanted: tuple[Section, ...], package: st
         if difference:
             return difference
     return Feedback(
-        summary=f"`{short}` is not the type that the task asks for.", where=(Location(file.file, 1),)
+        summary=f"`{short}` is not the type that the task asks for.",
+        where=(Location(file.file, 1),),
+        advice="Compare the file with the task, line by line.",
     )
 
 
@@ -106,7 +109,7 @@ def _first_difference(
         return (
             f"In {what}, the field `{field.name}` should be called `{missing[0]}`.",
             field,
-            "Rename the field.",
+            f"Rename it: `{missing[0]}`.",
         )
     if missing:
         return (
@@ -128,7 +131,11 @@ def _first_difference(
                 field,
                 f"Write `{wanted_type} {name}`.",
             )
-    return f"In {what}, the fields stand in another order.", fields[0], "The order is part of the type."
+    return (
+        f"In {what}, the fields are in another order.",
+        fields[0],
+        "Put them into the order of the task: it is part of the type.",
+    )
 
 
 def _pairs(fields: tuple[Field, ...], package: str) -> Section:

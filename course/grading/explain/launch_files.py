@@ -168,7 +168,7 @@ def misspelt_target(launch_file: Sources, packages: BuiltPackages) -> Cause | No
             close = nearest(executable, built.executables)
             there = f"it has `{close}`" if close else f"it has {listed(built.executables, 'no executable')}"
             return Cause(
-                f"The launch file names the executable `{executable}`, which `{package}` has not; {there}.",
+                f"The launch file names the executable `{executable}`, not in `{package}`; {there}.",
                 (node.where,),
             )
     return None

@@ -59,9 +59,8 @@ def blocking_call(sources: Sources) -> Cause | None:
     if not places:
         return None
     return Cause(
-        "`call` waits until the answer is there, but while a callback waits, ROS cannot receive the "
-        "answer: a deadlock. Use `call_async`, and look at the future in a later callback or with "
-        "`add_done_callback`.",
+        "`call` waits for the answer, and while a callback waits, no answer can come in: a deadlock. "
+        "Use `call_async`, and take the answer in a later callback or with `add_done_callback`.",
         places[:1],
     )
 
@@ -74,9 +73,8 @@ def spin_in_callback(sources: Sources) -> Cause | None:
         return None
     name, where = places[0]
     return Cause(
-        f"`{name}` is called inside a callback, while `rclpy.spin` is waiting for just this callback to "
-        "end: the node stands still. Let the callback return, and take the answer in a later one or with "
-        "`add_done_callback`.",
+        f"`{name}` in a callback waits, while `rclpy.spin` waits for that callback: the node stands still. "
+        "Let the callback return, and take the answer in a later one or with `add_done_callback`.",
         (where,),
     )
 
@@ -91,7 +89,7 @@ def sleeping(sources: Sources) -> Cause | None:
     places = in_callbacks(sources, "sleep")
     if not places:
         return None
-    return Cause("While a callback sleeps, the node does nothing else: leave the `sleep` out.", places[:1])
+    return Cause("While a callback sleeps, the node does nothing else: take the `sleep` out.", places[:1])
 
 
 def case_sensitive(sources: Sources, word: str) -> Cause | None:
@@ -115,9 +113,8 @@ def result_too_early(sources: Sources) -> Cause | None:
     if not places:
         return None
     return Cause(
-        "`future.result()` is `None` while there is no answer, and after `cancel()`. Look at "
-        "`future.done()` first, or take the result in a function given to `future.add_done_callback`, and "
-        "check that it is not `None`.",
+        "`future.result()` is `None` without an answer, and after `cancel()`. Ask `future.done()` first, or "
+        "use `future.add_done_callback`; and check that the result is not `None`.",
         places[:1],
     )
 
@@ -129,8 +126,8 @@ def future_lost(sources: Sources) -> Cause | None:
             value = node.value if isinstance(node, ast.Expr) else None
             if isinstance(value, ast.Call) and called_name(value) == "call_async":
                 return Cause(
-                    "`call_async` returns a future, and it is lost here. Keep it, and have the answer "
-                    "brought: `future.add_done_callback(self.answered)`.",
+                    "`call_async` returns a future, and it is lost here. Keep it, and name a method that "
+                    "gets the answer: `future.add_done_callback(self.answered)`.",
                     (Location(file, value.lineno),),
                 )
     return None
@@ -141,8 +138,8 @@ def no_wait(sources: Sources) -> Cause | None:
     if calls(sources, "wait_for_service") or calls(sources, "service_is_ready"):
         return None
     return Cause(
-        "Nothing waits for the service: `while not self.client.wait_for_service(timeout_sec=1.0):` before "
-        "the first call, with a log message in it.",
+        "Nothing waits for the service. Before the first call, log a message in a loop: "
+        "`while not self.client.wait_for_service(timeout_sec=1.0):`.",
         tuple(call.where for call in calls(sources, "create_client"))[:1],
     )
 

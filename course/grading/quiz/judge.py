@@ -15,6 +15,7 @@ from course.grading.result import CheckResult, Outcome
 _TITLE = 120
 _NEARLY = 0.85  # of its letters in their order: a slip of the keyboard
 _SHORT = 5  # shorter texts are soon alike without meaning the same
+_WRONG = "This is not the right answer. Look it up in the lesson, then try again."
 
 
 def title(question: Question) -> str:
@@ -87,11 +88,11 @@ def _at(complaint: Feedback, answers: Answers, given: Given) -> Feedback:
 
 def _one_choice(question: Question, given: Given) -> Feedback | None:
     if len(given.texts) > 1:
-        return Feedback(summary="Only one answer can be given here, and your file gives several.")
+        return Feedback(summary="Only one answer counts here, and your file gives several. Keep one.")
     choice = chosen_by(question, given.texts[0])
     if choice is None:
         return _no_choice(question, given.texts[0])
-    return None if choice.right else Feedback(summary=choice.why or "This is not right.")
+    return None if choice.right else Feedback(summary=choice.why or _WRONG)
 
 
 def _some_choices(question: Question, given: Given) -> Feedback | None:
@@ -164,7 +165,7 @@ def _listed(question: Question, text: str) -> Feedback | None:
 
 def _any_other(question: Question, *, nearly: bool = False) -> Feedback:
     advice = "You are close: look at the spelling." if nearly else None
-    return Feedback(summary=question.otherwise or question.explain or "This is not right.", advice=advice)
+    return Feedback(summary=question.otherwise or question.explain or _WRONG, advice=advice)
 
 
 def _is_nearly(text: str, wanted: tuple[str, ...]) -> bool:

@@ -14,6 +14,7 @@ from itertools import islice
 
 from course.evidence.events import (
     GraphSeen,
+    Joined,
     LimitReached,
     MessageSeen,
     MessageSent,
@@ -166,12 +167,16 @@ def _presence(graphs: Sequence[GraphSeen], name: str, duration: float) -> Iterat
 def _messages(
     recording: Recording, kind: str, event_type: type[MessageSeen] | type[MessageSent]
 ) -> Iterator[Lane]:
+    """Also of topics that the grader listened to, and nothing came."""
     times: defaultdict[str, list[float]] = defaultdict(list)
     for event in recording.events:
-        if isinstance(event, event_type) and event.topic not in _NOT_SHOWN:
+        if isinstance(event, Joined) and event.end == "subscription" and kind == "topic":
+            times[event.topic]  # listed, with what comes later
+        elif isinstance(event, event_type) and event.topic not in _NOT_SHOWN:
             times[event.topic].append(event.t)
     for topic, at in times.items():
-        yield Lane(kind, topic, f"{_counted(len(at), 'message')}, {_from_to(at)}.", tuple(at))
+        words = f"{_counted(len(at), 'message')}, {_from_to(at)}." if at else "none came."
+        yield Lane(kind, topic, words, tuple(at))
 
 
 def _services(recording: Recording, duration: float) -> Iterator[Lane]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import islice, pairwise
 from typing import Any
 
-from course.evidence.events import MessageSeen
+from course.evidence.events import MessageSeen, ServiceAnswered, ServiceCalled
 from course.evidence.messages import Undecodable, UnknownType
 from course.evidence.recording import ROSOUT, Recording
 
@@ -42,16 +42,40 @@ class Signal:
 
 def signals_of(recording: Recording) -> Iterator[Signal]:
     """At most one signal of values, and one of intervals: of the topics with the most messages."""
+    enough = _enough(recording)
+    values = (signal for messages in enough if (signal := _values(recording, messages)))
+    yield from islice(values, 1)
+    if enough:
+        yield _intervals(enough[0])
+
+
+def intervals_of(recording: Recording, topic: str) -> Signal | None:
+    """The time between messages on that topic; None where there are too few."""
+    return next((_intervals(one) for one in _enough(recording) if one[0].topic == topic), None)
+
+
+def latencies_of(recording: Recording) -> Signal | None:
+    """How long the learner's answers took, of the service with the most; None where there are too few."""
+    calls = (event for event in recording.events if isinstance(event, ServiceCalled))
+    asked = {event.call: event.t for event in calls if event.side == "client"}
+    services: defaultdict[str, list[tuple[float, float]]] = defaultdict(list)
+    for event in recording.events:
+        if isinstance(event, ServiceAnswered) and event.call in asked:
+            services[event.service].append((event.t, event.t - asked[event.call]))
+    service, points = max(services.items(), key=lambda item: len(item[1]), default=("", []))
+    if len(points) < FEWEST:
+        return None
+    return Signal("Time until the answer", service, "s", (Curve("since the call", tuple(points)),))
+
+
+def _enough(recording: Recording) -> list[list[MessageSeen]]:
+    """Messages by topic, the busiest first, without topics that have too few."""
     topics: defaultdict[str, list[MessageSeen]] = defaultdict(list)
     for event in recording.events:
         if isinstance(event, MessageSeen) and event.topic not in _NOT_SHOWN:
             topics[event.topic].append(event)
     busiest = sorted(topics.values(), key=len, reverse=True)
-    enough = [messages for messages in busiest if len(messages) >= FEWEST]
-    values = (signal for messages in enough if (signal := _values(recording, messages)))
-    yield from islice(values, 1)
-    if enough:
-        yield _intervals(enough[0])
+    return [messages for messages in busiest if len(messages) >= FEWEST]
 
 
 def _intervals(messages: Sequence[MessageSeen]) -> Signal:

@@ -58,7 +58,7 @@ def timeline(recording: Recording, *, key: str, clean: Clean) -> str | None:
 
 def _drawn(lanes: Lanes, key: str, columns: int) -> str:
     top, bottom = 4, 4 + _LANE * len(lanes.lanes)
-    more = _more(lanes)
+    more = not_drawn(lanes)
     inner = [*time_axis(lanes.duration, top, bottom)]
     for place, lane in enumerate(lanes.lanes):
         inner += _lane(lane, top + place * _LANE, lanes.duration, columns)
@@ -66,16 +66,18 @@ def _drawn(lanes: Lanes, key: str, columns: int) -> str:
     if more:
         inner.append(text(LEFT, height + 8, more, cls="axis"))
         height += 16
-    told = " ".join([*(f"{_name(lane)} {lane.words}" for lane in lanes.lanes), more]).strip()
+    told = " ".join([*(f"{named(lane)} {lane.words}" for lane in lanes.lanes), more]).strip()
     return element(key, height, "What happened, on one time line", told, inner)
 
 
-def _name(lane: Lane) -> str:
+def named(lane: Lane) -> str:
+    """How a lane's words begin."""
     name = f"{NAMES[lane.kind]} {lane.label}:"
     return name[0].upper() + name[1:]
 
 
-def _more(lanes: Lanes) -> str:
+def not_drawn(lanes: Lanes) -> str:
+    """How many lanes of each kind are left out; empty where none is."""
     parts = [f"{count} more of «{NAMES[kind]}»" for kind, count in lanes.more.items()]
     return f"Not drawn: {', '.join(parts)}." if parts else ""
 

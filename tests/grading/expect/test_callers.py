@@ -89,7 +89,7 @@ def test_too_few_calls(count: int, code: str, summary: str, words: str) -> None:
     found = told(expect_calls, ran(*events, code=code), "talker", NAME, at_least=5, period=0.5, since=1.0)
     assert found.summary == summary
     assert words in str(found.advice)
-    assert found.seen == f"{count} in 8.0 s"
+    assert found.seen == f"{count} calls in 8.0 s"
 
 
 def test_a_program_that_ended_did_not_just_stop_calling() -> None:

@@ -81,7 +81,7 @@ def test_texts() -> None:
     assert "get_parameter('quote')" in str(found.advice)
     assert where(found) == ["talk/talker.py:7"]
     found = told(expect_texts, recording, message, {"quote": "Bob", "author": "Go"})
-    assert "exchanged" in str(found.advice)
+    assert "swapped" in str(found.advice)
 
 
 # changes

@@ -38,7 +38,7 @@ def test_what_is_not_that_number(text: str) -> None:
 @pytest.mark.parametrize(
     ("texts", "words"),
     [
-        (("Call 0", "Call 1", "Call 2"), "begins with 0: after 3 calls it has come to 2 only"),
+        (("Call 0", "Call 1", "Call 2"), "begins with 0, so after 3 calls it is only at 2"),
         (("Call 1", "Call 1", "Call 1"), "no message holds 2"),
         (("I was called",) * 3, "no message holds 1"),
         ((), "the node logged nothing"),

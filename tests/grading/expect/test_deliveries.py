@@ -116,7 +116,7 @@ def test_a_field_that_is_missing(text: str, field: str, value: str, words: str) 
 def test_the_first_message_again_and_again() -> None:
     found = contents(heard(*(log(SENT[n][0] + 0.1, whole(0)) for n in range(3))))
     assert found is not None
-    assert "What came first is logged again" in str(found.advice)
+    assert "The first message is logged again" in str(found.advice)
 
 
 def test_a_message_that_is_logged_twice() -> None:

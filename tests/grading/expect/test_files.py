@@ -38,6 +38,11 @@ def test_a_file_that_is_there() -> None:
             ("lies in `~`, not in `~/a_folder`", "mv ~/x.txt ~/a_folder/x.txt"),
             ["x.txt"],
         ),
+        (
+            home("x.txt"),
+            ("lies in `~`, not in `~/a_folder`", "`mkdir -p ~/a_folder`, then `mv ~/x.txt ~/a_folder/x.txt`"),
+            ["x.txt"],
+        ),
         (home(FOLDER, "a_folder/X.txt"), ("has no `x.txt`; it has `X.txt`", "mv"), ["a_folder/X.txt"]),
         (home(FOLDER, "a_folder/x.txt.txt"), ("has `x.txt.txt`",), ["a_folder/x.txt.txt"]),
         (home(FOLDER, "b/X.txt"), ("no `~/a_folder/x.txt`; there is `~/b/X.txt`",), ["b/X.txt"]),
@@ -65,7 +70,7 @@ def test_the_author_s_advice_is_given_when_nothing_is_near() -> None:
 
 def test_text_is_text() -> None:
     picture = Recording("x", looked_at=(FOLDER, HomeEntry(FILE, "file", 0o644, 99)))
-    assert "no text file" in told(expect_text, picture, FILE).summary
+    assert "not a text file" in told(expect_text, picture, FILE).summary
     assert said(expect_text, home(FOLDER, FILE), FILE) is None
 
 
@@ -80,7 +85,7 @@ def test_lines_with_and_without_a_final_line_end(end: str) -> None:
         ("", "is empty", "a", "no more lines", "x"),
         ("a\n", "ends after line 1; 1 more", "b", "no more lines", "x"),
         ("a\nB\n", "Line 2 of `~/x`", "b", "B", "x:2"),
-        ("a\nb\n\n", "1 lines too many, from line 3", "no more lines", "an empty line", "x:3"),
+        ("a\nb\n\n", "should end before line 3; it has 3 lines", "no more lines", "an empty line", "x:3"),
     ],
 )
 def test_the_first_difference_is_named(text: str, summary: str, expected: str, seen: str, place: str) -> None:

@@ -53,7 +53,7 @@ def test_the_only_node_is_the_one_that_was_meant() -> None:
 
 def test_no_node_at_all() -> None:
     found = told(expect_node, seen(nodes=()), "/talker")
-    assert found.summary == "No node `/talker` appeared."
+    assert found.summary == "There is no node `/talker`."
     assert found.seen == "no node at all"
 
 

@@ -157,7 +157,9 @@ def test_a_value_of_another_type() -> None:
     )
     fall = launched(*lines(0.4, TALKER), *lines(0.8, TRACEBACK.format(error)))
     found = told(expect_launched, fall, FILE)
-    assert found.summary.startswith("The launch file gives `period` as a string; the node declares a double")
+    assert found.summary.startswith(
+        "The launch file gives `period` the type string, but the node declares it as double"
+    )
     assert "without quotes" in str(found.advice)
     assert where(found) == [f"{PATH}:4"]
 
@@ -177,7 +179,7 @@ def test_the_nodes_name() -> None:
     assert where(other) == [f"{PATH}:3"]
     inside = told(expect_launched_node, named("/choir/speaker"), FILE, "/speaker")
     assert "leave `namespace` out" in str(inside.advice)
-    assert "No node" in told(expect_launched_node, named(), FILE, "/speaker").summary
+    assert "There is no node" in told(expect_launched_node, named(), FILE, "/speaker").summary
 
 
 # the end

@@ -98,7 +98,7 @@ def test_silent_below_info() -> None:
     [
         ("", "No timer is made anywhere"),
         ("self.create_timer(500, self.tick)", "in seconds"),
-        ("self.create_timer(0.5, self.tick)\nrclpy.spin(node)", "Is the callback ever called"),
+        ("self.create_timer(0.5, self.tick)\nrclpy.spin(node)", "something calls the callback"),
         ("self.create_timer(0.5, self.tick)", "hand the node to `rclpy.spin(node)`"),
     ],
 )

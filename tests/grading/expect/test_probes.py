@@ -54,7 +54,7 @@ def test_a_wrong_value_is_shown(value: object, shown: str, wanted: object) -> No
         ("TypeError: f() takes 0 positional arguments but 1 was given", "self"),
         ("TypeError: f() got an unexpected keyword argument 'a'", "names"),
         ("AttributeError: 'C' object has no attribute 'x'", "__init__"),
-        ("ValueError: no", "led to it"),
+        ("ValueError: no", "led to the error"),
     ],
 )
 def test_an_exception_has_its_line_and_advice(text: str, advice: str) -> None:

@@ -46,14 +46,14 @@ EXPECTED = {
     # entry points
     "module_only": ("setup.py:12", "`module_only = faulty.helper:main`"),
     "wrong_function": ("setup.py:12", "names the function `mian`; `faulty.ended` has `main`"),
-    "wrong_module": ("setup.py:12", "There are `ended` and `helper`"),
-    "lost_module": ("lost.py", "it belongs at `ros2_tutorial_workspace/src/faulty/faulty/lost.py`"),
+    "wrong_module": ("setup.py:12", "The package has `ended` and `helper`"),
+    "lost_module": ("lost.py", "Move it to `ros2_tutorial_workspace/src/faulty/faulty/lost.py`"),
     "no_main": ("setup.py:12", "names the function `main`; `faulty.no_main` has none"),
     "helper": ("setup.py:12", "names the function `main`; `faulty.helper` has `help_out`"),
     # no rule knows more than the traceback
-    "chained": ("faulty/chained.py:11", "The last line of the traceback"),
-    "during": ("faulty/during.py:11", "The last line of the traceback"),
-    "wrong_field": ("faulty/wrong_field.py:10", "The last line of the traceback"),
-    "callback_arguments": ("faulty/callback_arguments.py:16", "The last line of the traceback"),
-    "notes": ("faulty/notes.py:8", "The last line of the traceback"),
+    "chained": ("faulty/chained.py:11", "the line named here"),
+    "during": ("faulty/during.py:11", "the line named here"),
+    "wrong_field": ("faulty/wrong_field.py:10", "the line named here"),
+    "callback_arguments": ("faulty/callback_arguments.py:16", "the line named here"),
+    "notes": ("faulty/notes.py:8", "the line named here"),
 }

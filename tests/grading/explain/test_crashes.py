@@ -82,7 +82,7 @@ def test_a_module_of_another_package_with_a_similar_name_is_not_taken() -> None:
     files["ros2_tutorial_workspace/src/other/notfaulty/endde.py"] = ""
     files["ros2_tutorial_workspace/src/other/test/faulty/ende.py"] = ""
     found = said("ModuleNotFoundError: No module named 'faulty.endde'", Sources(files))
-    assert "There are `ended` and `helper`" in str(found.advice)
+    assert "The package has `ended` and `helper`" in str(found.advice)
 
 
 def test_a_module_that_is_where_it_belongs_is_not_moved() -> None:
@@ -112,11 +112,11 @@ def test_without_packages_there_is_still_advice() -> None:
         ("AttributeError: 'Talker' object has no attribute '_clock'", "super().__init__"),
         ("AttributeError: 'Talker' object has no attribute 'declare_parameter'", "derive from Node"),
         ("AttributeError: 'method' object has no attribute 'info'", "brackets"),
-        ("rclpy.exceptions.ParameterAlreadyDeclaredException: Parameter(s)", "declared once"),
+        ("rclpy.exceptions.ParameterAlreadyDeclaredException: Parameter(s)", "Declare each parameter once"),
         ("rclpy.exceptions.InvalidParameterTypeException: Trying to set", "its default value"),
         ("TypeError: First element 1 at index 0 in parameters list is not a str.", "a name and a value"),
-        ("AttributeError: 'Talker' object has no attribute '_own'", "The last line of the traceback"),
-        ("AttributeError: 'Talker' object has no attribute 'created'", "The last line of the traceback"),
+        ("AttributeError: 'Talker' object has no attribute '_own'", "the line named here"),
+        ("AttributeError: 'Talker' object has no attribute 'created'", "the line named here"),
     ],
 )
 def test_texts_of_other_versions(error: str, words: str) -> None:

@@ -75,7 +75,7 @@ def test_a_file_that_is_not_there() -> None:
         ("int64 id\nstring text\nstring author", "`id` is of type `int64`, not `int32`", 1),
         ("int32 id\nstring<=9 text\nstring author", "`text` is of type `string<=9`, not `string`", 2),
         ("int32 id\nstring text\nstring[] author", "`author` is of type `string[]`, not `string`", 3),
-        ("string text\nint32 id\nstring author", "the fields stand in another order", 1),
+        ("string text\nint32 id\nstring author", "the fields are in another order", 1),
     ],
 )
 def test_the_first_difference_of_a_message(text: str, summary: str, line: int) -> None:
@@ -106,7 +106,7 @@ def test_what_was_seen_is_written_as_what_was_expected() -> None:
             3,
         ),
         ("Quote quote\n---\n", "In the response of `Point`, the field `point` is missing", 1),
-        ("geometry_msgs/Point point\n---\nQuote quote", "In `Point`, request and response are exchanged", 1),
+        ("geometry_msgs/Point point\n---\nQuote quote", "In `Point`, request and response are swapped", 1),
         ("Quote quote\n---\ngeometry_msgs/Point point", "`Point` is not the type that the task asks for", 1),
         ("words/Quote quote\n---\ngeometry_msgs/msg/Point point", "`Point` is not the type", 1),
         ("Quote quote", "`Point` is not the type that the task asks for", 1),

@@ -1,0 +1,147 @@
+"""`evidence`: what `check` recorded, to look at and to take along."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from course.cli.arguments import CurrentExercise, Pager, complete_exercise
+from course.cli.words import examples, typed
+from course.errors import StorageError, UsageError
+
+if TYPE_CHECKING:
+    from course.cli.desk import Desk
+    from course.cli.recorded import Recorded
+    from course.grading.result import Result
+
+SHOW_EXAMPLES = examples(
+    ("evidence show", "of the exercise you are at"),
+    ("evidence show 18-publisher", "of another one"),
+    ("evidence show quotes.mcap", "of any recording of the course"),
+)
+EXPORT_EXAMPLES = examples(
+    ("evidence export --to quotes.mcap", "of the exercise you are at"),
+    ("evidence export 18-publisher --to ~/bags/", "of another one, into a folder"),
+)
+EXAMPLES = examples(
+    ("evidence show", "draw what the last check saw"),
+    ("evidence export --to quotes.mcap", "to open it elsewhere"),
+)
+_FILE = ".mcap"
+
+evidence = typer.Typer(rich_markup_mode=None)
+
+
+@evidence.callback()
+def about() -> None:
+    """Look at what `check` recorded, or take it along."""
+
+
+@evidence.command(epilog=SHOW_EXAMPLES)
+def show(
+    ctx: typer.Context,
+    what: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="[ID|FILE]",
+            help="The exercise, or a recording: a file that ends with .mcap. "
+            "Without it, the exercise you are at.",
+            autocompletion=complete_exercise,
+            show_default=False,
+        ),
+    ] = None,
+    pager: Pager = False,
+) -> None:
+    """Draw what happened when an exercise was checked last.
+
+    Programs, nodes, messages, calls and logs on one time line, with what was
+    expected beside it; numbers in messages and the time between them; who
+    publishes and who listens.
+    """
+    from contextlib import nullcontext
+
+    from course.report.console import open_console, paged
+    from course.report.drawn.album import render_recording
+
+    found, result = _of_file(Path(what)) if what and what.endswith(_FILE) else _of_exercise(ctx, what)
+    console = open_console()
+    with paged(console) if pager else nullcontext():
+        render_recording(console, found.recording, found.size, result)
+
+
+@evidence.command(epilog=EXPORT_EXAMPLES)
+def export(
+    ctx: typer.Context,
+    to: Annotated[Path, typer.Option("--to", metavar="FILE", help="The new file, or a folder for it.")],
+    exercise: CurrentExercise = None,
+    force: Annotated[bool, typer.Option("--force", help="Also in place of a file that is there.")] = False,
+) -> None:
+    """Copy the last check's recording to where you want it.
+
+    It is an MCAP file, which Foxglove and PlotJuggler open. A file that is there already is kept,
+    unless you say --force.
+    """
+    from course.report.console import open_console
+    from course.report.drawn.album import is_secret
+    from course.report.drawn.exported import render_exported
+
+    found, _ = _of_exercise(ctx, exercise)
+    name = found.recording.exercise
+    if is_secret(found.recording):
+        what = f"{name} is a mystery: what you are to find out stands in its recording."
+        raise UsageError(what, f"`{typed(f'play {name}')}` runs its nodes for you to explore.")
+    target = to / found.file.name if to.is_dir() else to
+    _copy(found.file, target, force=force)
+    render_exported(open_console(), name, target, found.size)
+
+
+def _of_exercise(ctx: typer.Context, name: str | None) -> tuple[Recorded, Result | None]:
+    """The last recording, and what the checks said of it, where that is known."""
+    from course.cli.desk import open_desk
+    from course.report.drawn.album import belongs
+
+    with open_desk(ctx) as desk:
+        found = _recorded(desk, name)
+        last = desk.progress.last_result(found.recording.exercise)
+    return found, last if belongs(last, found.recording) else None
+
+
+def _recorded(desk: Desk, name: str | None) -> Recorded:
+    from course.cli.recorded import recorded
+    from course.grading.load import runs_programs
+
+    chosen = desk.exercise(name)
+    found = recorded(desk.home, chosen.id)
+    if found is None:
+        if not runs_programs(chosen):
+            raise UsageError(f"{chosen.id} has questions only: nothing is run, so nothing is recorded.")
+        raise UsageError(
+            f"There is no recording of {chosen.id} yet.", f"`{typed(f'check {chosen.id}')}` makes one."
+        )
+    return found
+
+
+def _of_file(file: Path) -> tuple[Recorded, None]:
+    from course.cli.recorded import read_recording
+
+    if not file.is_file():
+        raise UsageError(f"There is no file {file}.", f"`{typed('evidence show')}` shows the last recording.")
+    return read_recording(file, f"`{typed('evidence show')}` shows the last recording."), None
+
+
+def _copy(source: Path, target: Path, *, force: bool) -> None:
+    from course.home.storage import copy_new, copy_over, storing
+
+    if target.resolve() == source.resolve():
+        raise UsageError(f"{target} is the recording itself.", "Name another file.")
+    if not target.parent.is_dir():
+        raise StorageError(f"There is no folder {target.parent}.", "Make it first, or name another one.")
+    with storing(f"{target} cannot be written"):
+        if force:
+            copy_over(source, target)
+        elif not copy_new(source, target):
+            raise UsageError(
+                f"{target} is there already.", "Name another file, or add --force to replace it."
+            )

@@ -1,0 +1,1 @@
+"""Pictures of evidence in the terminal: the time line, signals, and who publishes to whom."""

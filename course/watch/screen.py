@@ -1,0 +1,152 @@
+"""One screenful of `watch`, as lines: what is checked, the text in the middle, what goes on, the keys.
+
+Lines are cut to the terminal's width, so that the screen holds exactly what is counted here.
+"""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+
+from rich.console import Console
+from rich.text import Text
+
+from course.report import safe
+from course.report.activity import FRAMES
+from course.report.console import WIDEST, open_console
+from course.report.terminal import HEADLINES, total_of
+from course.watch.bodies import Typed, gain, render
+from course.watch.model import Body, Listing, Look, Verdict
+
+# Of a body; whatever a check has to say, the screen stays quick.
+MOST_LINES = 1000
+_KEYS = "n next  h hint  t task  r result  l list  c check  space more  q quit"
+_AROUND = 4  # lines that are not the body: the title, two rules with what goes on between, the keys
+_NARROWEST = 20
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Lines with colours. following: the first line of the body's next screenful; 0 after the last."""
+
+    lines: tuple[str, ...]
+    following: int
+
+
+class Screen:
+    """Draws; remembers the body that was drawn last, since that takes longest."""
+
+    def __init__(self, typed: Typed) -> None:
+        self._typed = typed
+        self._drawn: tuple[Body, int, list[Text]] | None = None
+
+    def draw(self, look: Look, width: int, height: int, now: float) -> Frame:
+        """At most `height` lines of at most `width` columns."""
+        console = _console(min(max(width, _NARROWEST), WIDEST))
+        body = self._body(look.body, console.width)
+        shown, following = self._part(look, body, max(height - _AROUND, 1))
+        rule = Text("-" * console.width, "dim")
+        bottom = [rule, _going_on(look, now), Text(_KEYS, "cyan")]
+        lines = [_title(look, console.width), *shown]
+        lines += [Text()] * (height - len(bottom) - len(lines)) + bottom
+        return Frame(tuple(_coded(console, line, width) for line in lines[:height]), following)
+
+    def _body(self, body: Body, width: int) -> list[Text]:
+        if self._drawn is None or self._drawn[0] is not body or self._drawn[1] != width:
+            self._drawn = (body, width, _lines(body, _console(width), self._typed))
+        return self._drawn[2]
+
+    def _part(self, look: Look, body: list[Text], room: int) -> tuple[list[Text], int]:
+        """What fits, from the line where the learner is; and where the next part begins."""
+        first = min(look.first or _beginning(look.body, body, room), max(len(body) - 1, 0))
+        if len(body) - first <= room:
+            return body[first:], 0
+        last = first + max(room - 1, 1)
+        more = f"... {len(body) - last} more lines: space shows them"
+        if isinstance(look.body, Verdict):
+            more += f", `{self._typed('check')}` shows all at once"
+        return [*body[first:last], Text(more, "dim")], last
+
+
+def _title(look: Look, width: int) -> Text:
+    """The exercise, and at the right edge what came of it last."""
+    came = Text()
+    if look.result is not None:
+        word, style = HEADLINES[look.result.verdict]
+        change = f" ({gain(look.change)})" if look.change and look.change.points else ""
+        came = Text.assemble((word, style), f": {total_of(look.result)}{change}")
+    name = Text.assemble((look.exercise.id, "bold"), "  ", safe.one_line(look.exercise.title))
+    name.truncate(max(width - came.cell_len - 2, 10), overflow="ellipsis", pad=True)
+    return Text.assemble(name, "  ", came)
+
+
+def _going_on(look: Look, now: float) -> Text:
+    remark = safe.one_line(look.remark)
+    if not look.doing:
+        return Text(remark)
+    seconds = max(now - look.since, 0.0)
+    frame = FRAMES[int(seconds) % len(FRAMES)]
+    tail = f"  ({remark})" if remark else ""
+    return Text.assemble((f"{frame} {safe.one_line(look.doing)}  {seconds:.0f} s", "bold"), tail)
+
+
+def _beginning(body: Body, lines: list[Text], room: int) -> int:
+    """A list begins where the learner is."""
+    if not isinstance(body, Listing) or len(lines) <= room:
+        return 0
+    here = next((row for row, line in enumerate(lines) if line.plain.startswith(">")), 0)
+    return max(min(here - room // 2, len(lines) - room), 0)
+
+
+def _lines(body: Body, console: Console, typed: Typed) -> list[Text]:
+    """The body in lines, none of them wider than the console."""
+    end: list[Text] = []
+    try:
+        render(body, console, typed)
+    except _Full:
+        end = [Text(f"It goes on; cut here. `{typed('check')}` shows all of it.", "bold")]
+    written = _taken(console).rstrip("\n").split("\n")
+    wrapped = (Text.from_ansi(line).wrap(console, console.width, tab_size=4) or [Text()] for line in written)
+    return [line for lines in wrapped for line in lines] + end
+
+
+def _coded(console: Console, line: Text, width: int) -> str:
+    cut = line.copy()
+    cut.truncate(min(width, console.width), overflow="ellipsis")
+    console.print(cut, soft_wrap=True, end="")
+    return _taken(console)
+
+
+class _Full(Exception):
+    """More than anybody reads in `watch` has been written."""
+
+
+class _Paper(io.StringIO):
+    """What a console writes on as if it were a terminal, with its colours."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._room = MOST_LINES
+
+    def isatty(self) -> bool:
+        return True
+
+    def write(self, text: str) -> int:
+        written = super().write(text)
+        self._room -= text.count("\n")
+        if self._room < 0:
+            raise _Full
+        return written
+
+
+def _console(width: int) -> Console:
+    return open_console(_Paper(), width=width)
+
+
+def _taken(console: Console) -> str:
+    """What was written on the console since."""
+    assert isinstance(console.file, _Paper)
+    written = console.file.getvalue()
+    console.file.seek(0)
+    console.file.truncate()
+    return written

@@ -1,0 +1,174 @@
+"""What happens when a file is saved, a key is pressed, a check speaks. Knows no terminal and no processes."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import PurePosixPath
+
+from course.content import Exercise
+from course.content.layout import answers_file
+from course.grading.result import Result, Verdict
+from course.watch import model
+from course.watch.changes import what_changed
+from course.watch.model import AllPassed, Begun, Checked, Checking, Key, Learner, Look, Message, Said, Saved
+from course.watch.own_files import OwnFiles
+from course.watch.saves import concerning
+
+STARTING = "starting the check"
+_ANEW = "; checking anew"
+
+
+class Session:
+    """One sitting in front of `watch`. look: what is to be seen now. over: whether it was ended by a key.
+
+    page: asked for the first line of the next screenful, when the learner wants to read on. ask: asks the
+    questions of a quiz; False when the learner went back.
+    """
+
+    def __init__(
+        self,
+        learner: Learner,
+        checking: Checking,
+        begun: Begun,
+        page: Callable[[], int],
+        ask: Callable[[Exercise], bool],
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._learner = learner
+        self._checking = checking
+        self._page = page
+        self._ask = ask
+        self._clock = clock
+        self._own = OwnFiles(learner.home)
+        self._number = 0
+        self.over = False
+        self.look: Look = self._opened(begun)
+
+    def hear(self, event: model.Event) -> None:
+        """Whatever happened but signals and the time."""
+        if isinstance(event, Saved):
+            self._saved(event.files)
+        elif isinstance(event, Key):
+            self._pressed(event.name)
+        elif isinstance(event, Said | Checked | model.Stuck):
+            self._told(event)
+
+    def leave(self) -> None:
+        """The end, by whatever: what runs is being called off."""
+        self._checking.stop()
+        if self.look.doing:
+            self.look = replace(self.look, doing="stopping the check", since=self._clock())
+
+    # ------------------------------------------------------------------------------------------ saves
+
+    def _saved(self, files: Sequence[str]) -> None:
+        concerned = self._own.without(concerning(self.look.exercise, files))
+        if not concerned:
+            return
+        more = f" and {len(concerned) - 1} more" if len(concerned) > 1 else ""
+        again = _ANEW if self.look.doing else ""
+        self._check(f"saved: {PurePosixPath(concerned[0]).name}{more}{again}")
+
+    def _check(self, remark: str) -> None:
+        self._number = self._checking.start(self.look.exercise)
+        self.look = replace(self.look, doing=STARTING, since=self._clock(), remark=remark)
+
+    # ---------------------------------------------------------------------------------- what a check says
+
+    def _told(self, message: Message) -> None:
+        if message.number != self._number or not self.look.doing:
+            return  # of a check that was called off
+        if isinstance(message, Said):
+            self.look = replace(self.look, doing=message.text)
+        elif isinstance(message, Checked):
+            self._finished(message.result)
+        else:
+            self._came_to(model.Problem(message.what, message.next_step))
+
+    def _finished(self, result: Result) -> None:
+        exercise = self.look.exercise
+        before = self._learner.last_result(exercise)
+        log = self._learner.remember(exercise, result)
+        counts = result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED)
+        change = what_changed(before, result) if counts else None
+        self.look = replace(self.look, result=result, change=change)
+        self._came_to(model.Verdict(exercise, result, before, change, log))
+
+    def _came_to(self, body: model.Body) -> None:
+        remark = self.look.remark.removesuffix(_ANEW)
+        self.look = replace(self.look, doing="", body=body, remark=remark, first=None)
+
+    # ------------------------------------------------------------------------------------------- keys
+
+    def _pressed(self, key: str) -> None:
+        actions: dict[str, Callable[[], None]] = {
+            "n": self._go_on,
+            "h": lambda: self._show(self._learner.hint(self.look.exercise)),
+            "l": lambda: self._show(self._learner.listing()),
+            "t": self._turn_text,
+            "r": self._show_result,
+            "c": self._check_now,
+            " ": self._read_on,
+            "q": self._quit,
+        }
+        action = actions.get(key.lower())
+        if action is not None:
+            action()
+
+    def _go_on(self) -> None:
+        """As `next`: to what is begun and not passed, so nothing is left out unseen."""
+        exercise = self.look.exercise
+        if not self._learner.is_passed(exercise):
+            self.look = replace(self.look, remark=f"{exercise.id} is not passed yet; n goes on when it is.")
+            return
+        self._checking.stop()
+        begun = self._learner.next()
+        if begun is None:
+            self.look = replace(self.look, doing="", body=AllPassed(), remark="", first=None)
+        else:
+            self.look = self._opened(begun)
+
+    def _turn_text(self) -> None:
+        """The task; the chapter's lesson where the task is shown already."""
+        exercise = self.look.exercise
+        if isinstance(self.look.body, model.TaskText):
+            self._show(self._learner.lesson(exercise))
+        else:
+            self._show(self._learner.task(Begun(exercise)))
+
+    def _show_result(self) -> None:
+        look = self.look
+        if look.result is None:
+            self.look = replace(look, remark="It has not been checked yet: save a file, or press c.")
+        else:
+            self._show(model.Verdict(look.exercise, look.result, None, look.change))
+
+    def _check_now(self) -> None:
+        exercise = self.look.exercise
+        wanted = self._ask(exercise) if exercise.questions else True
+        self._own.wrote([answers_file(exercise.id)])  # what was answered just now is no save
+        if wanted:
+            self._check("")
+
+    def _read_on(self) -> None:
+        self.look = replace(self.look, first=self._page())
+
+    def _quit(self) -> None:
+        self.over = True
+
+    def _show(self, body: model.Body) -> None:
+        self.look = replace(self.look, body=body, remark="", first=None)
+
+    def _opened(self, begun: Begun) -> Look:
+        """An exercise that was just come to: its task, or the lesson when it is the chapter's first."""
+        self._number = 0
+        exercise = begun.exercise
+        self._own.wrote(str(file.relative_to(self._learner.home)) for file in begun.new)
+        body = self._learner.lesson(exercise) if begun.first_of_chapter else self._learner.task(begun)
+        return Look(exercise, body, self._learner.last_result(exercise), remark=_how_to_begin(exercise))
+
+
+def _how_to_begin(exercise: Exercise) -> str:
+    return "press c to answer its questions" if exercise.questions else "waiting for you to save a file"
