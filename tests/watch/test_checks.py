@@ -73,8 +73,10 @@ def serve(tmp_path: Path, small_course: Path, monkeypatch: pytest.MonkeyPatch) -
                     await served
             return room
 
+        # Other tests of this process may have left helpers of theirs, as multiprocessing does.
+        before = set(psutil.Process().children(recursive=True))
         room = asyncio.run(serving())
-        assert psutil.Process().children(recursive=True) == []
+        assert set(psutil.Process().children(recursive=True)) <= before
         return room
 
     return run
