@@ -125,7 +125,7 @@ def test_a_folder_that_is_no_course(validate: Validate, tmp_path: Path, quiz_cou
     (quiz_course / "chapters").rename(quiz_course / "chapter")
     ended = validate()
     assert ended.code == 2
-    assert "is not a course" in ended.err
+    assert "is not a course" in " ".join(ended.err.split())
 
 
 def test_an_exercise_that_does_not_exist(validate: Validate) -> None:

@@ -42,20 +42,19 @@ def _descendants(running: Running) -> list[psutil.Process]:
     return psutil.Process(running.process.pid).children(recursive=True)
 
 
-def _killed(launcher: Launcher, path: str, entities: str, started: str) -> list[psutil.Process]:
-    """Start these, kill the launch alone; what was there of it."""
+def _killed(launcher: Launcher, path: str, entities: str, started: str, least: int) -> None:
+    """Start these, kill the launch alone once it has so many processes: all of them end."""
     with launcher.started(launcher.description(entities), PATH=path) as running:
         running.wait_for(started)
+        assert comes_true(lambda: len(_descendants(running)) >= least)
         there = _descendants(running)
         running.signal(signal.SIGKILL)
         running.process.wait(timeout=20)
         assert all(gone(process.pid) for process in there), there
-    return there
 
 
 def test_a_killed_launch_leaves_nothing_behind(launcher: Launcher, path: str) -> None:
-    there = _killed(launcher, path, BARE, "[sleep-2]: process started")
-    assert len(there) >= 3  # the two, and the one that watches
+    _killed(launcher, path, BARE, "[sleep-2]: process started", 3)  # the two, and the one that watches
 
 
 @pytest.mark.slow
@@ -80,8 +79,8 @@ def _running(*end: str) -> list[int]:
 
 
 def test_not_even_what_processes_have_started_is_left(launcher: Launcher, path: str) -> None:
-    there = _killed(launcher, path, PROCESSES, "[mule-3] ready")
-    assert len(there) >= 5  # three processes, the shell's own, and the one that watches
+    # Three processes, the shell's own, and the one that watches.
+    _killed(launcher, path, PROCESSES, "[mule-3] ready", 5)
 
 
 def _ended_by(launcher: Launcher, path: str, number: signal.Signals) -> Answer:
