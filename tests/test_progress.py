@@ -247,6 +247,7 @@ def test_the_file_of_a_newer_version_is_left_alone(used: Path) -> None:
 # ------------------------------------------------------------------------------------ two processes
 
 
+@pytest.mark.slow
 def test_two_processes_at_once_both_land(state: Path) -> None:
     with multiprocessing.get_context("spawn").Pool(2) as pool:
         pool.starmap(_record_many, [(state, "01-a"), (state, "02-b")], chunksize=1)

@@ -203,6 +203,7 @@ def test_a_deaf_program_is_marked_and_killed(play: Play) -> None:
     assert play.events(ProcessExited)[0].signal == signal.SIGKILL
 
 
+@pytest.mark.slow
 def test_what_a_program_leaves_running_is_recorded(play: Play) -> None:
     # It says that it is ready once it is in a session of its own, out of reach of Ctrl+C.
     left_behind = "setsid sh -c 'echo ready; exec sleep 100' & wait"

@@ -121,6 +121,7 @@ def test_code_that_cannot_be_imported(programs: Programs, code: str, error: str,
     assert (found.broken.file, found.broken.line) == ("project/theirs.py", line)
 
 
+@pytest.mark.slow
 def test_code_that_hangs_or_leaves(programs: Programs) -> None:
     programs.write("project/theirs.py", "import os, time\ndef hang():\n    time.sleep(1000)\n")
     found = probe(programs, "import theirs\nask('a', lambda: 1)\nask('b', theirs.hang)\n", timeout=2.0)
@@ -138,6 +139,7 @@ def test_a_probe_that_does_not_start_is_our_fault(
         programs.probe("", name="lost")
 
 
+@pytest.mark.slow
 def test_threads_left_behind_do_not_keep_it(programs: Programs) -> None:
     programs.write("project/x", "")
     code = (

@@ -9,6 +9,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 REPO = Path(__file__).parents[2]
 TIMEOUT = 60.0
 
@@ -164,6 +166,7 @@ tell(some=end_descendants() > 0, below=below())
     assert found == {"some": True, "below": 0}
 
 
+@pytest.mark.slow
 def test_many_that_ended_take_no_time() -> None:
     """As many zombies as a breeding program leaves behind in a few seconds."""
     found = play("""

@@ -404,6 +404,7 @@ def test_ctrl_c_reaches_a_program_that_closed_its_terminal(stage: Stage) -> None
     assert stage.end.signal == signal.SIGINT
 
 
+@pytest.mark.slow
 def test_nothing_is_left_open(tmp_path: Path) -> None:
     Stage(tmp_path).start("true").wait(WAIT)
     before, threads = open_files(), threading.active_count()

@@ -161,6 +161,7 @@ def test_a_shell_that_closes_at_the_first_failure(typed: Commands) -> None:
     assert shell.stuck is not None and shell.stuck.reason == "ended"
 
 
+@pytest.mark.slow
 def test_a_command_that_never_ends(programs: Programs) -> None:
     programs.write(".bashrc", "")
     with programs.shell() as shell:

@@ -7,6 +7,8 @@ import signal
 import subprocess
 import sys
 
+import pytest
+
 from course.arena.survivors import started_by, still_there
 
 PARENT = (
@@ -17,6 +19,7 @@ PARENT = (
 )
 
 
+@pytest.mark.slow
 def test_a_child_that_outlives_its_parent() -> None:
     with subprocess.Popen(
         [sys.executable, "-S", "-c", PARENT], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True

@@ -73,6 +73,7 @@ def test_without_much_room_those_of_what_did_not_pass_come_first(out: Path, cour
     assert page(out, course, 10).not_drawn == 2
 
 
+@pytest.mark.slow
 def test_many_are_drawn_by_several_processes_alike(
     out: Path, course: Course, monkeypatch: pytest.MonkeyPatch
 ) -> None:

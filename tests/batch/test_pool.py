@@ -53,6 +53,7 @@ def test_without_work_no_process_is_started(monkeypatch: pytest.MonkeyPatch) -> 
     assert graded([], jobs=2) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("way", "words"),
     [
@@ -73,6 +74,7 @@ def test_a_worker_that_fails_is_our_error_and_the_next_task_gets_a_new_one(way: 
     assert first.result.containment != last.result.containment
 
 
+@pytest.mark.slow
 def test_a_worker_that_hangs_is_ended(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(pool, "TIME_LIMIT", 2.0)
     hung, fine = graded(tasks("hangs", "fine", evidence=tmp_path / "begun"))
@@ -80,6 +82,7 @@ def test_a_worker_that_hangs_is_ended(monkeypatch: pytest.MonkeyPatch, tmp_path:
     assert fine.result.verdict is Verdict.PASSED
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["hangs", "deaf"])
 def test_whoever_stops_listening_ends_the_workers(
     way: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path

@@ -99,6 +99,7 @@ def kept(out: Path) -> dict[str, Verdict]:
         }
 
 
+@pytest.mark.slow
 def test_a_class_is_graded_for_real(batch: Callable[..., Batch], lay: Lay, tmp_path: Path) -> None:
     lay("eve", mistake="saves-oil")
     told = ran(batch("ada", "bao"))

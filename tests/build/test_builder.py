@@ -105,6 +105,7 @@ def test_a_failure_stops_what_depends_on_it(built: Built, runs: Runs, src: Path)
     assert "top" not in runs()
 
 
+@pytest.mark.slow
 def test_a_failure_is_tried_again(built: Built, runs: Runs, src: Path) -> None:
     (src / "small_node/quick.py").write_text("sys.exit(1)")
     assert built("small_node").failure
@@ -129,6 +130,7 @@ def test_two_packages_are_built_side_by_side(built: Built, runs: Runs, src: Path
     assert len(built("one", "two", time_limit=20).packages) == 2
 
 
+@pytest.mark.slow
 def test_two_checks_at_once_build_once(built: Built, runs: Runs, src: Path) -> None:
     (src / "small_node/quick.py").write_text("import time; time.sleep(1)")
     said: list[str] = []
@@ -147,6 +149,7 @@ def test_two_checks_at_once_build_once(built: Built, runs: Runs, src: Path) -> N
     assert sorted(said) == ["Building small_node", "Waiting for small_node, which is being built already"]
 
 
+@pytest.mark.slow
 def test_too_long_says_so(built: Built, runs: Runs, src: Path) -> None:
     (src / "small_node/quick.py").write_text("print('one', flush=True)\nimport time; time.sleep(300)")
     failure = built("small_node", time_limit=1.0).failure
@@ -169,6 +172,7 @@ def test_printing_without_end_says_so(
     assert failure.kind == "output-limit"
 
 
+@pytest.mark.slow
 def test_calling_off_leaves_nothing(built: Built, runs: Runs, src: Path, store: Store) -> None:
     (src / "small_node/quick.py").write_text("import time; time.sleep(300)")
     with Interrupt() as interrupt:

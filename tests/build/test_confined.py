@@ -89,6 +89,7 @@ def test_the_environment_is_ours(place: Place, monkeypatch: pytest.MonkeyPatch) 
     assert [line.split(":")[0] for line in passwd.splitlines()[:2]] == ["root", "learner"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("limit", [20.0, 1.0])
 def test_all_have_ended_when_it_is_over(place: Place, limit: float) -> None:
     """Also when it was stopped, and what left its session; many, as ending them takes a moment."""

@@ -66,6 +66,7 @@ def test_it_reads_nothing_from_the_terminal(shell: Callable[..., Ended]) -> None
     assert shell("read line").code != 0
 
 
+@pytest.mark.slow
 def test_what_it_leaves_running_is_killed(shell: Callable[..., Ended], tmp_path: Path) -> None:
     ended = shell(PARENT + "exit 0")
     assert ended.code == 0
@@ -73,6 +74,7 @@ def test_what_it_leaves_running_is_killed(shell: Callable[..., Ended], tmp_path:
     assert gone(tmp_path)
 
 
+@pytest.mark.slow
 def test_a_time_limit_ends_everything(shell: Callable[..., Ended], tmp_path: Path) -> None:
     ended = shell(PARENT + "trap '' TERM INT; wait", time_limit=0.5)
     assert ended.ending is Ending.TOO_LONG
@@ -87,6 +89,7 @@ def test_a_flood_is_stopped(
     assert (tmp_path / "output").stat().st_size < 2 << 20
 
 
+@pytest.mark.slow
 def test_calling_off_ends_everything(shell: Callable[..., Ended], tmp_path: Path) -> None:
     with Interrupt() as interrupt:
         threading.Timer(0.3, interrupt.set).start()
@@ -109,6 +112,7 @@ with Interrupt() as interrupt:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
 def test_when_we_are_killed_it_ends_too(tmp_path: Path, number: signal.Signals) -> None:
     ours = subprocess.Popen(

@@ -52,6 +52,7 @@ def test_files_are_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert Usage([tmp_path], MB).now() == FILES
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "depth"), [("d", MOST_DEPTH + 1), ("d", 3000), ("n" * 250, 20)])
 def test_nothing_hides_in_the_deep(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, depth: int

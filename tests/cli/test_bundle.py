@@ -63,6 +63,7 @@ def test_an_installed_course_has_no_wheel_of_itself(
     assert not (tmp_path / "a.zip").exists()
 
 
+@pytest.mark.slow
 def test_a_wheel_that_cannot_be_made(
     ros2course: Ros2course, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -95,6 +95,7 @@ def interrupt(child: pexpect.spawn[str]) -> None:
             return
 
 
+@pytest.mark.slow
 def test_a_check_moves_one_line_and_leaves_the_result(start: Start) -> None:
     start("next").expect(pexpect.EOF)
     child = start("check")
@@ -106,6 +107,7 @@ def test_a_check_moves_one_line_and_leaves_the_result(start: Start) -> None:
     assert ended(child) == 0
 
 
+@pytest.mark.slow
 def test_ctrl_c_stops_a_check_cleanly(start: Start, tmp_path: Path) -> None:
     start("next").expect(pexpect.EOF)
     child = start("check", check="waits")
@@ -120,6 +122,7 @@ def test_ctrl_c_stops_a_check_cleanly(start: Start, tmp_path: Path) -> None:
     assert (tmp_path / "home/cleaned-up").exists()
 
 
+@pytest.mark.slow
 def test_kill_stops_a_check_cleanly(start: Start, tmp_path: Path) -> None:
     start("next").expect(pexpect.EOF)
     child = start("check", check="waits")
@@ -130,6 +133,7 @@ def test_kill_stops_a_check_cleanly(start: Start, tmp_path: Path) -> None:
     assert (tmp_path / "home/cleaned-up").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("answer", "content"), [("n", "mine"), ("", "mine"), ("y", None)])
 def test_reset_asks_first(start: Start, tmp_path: Path, answer: str, content: str | None) -> None:
     start("next").expect(pexpect.EOF)
@@ -143,6 +147,7 @@ def test_reset_asks_first(start: Start, tmp_path: Path, answer: str, content: st
     assert file.read_text() == (content or first)
 
 
+@pytest.mark.slow
 def test_reset_can_be_left_with_ctrl_c(start: Start, tmp_path: Path) -> None:
     start("next").expect(pexpect.EOF)
     (tmp_path / "home" / LIGHT).write_text("mine")
@@ -153,6 +158,7 @@ def test_reset_can_be_left_with_ctrl_c(start: Start, tmp_path: Path) -> None:
     assert (tmp_path / "home" / LIGHT).read_text() == "mine"
 
 
+@pytest.mark.slow
 def test_a_shell_in_the_course_home_with_ros_ready(start: Start, tmp_path: Path) -> None:
     home = tmp_path / "home"
     (home / ".bashrc").write_text("export FROM_BASHRC=yes\n")
@@ -176,6 +182,7 @@ def test_the_shell_s_cache_is_the_one_outside(
     assert ended(child) == 3
 
 
+@pytest.mark.slow
 def test_ids_complete_in_the_shell(start: Start, small_course: Path) -> None:
     child = start("shell")
     child.expect_exact("(ros2course) ~")
@@ -186,6 +193,7 @@ def test_ids_complete_in_the_shell(start: Start, small_course: Path) -> None:
     child.expect(pexpect.EOF)
 
 
+@pytest.mark.slow
 def test_colour_only_where_it_is_wanted(start: Start, monkeypatch: pytest.MonkeyPatch) -> None:
     child = start("next")
     child.expect(pexpect.EOF)
@@ -195,6 +203,7 @@ def test_colour_only_where_it_is_wanted(start: Start, monkeypatch: pytest.Monkey
     assert "04-light" in plain.before
 
 
+@pytest.mark.slow
 def test_a_pager_shows_a_long_text(start: Start, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PAGER", "cat")
     child = start("next", "--pager")

@@ -140,6 +140,7 @@ def test_importing_content_imports_nothing_slow() -> None:
     assert not {"pydantic", "yaml", "difflib", "sqlite3"} & set(found)
 
 
+@pytest.mark.slow
 def test_a_remembered_lesson_needs_neither_yaml_nor_pydantic(small_course: Path, tmp_path: Path) -> None:
     code = (
         "import sys; from pathlib import Path; from course.content import open_course\n"

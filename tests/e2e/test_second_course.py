@@ -97,6 +97,7 @@ def test_all_of_it_is_proven() -> None:
     assert code == 0 and "13/13" in text, text
 
 
+@pytest.mark.slow
 def test_as_an_installed_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """`--course NAME`: the package is looked at and not imported."""
     package = shutil.copytree(SECOND, tmp_path / "site/heat_course")

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).parents[2]
 GRADERS = sorted((ROOT / "graders").glob("ch*.py"))
 WITHOUT_ROS = """
@@ -25,6 +27,7 @@ def collected(where: str) -> list[str]:
     return [line for line in done.stdout.splitlines() if "::" in line]
 
 
+@pytest.mark.slow
 def test_the_folder_holds_what_its_files_hold() -> None:
     folder = collected("graders/")
     # One with questions alone has a Mystery and no Grader.

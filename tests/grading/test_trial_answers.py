@@ -34,6 +34,7 @@ def home(tmp_path: Path) -> Path:
     return tmp_path / "home"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("exercise", [QUIZ, KEEPERS], ids=lambda one: one.id)
 def test_the_reference_earns_all_points(exercise: Exercise, home: Path, tmp_path: Path) -> None:
     trial.lay_solution(COURSE, exercise, home)
@@ -41,6 +42,7 @@ def test_the_reference_earns_all_points(exercise: Exercise, home: Path, tmp_path
     assert (result.verdict, result.points) == (Verdict.PASSED, 6.0), result
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("exercise", "other"), OTHER_WAYS, ids=[one.id for one, _ in OTHER_WAYS])
 def test_other_words_earn_all_points(
     exercise: Exercise, other: Alternative, home: Path, tmp_path: Path
@@ -53,6 +55,7 @@ def test_other_words_earn_all_points(
     assert grade(exercise, home, tmp_path).verdict is Verdict.PASSED
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("exercise", "mistake"), MISTAKES, ids=[mistake.id for _, mistake in MISTAKES])
 def test_each_mistake_is_caught(exercise: Exercise, mistake: Mistake, home: Path, tmp_path: Path) -> None:
     trial.lay_mistake(COURSE, exercise, mistake, home)
@@ -64,12 +67,14 @@ def test_each_mistake_is_caught(exercise: Exercise, mistake: Mistake, home: Path
     assert result.verdict is Verdict.NOT_PASSED
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("exercise", [QUIZ, KEEPERS], ids=lambda one: one.id)
 def test_who_begins_has_not_passed(exercise: Exercise, home: Path, tmp_path: Path) -> None:
     trial.lay_starter(COURSE, exercise, home)
     assert grade(exercise, home, tmp_path).verdict is Verdict.NOT_PASSED
 
 
+@pytest.mark.slow
 def test_a_copied_answer_is_a_wrong_one(home: Path, tmp_path: Path) -> None:
     lay_answers(KEEPERS, home)
     result = grade(KEEPERS, home, tmp_path, seed=SEED + 1)
@@ -78,6 +83,7 @@ def test_a_copied_answer_is_a_wrong_one(home: Path, tmp_path: Path) -> None:
     assert result.verdict is Verdict.NOT_PASSED
 
 
+@pytest.mark.slow
 def test_without_a_seed_a_mystery_is_our_error(home: Path, tmp_path: Path) -> None:
     lay_answers(KEEPERS, home)
     result = check_exercise(KEEPERS, home, ros=find_ros(), store=Store(tmp_path / "store"))

@@ -163,6 +163,7 @@ def test_a_read_only_place_is_told(
     assert "choose another folder" in (caught.value.next_step or "")
 
 
+@pytest.mark.slow
 def test_two_at_once_agree_on_one_seed(tmp_path: Path) -> None:
     with multiprocessing.get_context("spawn").Pool(2) as pool:
         seeds = pool.map(_seed_of_new_home, [tmp_path / "home"] * 4, chunksize=1)

@@ -92,6 +92,7 @@ def test_two_in_one_second_do_not_collide(worked: CourseHome, light: Exercise) -
     assert second.name == "2026-11-21T12-00-00-04-light-2"
 
 
+@pytest.mark.slow
 def test_two_at_once_lose_nothing(worked: CourseHome, small_course: Path) -> None:
     with multiprocessing.get_context("spawn").Pool(2) as pool:
         backups = pool.starmap(_reset, [(worked.path, small_course)] * 4, chunksize=1)

@@ -88,6 +88,7 @@ def test_that_of_a_ros_built_from_source_lies_one_folder_higher(tmp_path: Path) 
     assert setup_script(Ros("sourced", "jazzy", rclpy, rclpy, "x"), {}) == tmp_path / "install/setup.bash"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["setup", "local_setup"])
 @pytest.mark.parametrize(
     ("shell", "asked"), [("bash", "complete -p ros2"), ("zsh", 'echo "${_comps[ros2]}"')]

@@ -19,6 +19,7 @@ def line_of(file: Path, text: str) -> int:
     return next(n for n, line in enumerate(file.read_text().splitlines(), 1) if text in line)
 
 
+@pytest.mark.slow
 def test_a_sound_exercise(validate: Validate) -> None:
     ended = validate()
     assert (ended.code, ended.out.splitlines()[-1]) == (0, "All proofs hold.")
@@ -26,6 +27,7 @@ def test_a_sound_exercise(validate: Validate) -> None:
     assert row.split()[1:7] == ["ok", "ok", "ok", "3/3", "5/5", "6"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "old", "new", "where", "words"),
     [
@@ -86,6 +88,7 @@ def test_a_claim_that_is_not_so(
     assert "try" in ended.words
 
 
+@pytest.mark.slow
 def test_a_starter_that_passes(validate: Validate) -> None:
     (STARTER / "answers").mkdir(parents=True)
     (STARTER / "answers/05-quiz.yaml").write_text(ANSWERS.read_text())
@@ -94,6 +97,7 @@ def test_a_starter_that_passes(validate: Validate) -> None:
     assert "the starter of 05-quiz: it passes: there is nothing left to do for a learner" in ended.words
 
 
+@pytest.mark.slow
 def test_an_edit_that_no_longer_applies(validate: Validate) -> None:
     edit(
         MISTAKES,

@@ -36,6 +36,7 @@ def test_static_grades_nothing(validate: Validate, monkeypatch: pytest.MonkeyPat
     assert (ended.code, ended.out) == (0, "\nNothing was found.\n")
 
 
+@pytest.mark.slow
 def test_junit_by_the_rules_of_its_readers(validate: Validate, tmp_path: Path) -> None:
     line = edit(MISTAKES, *NOT_CAUGHT)
     assert validate("--junit", str(tmp_path / "out.xml")).code == 1
@@ -51,6 +52,7 @@ def test_junit_by_the_rules_of_its_readers(validate: Validate, tmp_path: Path) -
     assert len(list(root.iter("testcase"))) == 7
 
 
+@pytest.mark.slow
 def test_github_is_told_the_line_in_the_repository(
     validate: Validate, monkeypatch: pytest.MonkeyPatch, quiz_course: Path
 ) -> None:
@@ -62,17 +64,20 @@ def test_github_is_told_the_line_in_the_repository(
     assert line.startswith(where)
 
 
+@pytest.mark.slow
 def test_outside_of_github_nothing_is_annotated(validate: Validate) -> None:
     edit(MISTAKES, *NOT_CAUGHT)
     assert "::error" not in validate().out
 
 
+@pytest.mark.slow
 def test_what_broke_is_told_as_it_goes_where_there_is_no_bar(validate: Validate) -> None:
     edit(MISTAKES, *NOT_CAUGHT)
     (line,) = validate().err.splitlines()
     assert line.startswith("05-quiz mistake saves-oil  (") and "1 broken" in line
 
 
+@pytest.mark.slow
 def test_a_machine_that_lacks_something(validate: Validate, monkeypatch: pytest.MonkeyPatch) -> None:
     from dataclasses import replace
 
@@ -91,6 +96,7 @@ def test_mutating_goes_with_no_other_kind(validate: Validate) -> None:
     assert validate("--mutate", "--static").code == 2
 
 
+@pytest.mark.slow
 def test_a_reader_that_goes_away_leaves_no_traceback(quiz_course: Path) -> None:
     words = ["-m", "course", "--course", str(quiz_course), "validate", "--static"]
     read, write = os.pipe()
@@ -105,6 +111,7 @@ def test_a_reader_that_goes_away_leaves_no_traceback(quiz_course: Path) -> None:
     assert done.stderr == b""
 
 
+@pytest.mark.slow
 def test_ctrl_c_shows_what_is_known(quiz_course: Path, tmp_path: Path) -> None:
     words = ["-c", PROGRAM, "--course", str(quiz_course), "validate", "05-quiz", "--jobs", "1"]
     environment = {**os.environ, "PYTHONPATH": str(REPO), "TERM": "xterm", "TMPDIR": str(tmp_path / "tmp")}

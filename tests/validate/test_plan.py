@@ -27,6 +27,7 @@ def test_everything_that_a_course_claims_is_proven_once() -> None:
     }
 
 
+@pytest.mark.slow
 def test_the_course_s_own_proofs() -> None:
     course = open_course()
     planned = proofs(course.exercises())
@@ -41,6 +42,7 @@ def test_the_course_s_own_proofs() -> None:
     assert Proof("02-venv", Kind.SOLUTION) not in planned
 
 
+@pytest.mark.slow
 def test_what_takes_long_comes_first() -> None:
     planned = proofs(open_course().exercises())
     kinds = [proof.kind for proof in planned]

@@ -46,6 +46,7 @@ def ways(monkeypatch: pytest.MonkeyPatch) -> pytest.MonkeyPatch:
     return monkeypatch
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("way", "attempts", "held"),
     [
@@ -74,6 +75,7 @@ def test_what_is_doubtful_is_done_again(
     assert (account.why_not(MISTAKE) == "There is no ROS.") is (held is None)
 
 
+@pytest.mark.slow
 def test_each_turn_runs_everything(ways: pytest.MonkeyPatch) -> None:
     ways.setenv("WAYS", "caught")
     planned = proofs([EXERCISE])
@@ -81,6 +83,7 @@ def test_each_turn_runs_everything(ways: pytest.MonkeyPatch) -> None:
     assert sorted(ran, key=str) == sorted([(turn, proof) for turn in (1, 2, 3) for proof in planned], key=str)
 
 
+@pytest.mark.slow
 def test_whoever_stops_listening_ends_the_workers_and_nothing_is_left(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -64,6 +64,7 @@ def bodies(exercise: Exercise) -> list[Body]:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", range(10))
 @pytest.mark.parametrize(("width", "height"), [(79, 24), (100, 50), (30, 10), (10, 4), (1, 1), (300, 100)])
 def test_everything_fits_everywhere(light: Exercise, number: int, width: int, height: int) -> None:

@@ -30,6 +30,7 @@ def test_without_dask_the_command_to_type(monkeypatch: pytest.MonkeyPatch) -> No
     assert "pip install 'ros2course[cluster]'" in (caught.value.next_step or "")
 
 
+@pytest.mark.slow
 def test_nothing_of_dask_is_imported_before_it_is_used() -> None:
     code = "import sys, course.cli.app, course.batch.cluster.rounds as r; print('distributed' in sys.modules)"
     root = Path(__file__).parents[3]
@@ -44,6 +45,7 @@ def test_no_address(address: str) -> None:
     assert "tcp://host:8786" in str(getattr(fails(address), "next_step", ""))
 
 
+@pytest.mark.slow
 def test_nobody_there(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(connect, "_CONNECT_TIME", 0.5)
     with socket.create_server(("127.0.0.1", 0)) as silent:

@@ -7,6 +7,8 @@ import sys
 import threading
 from pathlib import Path
 
+import pytest
+
 from course.batch.cluster.turn import turn
 
 PATIENCE = 20.0
@@ -39,6 +41,7 @@ def test_several_run_together(tmp_path: Path) -> None:
     two.end()
 
 
+@pytest.mark.slow
 def test_who_is_alone_waits_for_the_others_and_they_for_it(tmp_path: Path) -> None:
     gate = tmp_path / "gate"
     first = Grading(gate, alone=False)

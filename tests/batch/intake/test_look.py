@@ -186,6 +186,7 @@ def test_a_package_beside_a_home_that_is_one_too(tmp_path: Path, looked: Looked)
     assert (found.kind, found.packages) == (Kind.HOME, ("a",))
 
 
+@pytest.mark.slow
 def test_thousands_of_packages_take_no_hours(tmp_path: Path, looked: Looked) -> None:
     names = [f"{n}/src/p{n}/package.xml" for n in range(700)] + [f"q{n}/package.xml" for n in range(700)]
     archive = make_zip(tmp_path / "many.zip", dict.fromkeys(names, ""))

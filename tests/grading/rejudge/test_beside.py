@@ -40,6 +40,7 @@ def outcomes(judgement: Judgement) -> list[str]:
     return [check.outcome.value for check in judgement.checks]
 
 
+@pytest.mark.slow
 def test_each_gets_its_own_judgement(beside: Beside, store: Store) -> None:
     for n, said in ((9, ["passed", "passed"]), (1, ["failed", "skipped"]), (8, ["passed", "passed"])):
         stored = store(str(n), n)
@@ -48,6 +49,7 @@ def test_each_gets_its_own_judgement(beside: Beside, store: Store) -> None:
         assert outcomes(beside.judge(dim.exercise, dim.file)) == ["passed"]
 
 
+@pytest.mark.slow
 def test_one_session_judges_many_but_not_too_many(beside: Beside, store: Store, sessions: Path) -> None:
     stored = store("one", 9)
     for _ in range(PORTION + 2):
@@ -58,6 +60,7 @@ def test_one_session_judges_many_but_not_too_many(beside: Beside, store: Store, 
     assert seen[PORTION - 1] != seen[PORTION] == seen[PORTION + 1]
 
 
+@pytest.mark.slow
 def test_what_is_wrong_with_one_is_a_fault_of_that_one(beside: Beside, store: Store) -> None:
     gone, good = store("gone", 9), store("good", 9)
     gone.file.unlink()
@@ -67,6 +70,7 @@ def test_what_is_wrong_with_one_is_a_fault_of_that_one(beside: Beside, store: St
     assert outcomes(beside.judge(good.exercise, good.file)) == ["passed", "passed"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("act", "says"), [("os._exit(7)", "ended with 7"), ("os.abort()", "ended by signal 6")]
 )
@@ -81,6 +85,7 @@ def test_the_next_one_gets_another_process(
     assert outcomes(beside.judge(good.exercise, good.file)) == ["passed", "passed"]
 
 
+@pytest.mark.slow
 def test_who_ends_pytest_spoils_no_other(beside: Beside, store: Store, grader: Path) -> None:
     """Who is judged next gets a session of its own."""
     broken = "    if recording.duration == 1:\n        raise KeyboardInterrupt\n    if rec"
@@ -91,6 +96,7 @@ def test_who_ends_pytest_spoils_no_other(beside: Beside, store: Store, grader: P
     assert outcomes(beside.judge(good.exercise, good.file)) == ["passed", "passed"]
 
 
+@pytest.mark.slow
 def test_it_ends_with_its_owner(store: Store) -> None:
     known = set(psutil.Process().children(recursive=True))
     with contextlib.closing(Beside()) as beside:

@@ -27,6 +27,7 @@ def trouble(answer: Rejudged | Problem) -> Trouble:
     return answer.trouble
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_each_gets_its_own_judgement(store: Store, jobs: int) -> None:
     lights = [store(f"light {n}", n) for n in range(60)]
@@ -47,6 +48,7 @@ def test_nothing_to_do() -> None:
     assert judged() == {}
 
 
+@pytest.mark.slow
 def test_the_graders_of_now_judge(store: Store, grader: Path) -> None:
     recording = store("one", 4)
     assert outcomes(judged(recording)["one"]) == ["failed", "skipped"]
@@ -57,6 +59,7 @@ def test_the_graders_of_now_judge(store: Store, grader: Path) -> None:
     assert [check.points for check in answer.judgement.checks] == [7, 1]
 
 
+@pytest.mark.slow
 def test_what_is_wrong_with_one_is_told_of_that_one(
     store: Store, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -82,6 +85,7 @@ def test_what_is_wrong_with_one_is_told_of_that_one(
     assert all(what.isprintable() and str(tmp_path) not in what for what in told)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("act", "says"),
     [
@@ -100,6 +104,7 @@ def test_a_recording_that_ends_its_judge_is_left_out(store: Store, grader: Path,
     assert [outcomes(found[key])[0] for key in ("0", "9", "10")] == ["failed", "passed", "passed"]
 
 
+@pytest.mark.slow
 def test_the_time_of_each_is_limited(store: Store, grader: Path) -> None:
     """By the kernel, so that it ends a regular expression too: Python's own handlers would wait for it."""
     limited = "signal.getsignal(signal.SIGALRM) is signal.SIG_DFL and 50 < signal.alarm(60) <= 60"
@@ -108,6 +113,7 @@ def test_the_time_of_each_is_limited(store: Store, grader: Path) -> None:
     assert [outcomes(answer)[0] for answer in found.values()] == ["passed"] * 3
 
 
+@pytest.mark.slow
 def test_a_grader_that_cannot_be_run_is_a_fault_of_all_its_recordings(store: Store, grader: Path) -> None:
     grader.write_text(GRADER + "\ndef broken(:\n")
     for answer in judged(*(store(str(n), n) for n in range(3))).values():
@@ -125,6 +131,7 @@ def test_a_module_that_is_gone(store: Store, grader: Path) -> None:
         assert answer.judgement.fault is not None
 
 
+@pytest.mark.slow
 def test_what_cannot_even_be_looked_at_is_left_out(store: Store, grader: Path) -> None:
     fail = "def fail(file, exercise):\n    if file.name == '1.mcap':\n        raise RuntimeError\n"
     patch = "import __main__\nread = __main__._read\n__main__._read = fail\n"
@@ -134,6 +141,7 @@ def test_what_cannot_even_be_looked_at_is_left_out(store: Store, grader: Path) -
     assert [outcomes(answer) for answer in found.values()] == [["passed", "passed"]] * 2
 
 
+@pytest.mark.slow
 def test_an_exercise_whose_grader_is_gone(store: Store, grader: Path) -> None:
     grader.write_text(GRADER.replace("@dim.", "@light."))
     answer = judged(store("one", 1, "04-dim"))["one"]
@@ -141,11 +149,13 @@ def test_an_exercise_whose_grader_is_gone(store: Store, grader: Path) -> None:
     assert answer.judgement.fault is not None
 
 
+@pytest.mark.slow
 def test_a_check_that_finds_no_evidence_for_itself_is_an_error_of_ours(store: Store, grader: Path) -> None:
     grader.write_text(GRADER.replace("    pass", "    recording.marked('dusk').t"))
     assert outcomes(judged(store("one", 9))["one"]) == ["passed", "error"]
 
 
+@pytest.mark.slow
 def test_fixtures_end_with_each_recording(store: Store, grader: Path) -> None:
     fixture = '\n@pytest.fixture(scope="module")\ndef seen():\n    return []\n'
     body = "    seen.append(1)\n    assert len(seen) == 1"
@@ -155,6 +165,7 @@ def test_fixtures_end_with_each_recording(store: Store, grader: Path) -> None:
     assert [outcomes(answer) for answer in found.values()] == [["passed", "passed"]] * 3
 
 
+@pytest.mark.slow
 def test_whether_the_scenario_is_still_the_same(store: Store, grader: Path, small_course: Path) -> None:
     exercise = store("any", 9).exercise
     digest = scenario_digest(grader, "04-light", (*exercise.files, *exercise.looks_at))
@@ -167,6 +178,7 @@ def test_whether_the_scenario_is_still_the_same(store: Store, grader: Path, smal
     }
 
 
+@pytest.mark.slow
 def test_what_the_environment_says_to_pytest_does_not_count(
     store: Store, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -175,6 +187,7 @@ def test_what_the_environment_says_to_pytest_does_not_count(
     assert outcomes(judged(store("one", 9))["one"]) == ["passed", "passed"]
 
 
+@pytest.mark.slow
 def test_stopped_early_nothing_is_left(store: Store) -> None:
     others = set(psutil.Process().children())  # of tests before this one
     answers = rejudge([store(str(n), 9) for n in range(60)], jobs=2)
@@ -185,6 +198,7 @@ def test_stopped_early_nothing_is_left(store: Store) -> None:
     assert not any(process.is_running() for process in started)
 
 
+@pytest.mark.slow
 def test_stopped_in_the_middle_of_a_check_it_does_not_wait(store: Store, grader: Path) -> None:
     grader.write_text(GRADER.replace("if rec", "if recording.duration == 1 and signal.pause() or rec"))
     answers = rejudge([store(str(n), n) for n in (0, 1)])
@@ -200,6 +214,7 @@ def test_where_no_process_can_be_started_it_is_told(store: Store, monkeypatch: p
         judged(store("one", 9), store("two", 9))
 
 
+@pytest.mark.slow
 def test_many_of_a_module_are_judged_in_few_sessions(store: Store, grader: Path, tmp_path: Path) -> None:
     """A session costs more than a recording: one for all of these."""
     log = tmp_path / "log"
@@ -233,6 +248,7 @@ def test_no_grader_needs_ros_to_judge() -> None:
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
 
 
+@pytest.mark.slow
 def test_a_strange_mcap_file(store: Store) -> None:
     one: Stored[str] = store("one", 9)
     with one.file.open("wb") as stream:

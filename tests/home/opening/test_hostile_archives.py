@@ -297,6 +297,7 @@ def test_archives_that_broke_off(room: Path, kind: str, left: float) -> None:
     refused(room, archive, "broken")
 
 
+@pytest.mark.slow
 def test_any_byte_may_be_wrong(room: Path) -> None:
     """Whatever is changed: it opens or is refused, in nobody's way; no other error comes out."""
     sources = [make_zip(room / "w.zip", {"a/b": "text" * 50, "c": "c"})]

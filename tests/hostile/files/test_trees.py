@@ -143,6 +143,7 @@ BOMBS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", list(BOMBS))
 def test_bombs_are_refused(home: Path, name: str) -> None:
     found = read_manifest(BOMBS[name].encode())

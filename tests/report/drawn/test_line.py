@@ -78,6 +78,7 @@ def test_what_a_check_expected_stands_at_what_it_is_about(page: Page) -> None:
     assert lines[-3:] == ["", "Expected otherwise", "  no  it speaks: expected five lines, seen none"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [80, 40])
 @pytest.mark.parametrize("name", [*TEXTS, "a" * 300], ids=lambda text: repr(text[:12]))
 def test_it_fits_and_hostile_names_stay_text(

@@ -46,6 +46,7 @@ def test_people_of_one_name_do_not_overwrite_each_other(tmp_path: Path) -> None:
     assert len(list((tmp_path / "feedback").iterdir())) == 2
 
 
+@pytest.mark.slow
 def test_a_hostile_class_is_written_and_read(tmp_path: Path) -> None:
     write_reports(tmp_path, samples.gradebook(*map(hostile.graded, hostile.TEXTS)), hostile.CLEANER)
     everyone = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))["graded"]

@@ -32,6 +32,7 @@ def test_everyone_has_a_row_and_who_failed_has_details() -> None:
     assert "Left out" not in text
 
 
+@pytest.mark.slow
 def test_no_more_than_github_shows_and_a_note_counts_the_rest() -> None:
     text = summary(*people(3000))
     assert LIMIT - 5000 < len(text.encode("utf-8")) <= LIMIT

@@ -46,6 +46,7 @@ def test_our_error_is_told_without_its_traceback() -> None:
     assert "It does not count" in text or "does not count" in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", range(len(TEXTS)))
 def test_nothing_leaves_that_must_not(place: int) -> None:
     page = hostile()

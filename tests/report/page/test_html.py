@@ -6,6 +6,8 @@ import base64
 import hashlib
 import re
 
+import pytest
+
 from course.report.page.html import class_page, learner_page, live_page, news, policy
 from course.report.page.model import ClassPage
 from tests.report.gradebook.hostile import MACHINE, SECRET
@@ -17,12 +19,14 @@ def whole(page: ClassPage) -> str:
     return "".join(class_page(page))
 
 
+@pytest.mark.slow
 def test_pages_are_well_formed() -> None:
     for page in (small(), hostile(), large(30)):
         for text in (whole(page), learner_page(page, 0), live_page(page)):
             assert Tree(text).faults == []
 
 
+@pytest.mark.slow
 def test_nothing_is_fetched() -> None:
     tree = Tree(whole(hostile()))
     assert not tree.tags() & {"link", "img", "iframe", "object", "embed", "base", "audio", "video"}
@@ -42,11 +46,13 @@ def test_only_our_own_script_and_style_run() -> None:
     assert 'http-equiv="Content-Security-Policy"' in text
 
 
+@pytest.mark.slow
 def test_texts_of_submissions_make_no_elements() -> None:
     ours = Tree(whole(small())).tags()
     assert Tree(whole(hostile())).tags() <= ours | {"code", "li", "ol", "ul"}
 
 
+@pytest.mark.slow
 def test_nothing_leaves_that_must_not() -> None:
     page = hostile()
     learners = [learner_page(page, at) for at in (0, 11, 31, 32)]

@@ -69,6 +69,7 @@ def test_as_much_as_can_be_is_small_enough_and_says_what_is_missing() -> None:
     assert any(text.startswith("Not drawn: ") for text in texts(picture))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", TEXTS, ids=lambda text: text[:12])
 def test_names_stay_text(text: str) -> None:
     clean = Cleaner().line

@@ -49,6 +49,7 @@ def _verbs() -> list[list[str]]:
     return [[], *([name] for name in COMMANDS), *([name, verb] for name in VERBS for verb in VERBS[name])]
 
 
+@pytest.mark.slow
 def test_any_line_is_parsed_or_refused() -> None:
     from ros2cli.parser import ros2_parser
 
@@ -61,6 +62,7 @@ def test_any_line_is_parsed_or_refused() -> None:
                 assert ended.code in (0, 2), words
 
 
+@pytest.mark.slow
 def test_any_line_is_completed_or_not(monkeypatch: pytest.MonkeyPatch) -> None:
     from ros2cli import complete
     from ros2cli.completion import offers
@@ -93,6 +95,7 @@ def _assert_told_plainly(lines: list[list[str]]) -> None:
             assert not said.startswith(("ValueError:", "TypeError:", "AttributeError:", "KeyError:")), said
 
 
+@pytest.mark.slow
 def test_what_needs_no_nodes_ends_in_one_line() -> None:
     verbs = [["interface", verb] for verb in ("show", "proto", "package", "list", "packages")]
     verbs += [["pkg", verb] for verb in ("prefix", "xml", "executables")]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.underlay.launch.machine import Launcher
 
 
@@ -102,6 +104,7 @@ def test_include_misses_an_argument(launcher: Launcher) -> None:
     assert answer.code == 1
 
 
+@pytest.mark.slow
 def test_timers_and_coroutines(launcher: Launcher) -> None:
     before = """
 import asyncio
@@ -157,6 +160,7 @@ def test_a_condition_that_is_neither(launcher: Launcher) -> None:
     assert answer.code == 1
 
 
+@pytest.mark.slow
 def test_an_exception_ends_what_runs(launcher: Launcher) -> None:
     answer = launcher.run(
         "ExecuteProcess(cmd=['sleep', '100']),"

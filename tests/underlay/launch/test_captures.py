@@ -67,6 +67,7 @@ def test_interrupted(launcher: Launcher, name: str) -> None:
         _same(launcher, case, running.finish())
 
 
+@pytest.mark.slow
 def test_two_nodes(launcher: Launcher) -> None:
     case = capture("two_nodes")
     with launcher.started(*_words(launcher, case)) as running:
@@ -80,6 +81,7 @@ def test_two_nodes(launcher: Launcher) -> None:
     assert answer.code == case.code
 
 
+@pytest.mark.slow
 def test_on_a_terminal_ctrl_c_ends_children_well(launcher: Launcher) -> None:
     case = capture("pkg_file_tty")
     line = launcher.line(*_words(launcher, case))

@@ -13,6 +13,7 @@ _CASES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", _CASES)
 def test_case(launcher: Launcher, case: Case) -> None:
     check(case, launcher)

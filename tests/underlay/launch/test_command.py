@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import subprocess
 
+import pytest
+
 from tests.underlay.launch.machine import Launcher
 from tests.underlay.launch.workspace import LAUNCH_FILE, WITH_LAUNCH
 
@@ -98,6 +100,7 @@ def _completions(launcher: Launcher, line: str) -> set[str]:
     return {word.strip() for word in done.stdout.splitlines()}
 
 
+@pytest.mark.slow
 def test_completion(launcher: Launcher) -> None:
     assert WITH_LAUNCH in _completions(launcher, "ros2 launch python_package")
     assert LAUNCH_FILE in _completions(launcher, f"ros2 launch {WITH_LAUNCH} ")

@@ -141,6 +141,7 @@ def test_what_is_refused_when_the_file_is_loaded_is_one_line_too(launcher: Launc
     assert answer.code == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("source", FRONTENDS)
 def test_xml_and_yaml(launcher: Launcher, source: str) -> None:
     suffix = "xml" if source.startswith("<") else "yaml"

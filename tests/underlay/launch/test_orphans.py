@@ -53,6 +53,7 @@ def _killed(launcher: Launcher, path: str, entities: str, started: str, least: i
         assert all(gone(process.pid) for process in there), there
 
 
+@pytest.mark.slow
 def test_a_killed_launch_leaves_nothing_behind(launcher: Launcher, path: str) -> None:
     _killed(launcher, path, BARE, "[sleep-2]: process started", 3)  # the two, and the one that watches
 
@@ -78,6 +79,7 @@ def _running(*end: str) -> list[int]:
     return found
 
 
+@pytest.mark.slow
 def test_not_even_what_processes_have_started_is_left(launcher: Launcher, path: str) -> None:
     # Three processes, the shell's own, and the one that watches.
     _killed(launcher, path, PROCESSES, "[mule-3] ready", 5)
@@ -93,6 +95,7 @@ def _ended_by(launcher: Launcher, path: str, number: signal.Signals) -> Answer:
     return answer
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "number", [signal.SIGTERM, signal.SIGINT, signal.SIGQUIT], ids=lambda each: each.name
 )
@@ -116,6 +119,7 @@ def test_a_mistake_further_down_ends_what_was_begun(launcher: Launcher, path: st
     ]
 
 
+@pytest.mark.slow
 def test_a_flood_of_output_does_not_delay_the_end(launcher: Launcher) -> None:
     flood = "ExecuteProcess(cmd=['yes', 'x'], output={}),"
     path = launcher.description(flood.format("'screen'") + flood.format("'both'"))

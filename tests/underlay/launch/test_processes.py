@@ -136,6 +136,7 @@ def test_respawn(launcher: Launcher) -> None:
     assert _pidless(answer.said) == [starts, ends] * 3
 
 
+@pytest.mark.slow
 def test_respawning_ends_with_the_launch(launcher: Launcher) -> None:
     path = launcher.description("ExecuteProcess(cmd=['sleep', '0.1'], respawn=True)")
     with launcher.started(path) as running:
@@ -153,6 +154,7 @@ def test_a_program_that_is_not_there(launcher: Launcher) -> None:
     assert answer.said[-1].startswith("[INFO] [echo-2]: process has finished cleanly")
 
 
+@pytest.mark.slow
 def test_escalation(launcher: Launcher) -> None:
     path = launcher.description(
         f'ExecuteProcess(cmd=["sh", "-c", "{STUBBORN}"], name="mule", output="screen",'
@@ -241,6 +243,7 @@ def test_nobody_reads(launcher: Launcher) -> None:
         assert gone(pid)
 
 
+@pytest.mark.slow
 def test_many_processes_keep_their_order(launcher: Launcher) -> None:
     answer = launcher.run("*[ExecuteProcess(cmd=['echo', str(i)], output='screen') for i in range(30)]")
     started = [line for line in answer.said if "process started" in line]
@@ -248,6 +251,7 @@ def test_many_processes_keep_their_order(launcher: Launcher) -> None:
     assert all(answer.of(f"echo-{i + 1}") == [str(i)] for i in range(30))
 
 
+@pytest.mark.slow
 def test_much_output_is_complete(launcher: Launcher) -> None:
     answer = launcher.run("ExecuteProcess(cmd=['seq', '20000'], output='screen')")
     assert answer.of("seq-1") == [str(number) for number in range(1, 20001)]

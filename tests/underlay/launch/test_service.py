@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import subprocess
 
+import pytest
+
 from tests.underlay.launch.machine import TIMEOUT, Launcher
 
 DESCRIPTION = """
@@ -100,6 +102,7 @@ assert not thread.is_alive()
     assert "[INFO] [s-1]: sending signal 'SIGINT' to process[s-1]" in done.stdout
 
 
+@pytest.mark.slow
 def test_within_a_loop_that_is_there(launcher: Launcher) -> None:
     done = _python(
         launcher,
@@ -119,6 +122,7 @@ assert asyncio.run(main()) == 0
     assert "process has died" in done.stdout
 
 
+@pytest.mark.slow
 def test_cancelling_leaves_no_process_behind(launcher: Launcher) -> None:
     done = _python(
         launcher,

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 import pexpect
 import psutil
+import pytest
 
 from tests.underlay.launch.machine import TIMEOUT, Launcher, gone
 
@@ -56,6 +57,7 @@ def test_ctrl_c_is_not_sent_twice(launcher: Launcher) -> None:
     assert child.exitstatus == 0
 
 
+@pytest.mark.slow
 def test_ctrl_c_twice_ends_no_sooner_and_leaves_nothing(launcher: Launcher) -> None:
     stubborn = _process("mule", MULE, "sigterm_timeout='0.4', sigkill_timeout='0.2'")
     with _on_terminal(launcher, stubborn) as child:
@@ -73,6 +75,7 @@ def test_ctrl_c_twice_ends_no_sooner_and_leaves_nothing(launcher: Launcher) -> N
     assert all(gone(process.pid) for process in there)
 
 
+@pytest.mark.slow
 def test_a_closed_window_leaves_nothing(launcher: Launcher) -> None:
     deaf = MULE.replace("INT TERM", "INT TERM HUP")
     stubborn = _process("mule", deaf, "sigterm_timeout='0.1', sigkill_timeout='0.1'")

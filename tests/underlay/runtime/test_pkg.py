@@ -77,6 +77,7 @@ def test_xml_of_a_package_without_manifest(ros2: Ros2) -> None:
     assert "manifest" in answer.stderr
 
 
+@pytest.mark.slow
 def test_list_does_not_load_rclpy(ros2: Ros2) -> None:
     for arguments in (["pkg", "list"], ["interface", "list"], ["pkg", "create", "-h"], ["run", "-h"]):
         answer = ros2(*arguments, PYTHONPROFILEIMPORTTIME="1")

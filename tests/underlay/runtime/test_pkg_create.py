@@ -76,6 +76,7 @@ def test_the_node_runs_and_scripts_go_where_ros2_run_looks(create: Ros2) -> None
     assert said.stdout == capture("run_ok_terminates").stdout.replace("python_package_with_a_node", "p")
 
 
+@pytest.mark.slow
 def test_every_listed_license_has_a_text(create: Ros2) -> None:
     for name in capture("pkg_create_license_list").stdout.splitlines()[1:]:
         create("pkg", "create", f"p_{name[0]}", "--license", name, "--destination-directory", name)
@@ -120,6 +121,7 @@ def test_a_folder_that_cannot_be_made_is_one_line(create: Ros2) -> None:
     assert answer.stderr == "Unable to create file/p: Not a directory\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("linter", ["copyright", "flake8", "pep257"])
 def test_the_lint_tests_are_skipped_without_the_linter(linter: str, create: Ros2) -> None:
     create("pkg", "create", "p", "--build-type", "ament_python")

@@ -114,6 +114,7 @@ def _both(pid: int, number: int) -> None:
     os.killpg(pid, number)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("send", [os.kill, os.killpg, _both], ids=["ros2 alone", "the group", "both"])
 def test_sigint_reaches_the_node_once(send: Callable[[int, int], None], tools: Ros2) -> None:
     with tools.started("run", "tools", "counting") as process:
@@ -123,6 +124,7 @@ def test_sigint_reaches_the_node_once(send: Callable[[int, int], None], tools: R
         assert process.wait(10) == 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("send", [os.kill, os.killpg], ids=["ros2 alone", "the group"])
 def test_sigterm_ends_both(send: Callable[[int, int], None], tools: Ros2) -> None:
     """The real one leaves the node behind when only ros2 gets it."""
@@ -133,6 +135,7 @@ def test_sigterm_ends_both(send: Callable[[int, int], None], tools: Ros2) -> Non
         assert process.wait(10) == -signal.SIGTERM
 
 
+@pytest.mark.slow
 def test_ctrl_c_on_a_terminal_reaches_the_node_once(tools: Ros2) -> None:
     command, *arguments = tools.line("run", "tools", "counting")
     terminal = pexpect.spawn(command, arguments, env=dict(tools.environment), timeout=20, encoding="utf-8")
@@ -145,6 +148,7 @@ def test_ctrl_c_on_a_terminal_reaches_the_node_once(tools: Ros2) -> None:
     assert terminal.exitstatus == 3
 
 
+@pytest.mark.slow
 def test_the_node_dies_with_a_killed_ros2(tools: Ros2) -> None:
     with tools.started("run", "tools", "sleeping") as process:
         node = psutil.Process(int(_line(process)))

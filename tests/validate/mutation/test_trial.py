@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 
 import psutil
+import pytest
 
 from course.validate.mutation.model import Fate, Judged
 from course.validate.mutation.mutants import mutants
@@ -29,6 +30,7 @@ def ends(recording):
 """
 
 
+@pytest.mark.slow
 def test_a_check_that_nobody_fails(workshop: Workshop) -> None:
     line = workshop.grader(LONG)
     workshop.right(6)
@@ -47,6 +49,7 @@ def test_a_check_that_nobody_fails(workshop: Workshop) -> None:
     assert found["if recording.duration < 10:"].by == "solution: `long` failed: It shone 6 s."
 
 
+@pytest.mark.slow
 def test_a_mistake_kills(workshop: Workshop) -> None:
     workshop.grader(LONG)
     workshop.right(6)
@@ -60,6 +63,7 @@ def test_a_mistake_kills(workshop: Workshop) -> None:
     assert found["if recording.duration < 2.5:"].by.startswith("mistake short")
 
 
+@pytest.mark.slow
 def test_first_is_asked_who_should_notice(workshop: Workshop) -> None:
     workshop.grader(LONG.replace("5.0", "len('abcde')"))
     workshop.right(6)
@@ -68,6 +72,7 @@ def test_first_is_asked_who_should_notice(workshop: Workshop) -> None:
     assert found["if recording.duration >= len('abcde'):"].by.startswith("mistake dark")
 
 
+@pytest.mark.slow
 def test_endless_and_broken(workshop: Workshop) -> None:
     workshop.grader(
         """\
@@ -105,6 +110,7 @@ if not is_sane():
     assert "this is no grader" in unfit.by
 
 
+@pytest.mark.slow
 def test_one_that_does_not_end(workshop: Workshop) -> None:
     workshop.grader(ENDLESS)
     workshop.right(6)
@@ -113,6 +119,7 @@ def test_one_that_does_not_end(workshop: Workshop) -> None:
     assert found["while count:"].fate is Fate.SURVIVED
 
 
+@pytest.mark.slow
 def test_proofs_that_do_not_hold_are_told_and_not_asked(workshop: Workshop) -> None:
     workshop.grader(LONG)
     workshop.right(6)
@@ -122,6 +129,7 @@ def test_proofs_that_do_not_hold_are_told_and_not_asked(workshop: Workshop) -> N
     assert found["return"].fate is Fate.SURVIVED
 
 
+@pytest.mark.slow
 def test_what_a_mystery_and_probes_lie_beside(workshop: Workshop) -> None:
     (workshop.root / "graders/beside.py").write_text("LEAST = 5\n")
     (workshop.root / "graders/probes").mkdir()
@@ -144,6 +152,7 @@ assert (HERE.parents[1] / "chapters/04-lanterns").is_dir()
     assert {one.fate for one in found.values()} == {Fate.KILLED}
 
 
+@pytest.mark.slow
 def test_a_grader_that_is_written_meanwhile(workshop: Workshop) -> None:
     workshop.grader(LONG)
     workshop.right(6)
@@ -156,6 +165,7 @@ def test_a_grader_that_is_written_meanwhile(workshop: Workshop) -> None:
     assert {one.fate for one in found if isinstance(one, Judged)} == {Fate.KILLED, Fate.SURVIVED}
 
 
+@pytest.mark.slow
 def test_who_stops_early_leaves_no_process(workshop: Workshop) -> None:
     workshop.grader(ENDLESS)
     workshop.right(6)

@@ -11,6 +11,7 @@ from .conftest import Change, Tell
 LANTERNS = "ros2_tutorial_workspace/src/lanterns"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "what"),
     [
