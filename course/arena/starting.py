@@ -8,6 +8,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Protocol
 
+_OWN_MEMORY = "bwrap --die-with-parent --dev-bind / / --perms 1777 --tmpfs /dev/shm --".split()
+
 
 class Started(Protocol):
     """A program that leads a session of its own on its terminal. Its pid is its own until it is reaped."""
@@ -31,8 +33,12 @@ class Starter(Protocol):
         environment: Mapping[str, str],
         folder: Path,
         descriptors: Sequence[int],
+        own_memory: bool = False,
     ) -> Started:
-        """terminal: becomes its controlling one. descriptors: of ours, which it inherits."""
+        """terminal: becomes its controlling one. descriptors: of ours, which it inherits.
+
+        own_memory: with a /dev/shm that it shares with nobody.
+        """
 
 
 class Child:
@@ -55,8 +61,11 @@ def start_here(
     environment: Mapping[str, str],
     folder: Path,
     descriptors: Sequence[int],
+    own_memory: bool = False,
 ) -> Child:
     """As our own child, with all that we may do and see."""
+    if own_memory:
+        command = (*_OWN_MEMORY, *command)
     # setsid runs in the child itself: no Python between fork and exec, although this process has threads.
     return Child(
         subprocess.Popen(

@@ -68,22 +68,19 @@ class AtDesk:
         return None if chosen is None else self.begin(chosen)
 
     def begin(self, exercise: Exercise) -> Begun:
+        from course.cli.reading import unread
         from course.home import begin
         from course.watch.model import Begun
 
         new = begin(self._desk.home, exercise)
-        progress, chapter = self._desk.progress, exercise.chapter.slug
-        progress.set_current(exercise.id)
-        is_first = not progress.chapter_shown(chapter)
-        if is_first:
-            progress.mark_chapter_shown(chapter)
-        return Begun(exercise, new, is_first)
+        self._desk.progress.set_current(exercise.id)
+        news = list(unread(self._desk, self._desk.course.lessons(exercise)))
+        return Begun(exercise, new, bool(news))
 
     def lesson(self, exercise: Exercise) -> LessonText:
-        from course.cli.reading import chapter_text
         from course.watch.model import LessonText
 
-        return LessonText(exercise, chapter_text(exercise))
+        return LessonText(exercise, self._desk.course.lessons(exercise))
 
     def task(self, begun: Begun) -> TaskText:
         from course.cli.reading import not_passed_yet, questions_of

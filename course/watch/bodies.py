@@ -41,7 +41,8 @@ def render(body: Body, console: Console, typed: Typed) -> None:
 
 @render.register
 def _lesson(body: LessonText, console: Console, typed: Typed) -> None:
-    render_lesson(console, body.exercise.chapter, body.text)
+    for lesson in body.lessons:
+        render_lesson(console, lesson.chapter, lesson.text)
     put(console, "Press t for the task.", "bold")
 
 

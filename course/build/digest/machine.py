@@ -22,6 +22,11 @@ _PYTHON_HEADERS = re.compile(
     r"Could NOT find Python3.*missing:.*(Development|Include|INCLUDE)|Python\.h: No such file"
 )
 _NO_COMPILER = re.compile(r"No CMAKE_C(XX)?_COMPILER could be found")
+_NO_LIBRARY = re.compile(r"^\s+(?P<name>Eigen3|Qt5\w*)Config\.cmake$")
+
+# What CMake calls a library of the system, what people call it, and the Debian package that brings it.
+_LIBRARIES = {"Eigen3": ("Eigen 3", "libeigen3-dev"), "Qt5": ("Qt 5", "qtbase5-dev")}
+_CMAKE_FOLDERS = ("share/*/cmake", "share/cmake/*", "lib/cmake/*", "lib/*/cmake/*")
 
 _ROOM = 64 * 1024 * 1024
 _SECONDS = 30.0
@@ -53,6 +58,7 @@ class Machine:
     store: Path
     python: Path
     killed: Killed
+    system: tuple[Path, ...] = (Path("/usr"), Path("/usr/local"))
 
     def is_full(self) -> bool:
         return shutil.disk_usage(self.store).free < _ROOM
@@ -64,6 +70,11 @@ class Machine:
 
     def lacks_compiler(self) -> bool:
         return not all(_output([name, "--version"]) for name in ("cc", "c++"))
+
+    def lacks_library(self, name: str) -> bool:
+        """Whether CMake would not find the system's library of this name."""
+        places = (f"{folder}/{name}Config.cmake" for folder in _CMAKE_FOLDERS)
+        return not any(any(root.glob(place)) for place in places for root in self.system)
 
 
 def raise_if_machine(lines: Sequence[str], machine: Machine) -> None:
@@ -88,6 +99,10 @@ def _fault(line: str, machine: Machine) -> CourseError | None:
         return MissingHere(what, "sudo apt install python3-dev")
     if _NO_COMPILER.search(line) and machine.lacks_compiler():
         return MissingHere("This machine has no C++ compiler that works.", "sudo apt install g++")
+    if (found := _NO_LIBRARY.search(line)) and machine.lacks_library(found["name"]):
+        called, package = _LIBRARIES["Qt5" if found["name"].startswith("Qt5") else found["name"]]
+        what = f"The C++ library {called} is not installed on this machine."
+        return MissingHere(what, f"sudo apt install {package}")
     return None
 
 

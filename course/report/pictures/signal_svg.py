@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain
 from statistics import median
 
-from course.report.pictures.signals import Curve, Points, Signal
+from course.report.pictures.signals import Curve, Points, Signal, window_of
 from course.report.pictures.svg import (
     LEFT,
     RIGHT,
@@ -45,12 +45,13 @@ def plot(signal: Signal, duration: float, *, key: str, clean: Clean) -> str:
 def _drawn(signal: Signal, duration: float, key: str, points: int) -> str:
     lowest, highest = _range(signal)
     bottom = _TOP + _HEIGHT
-    x = scale(duration)
+    begin, end = window_of(signal, duration)
+    x = scale(end, begin)
 
     def y(value: float) -> float:
         return bottom - (value - lowest) / (highest - lowest) * _HEIGHT
 
-    inner = [*time_axis(duration, _TOP, bottom), *_value_axis(signal, lowest, highest)]
+    inner = [*time_axis(end, _TOP, bottom, begin), *_value_axis(signal, lowest, highest)]
     for place, curve in enumerate(signal.curves):
         drawn = [(x(t), y(value)) for t, value in _thinned(curve.points, points)]
         inner.append(_line(drawn, place))

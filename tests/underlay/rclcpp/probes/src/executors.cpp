@@ -1,0 +1,288 @@
+// executors CASE: what executors and callback groups promise; 0 when it holds.
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "case.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+#include "std_srvs/srv/trigger.hpp"
+
+using namespace std::chrono_literals;
+using rclcpp::executors::MultiThreadedExecutor;
+using rclcpp::executors::SingleThreadedExecutor;
+using std_msgs::msg::String;
+using std_srvs::srv::Trigger;
+
+/// Two that must be here at the same time.
+class Meeting
+{
+public:
+  bool met()
+  {
+    std::unique_lock lock(mutex_);
+    ++here_;
+    changed_.notify_all();
+    return changed_.wait_for(lock, 10s, [this]() {return here_ >= 2;});
+  }
+
+private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int here_ = 0;
+};
+
+void reentrant_callbacks_meet()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  const auto group = node->create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+  Meeting meeting;
+  std::atomic_int met{0};
+  MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 2);
+  std::vector<rclcpp::TimerBase::SharedPtr> timers(2);
+  for (auto & timer : timers) {
+    timer = node->create_wall_timer(
+      1ms, [&]() {
+        timer->cancel();
+        if (meeting.met() && ++met == 2) {
+          executor.cancel();
+        }
+      }, group);
+  }
+  executor.add_node(node);
+  executor.spin();
+  EXPECT(met == 2);
+}
+
+void exclusive_callbacks_never_meet()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  const auto group = node->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive);
+  std::atomic_int here{0}, most{0}, calls{0};
+  MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 4);
+  const auto work = [&]() {
+      most = std::max<int>(most, ++here);
+      std::this_thread::yield();
+      --here;
+      if (++calls == 200) {
+        executor.cancel();
+      }
+    };
+  std::vector<rclcpp::TimerBase::SharedPtr> timers;
+  for (int i = 0; i < 4; ++i) {
+    timers.push_back(node->create_wall_timer(100us, work, group));
+  }
+  executor.add_node(node);
+  executor.spin();
+  EXPECT(calls >= 200);
+  EXPECT(most == 1);
+}
+
+void groups_do_not_wait_for_each_other()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  const auto other = node->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive);
+  auto service = node->create_service<Trigger>(
+    "go", [](const Trigger::Request::SharedPtr, Trigger::Response::SharedPtr response) {
+      response->success = true;
+    });
+  auto client = node->create_client<Trigger>("go", rclcpp::ServicesQoS(), other);
+  MultiThreadedExecutor executor;
+  bool answered = false;
+  const auto mine = node->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive);
+  rclcpp::TimerBase::SharedPtr timer;
+  timer = node->create_wall_timer(
+    1ms, [&]() {
+      timer->cancel();
+      auto future = client->async_send_request(std::make_shared<Trigger::Request>());
+      answered = future.wait_for(10s) == std::future_status::ready;
+      executor.cancel();
+    }, mine);
+  executor.add_node(node);
+  executor.spin();
+  EXPECT(answered);
+}
+
+void timers_take_turns_by_their_periods()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  int slow = 0, fast = 0;
+  SingleThreadedExecutor executor;
+  auto fast_timer = node->create_wall_timer(2ms, [&]() {++fast;});
+  auto slow_timer = node->create_wall_timer(
+    20ms, [&]() {
+      if (++slow == 5) {
+        executor.cancel();
+      }
+    });
+  executor.add_node(node);
+  executor.spin();
+  EXPECT(slow == 5);
+  EXPECT(fast > slow);
+}
+
+void a_canceled_timer_rests()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  int calls = 0;
+  auto timer = node->create_wall_timer(1ms, [&](rclcpp::TimerBase & self) {++calls; self.cancel();});
+  auto never = node->create_wall_timer(1ms, [&]() {calls += 1000;}, nullptr, false);
+  std::promise<void> done;
+  rclcpp::TimerBase::SharedPtr end;
+  end = node->create_wall_timer(30ms, [&]() {done.set_value(); end->cancel();});
+  rclcpp::spin_until_future_complete(node, done.get_future());
+  EXPECT(calls == 1);
+  EXPECT(timer->is_canceled());
+  EXPECT(timer->time_until_trigger() == std::chrono::nanoseconds::max());
+  timer->reset();
+  EXPECT(!timer->is_canceled());
+}
+
+void spin_some_does_what_is_ready()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  int calls = 0;
+  auto timer = node->create_wall_timer(0ms, [&]() {++calls;});
+  rclcpp::spin_some(node);
+  EXPECT(calls == 1);
+  rclcpp::spin_some(node->get_node_base_interface());
+  EXPECT(calls == 2);
+  timer->cancel();
+  rclcpp::spin_some(node);
+  EXPECT(calls == 2);
+}
+
+void spin_all_goes_on_until_nothing_is_ready()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  std::vector<std::string> heard;
+  auto subscription = node->create_subscription<String>(
+    "topic", rclcpp::QoS(10), [&](const String & message) {heard.push_back(message.data);});
+  auto publisher = node->create_publisher<String>("topic", rclcpp::QoS(10));
+  std::promise<void> matched;
+  rclcpp::TimerBase::SharedPtr wait;
+  wait = node->create_wall_timer(
+    1ms, [&]() {
+      if (publisher->get_subscription_count() == 1 && subscription->get_publisher_count() == 1) {
+        wait->cancel();
+        matched.set_value();
+      }
+    });
+  rclcpp::spin_until_future_complete(node, matched.get_future());
+  for (const char * word : {"a", "b", "c"}) {
+    String message;
+    message.data = word;
+    publisher->publish(message);
+  }
+  EXPECT(publisher->wait_for_all_acked(10s));
+  SingleThreadedExecutor executor;
+  executor.add_node(node);
+  while (heard.size() < 3) {
+    executor.spin_all(1s);
+  }
+  EXPECT(heard == std::vector<std::string>{"a", "b", "c"});
+}
+
+void what_is_added_while_spinning_is_heard()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  SingleThreadedExecutor executor;
+  executor.add_node(node);
+  std::thread spinning([&]() {executor.spin();});
+  std::promise<void> called;
+  rclcpp::TimerBase::SharedPtr timer;
+  timer = node->create_wall_timer(1ms, [&]() {called.set_value(); timer->cancel();});
+  const bool heard = called.get_future().wait_for(10s) == std::future_status::ready;
+  executor.cancel();
+  spinning.join();
+  EXPECT(heard);
+}
+
+void a_group_of_its_own_has_its_own_executor()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  const auto group =
+    node->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
+  int mine = 0, others = 0;
+  auto timer = node->create_wall_timer(0ms, [&]() {++mine;}, group);
+  auto other = node->create_wall_timer(0ms, [&]() {++others;});
+  SingleThreadedExecutor first, second;
+  first.add_node(node);
+  second.add_callback_group(group, node->get_node_base_interface());
+  first.spin_some();
+  EXPECT(mine == 0 && others == 1);
+  second.spin_some();
+  EXPECT(mine == 1 && others == 1);
+  const auto base = node->get_node_base_interface();
+  EXPECT(!THROWN(std::runtime_error, first.add_callback_group(group, base)).empty());
+}
+
+void wrong_use_is_said()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  SingleThreadedExecutor executor, other;
+  executor.add_node(node);
+  EXPECT(
+    THROWN(std::runtime_error, other.add_node(node)) ==
+    "Node '/node' has already been added to an executor.");
+  EXPECT(!THROWN(std::runtime_error, other.remove_node(node)).empty());
+  executor.remove_node(node);
+  other.add_node(node);
+  auto timer = node->create_wall_timer(0ms, [&]() {other.spin_some();});
+  EXPECT(THROWN(std::runtime_error, other.spin_some()) == "spin_some() called while already spinning");
+}
+
+void futures_end_or_time_out()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  std::promise<int> promise;
+  auto future = promise.get_future().share();
+  EXPECT(rclcpp::spin_until_future_complete(node, future, 5ms) == rclcpp::FutureReturnCode::TIMEOUT);
+  rclcpp::TimerBase::SharedPtr timer;
+  timer = node->create_wall_timer(1ms, [&]() {promise.set_value(7); timer->cancel();});
+  EXPECT(rclcpp::spin_until_future_complete(node, future) == rclcpp::FutureReturnCode::SUCCESS);
+  EXPECT(future.get() == 7);
+  std::promise<void> never;
+  auto end = node->create_wall_timer(1ms, []() {rclcpp::shutdown();});
+  const auto code = rclcpp::spin_until_future_complete(node, never.get_future());
+  EXPECT(code == rclcpp::FutureReturnCode::INTERRUPTED);
+}
+
+void the_first_exception_ends_all_threads()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  auto timer = node->create_wall_timer(1ms, []() {throw std::runtime_error("from a callback");});
+  MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 1);
+  executor.add_node(node);
+  EXPECT(THROWN(std::runtime_error, executor.spin()) == "from a callback");
+  EXPECT(!executor.is_spinning());
+}
+
+int main(int argc, char * argv[])
+{
+  rclcpp::init(argc, argv);
+  const Cases cases{
+    {"reentrant_callbacks_meet", reentrant_callbacks_meet},
+    {"exclusive_callbacks_never_meet", exclusive_callbacks_never_meet},
+    {"groups_do_not_wait_for_each_other", groups_do_not_wait_for_each_other},
+    {"timers_take_turns_by_their_periods", timers_take_turns_by_their_periods},
+    {"a_canceled_timer_rests", a_canceled_timer_rests},
+    {"spin_some_does_what_is_ready", spin_some_does_what_is_ready},
+    {"spin_all_goes_on_until_nothing_is_ready", spin_all_goes_on_until_nothing_is_ready},
+    {"what_is_added_while_spinning_is_heard", what_is_added_while_spinning_is_heard},
+    {"a_group_of_its_own_has_its_own_executor", a_group_of_its_own_has_its_own_executor},
+    {"wrong_use_is_said", wrong_use_is_said},
+    {"futures_end_or_time_out", futures_end_or_time_out},
+    {"the_first_exception_ends_all_threads", the_first_exception_ends_all_threads},
+  };
+  const int code = run_case(cases, argv[1]);
+  rclcpp::shutdown();
+  return code;
+}

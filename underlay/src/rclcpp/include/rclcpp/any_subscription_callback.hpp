@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "rclcpp/message_info.hpp"
+
+namespace rclcpp::detail
+{
+
+template<typename MessageT>
+using MessageHandler = std::function<void(std::shared_ptr<MessageT> &&, const MessageInfo &)>;
+
+template<typename>
+inline constexpr bool always_false = false;
+
+/// Calls `callback` with the message in the form in which it takes it.
+template<typename MessageT, typename CallbackT, typename ... Info>
+void call_with(CallbackT & callback, std::shared_ptr<MessageT> && message, const Info & ... info)
+{
+  if constexpr (std::is_invocable_v<CallbackT &, const MessageT &, const Info &...>) {
+    callback(static_cast<const MessageT &>(*message), info ...);
+  } else if constexpr (std::is_invocable_v<CallbackT &, std::shared_ptr<const MessageT>, const Info &...>) {
+    callback(std::shared_ptr<const MessageT>(std::move(message)), info ...);
+  } else if constexpr (std::is_invocable_v<CallbackT &, std::shared_ptr<MessageT>, const Info &...>) {
+    callback(std::move(message), info ...);
+  } else {
+    callback(std::make_unique<MessageT>(std::move(*message)), info ...);
+  }
+}
+
+template<typename MessageT, typename CallbackT, typename ... Info>
+inline constexpr bool takes =
+  std::is_invocable_v<CallbackT &, const MessageT &, const Info &...>||
+  std::is_invocable_v<CallbackT &, std::shared_ptr<const MessageT>, const Info &...>||
+  std::is_invocable_v<CallbackT &, std::shared_ptr<MessageT>, const Info &...>||
+  std::is_invocable_v<CallbackT &, std::unique_ptr<MessageT>, const Info &...>;
+
+/// One form for callbacks of all forms.
+template<typename MessageT, typename CallbackT>
+MessageHandler<MessageT> message_handler(CallbackT && callback)
+{
+  using Given = std::decay_t<CallbackT>;
+  if constexpr (takes<MessageT, Given>) {
+    return [callback = Given(std::forward<CallbackT>(callback))](
+      std::shared_ptr<MessageT> && message, const MessageInfo &) mutable {
+             call_with<MessageT>(callback, std::move(message));
+           };
+  } else if constexpr (takes<MessageT, Given, MessageInfo>) {
+    return [callback = Given(std::forward<CallbackT>(callback))](
+      std::shared_ptr<MessageT> && message, const MessageInfo & info) mutable {
+             call_with<MessageT>(callback, std::move(message), info);
+           };
+  } else {
+    static_assert(
+      always_false<Given>,
+      "the callback of a subscription takes a const reference, a shared or a unique pointer to the message");
+  }
+}
+
+}  // namespace rclcpp::detail

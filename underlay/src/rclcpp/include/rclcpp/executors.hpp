@@ -1,0 +1,71 @@
+#pragma once
+
+#include <chrono>
+#include <future>
+#include <memory>
+
+#include "rclcpp/executors/multi_threaded_executor.hpp"
+#include "rclcpp/executors/single_threaded_executor.hpp"
+#include "rclcpp/executors/static_single_threaded_executor.hpp"
+#include "rclcpp/node.hpp"
+
+namespace rclcpp
+{
+
+// These have an executor of their own for the node, for as long as they last.
+void spin(node_interfaces::NodeBaseInterface::SharedPtr node_ptr);
+void spin(std::shared_ptr<Node> node_ptr);
+void spin_some(node_interfaces::NodeBaseInterface::SharedPtr node_ptr);
+void spin_some(std::shared_ptr<Node> node_ptr);
+void spin_all(
+  node_interfaces::NodeBaseInterface::SharedPtr node_ptr, std::chrono::nanoseconds max_duration);
+void spin_all(std::shared_ptr<Node> node_ptr, std::chrono::nanoseconds max_duration);
+
+namespace executors
+{
+
+using rclcpp::spin;
+using rclcpp::spin_some;
+
+template<typename FutureT, typename RepT = std::int64_t, typename PeriodT = std::milli>
+FutureReturnCode spin_node_until_future_complete(
+  Executor & executor, node_interfaces::NodeBaseInterface::SharedPtr node_ptr, const FutureT & future,
+  std::chrono::duration<RepT, PeriodT> timeout = std::chrono::duration<RepT, PeriodT>(-1))
+{
+  executor.add_node(node_ptr);
+  const auto code = executor.spin_until_future_complete(future, timeout);
+  executor.remove_node(node_ptr);
+  return code;
+}
+
+template<typename NodeT, typename FutureT, typename RepT = std::int64_t, typename PeriodT = std::milli>
+FutureReturnCode spin_node_until_future_complete(
+  Executor & executor, std::shared_ptr<NodeT> node_ptr, const FutureT & future,
+  std::chrono::duration<RepT, PeriodT> timeout = std::chrono::duration<RepT, PeriodT>(-1))
+{
+  return spin_node_until_future_complete(
+    executor, node_ptr->get_node_base_interface(), future, timeout);
+}
+
+}  // namespace executors
+
+template<typename FutureT, typename RepT = std::int64_t, typename PeriodT = std::milli>
+FutureReturnCode spin_until_future_complete(
+  node_interfaces::NodeBaseInterface::SharedPtr node_ptr, const FutureT & future,
+  std::chrono::duration<RepT, PeriodT> timeout = std::chrono::duration<RepT, PeriodT>(-1))
+{
+  ExecutorOptions options;
+  options.context = node_ptr->get_context();
+  executors::SingleThreadedExecutor executor(options);
+  return executors::spin_node_until_future_complete(executor, node_ptr, future, timeout);
+}
+
+template<typename NodeT = Node, typename FutureT, typename RepT = std::int64_t, typename PeriodT = std::milli>
+FutureReturnCode spin_until_future_complete(
+  std::shared_ptr<NodeT> node_ptr, const FutureT & future,
+  std::chrono::duration<RepT, PeriodT> timeout = std::chrono::duration<RepT, PeriodT>(-1))
+{
+  return rclcpp::spin_until_future_complete(node_ptr->get_node_base_interface(), future, timeout);
+}
+
+}  // namespace rclcpp

@@ -1,0 +1,2 @@
+# The exported target names it.
+find_package(Threads REQUIRED)
