@@ -92,6 +92,12 @@ def answer(recording: Recording, question: str, what: str) -> Any:
     )
 
 
+def defined(recording: Recording, name: str) -> tuple[Location, ...]:
+    """Where a function of the class is defined."""
+    found = places_of(recording.sources, rf"\b{name}\s*\([^;{{}}()]*\)[^;{{}}()]*\{{")
+    return (*found, CODE)[:1]
+
+
 @cpp_library.check("shared", "the library is shared, and has the package's name", needs="compiles")
 def shared(recording: Recording) -> None:
     loaded = [Path(name).name for name in answer(recording, "loaded", "SampleClass")]
@@ -139,7 +145,7 @@ def inside(recording: Recording) -> None:
             Feedback(
                 summary="The library does not use Eigen 3.",
                 expected="`sum_of_squares` adds up a vector of Eigen",
-                where=(*places_of(recording.sources, r"\bsum_of_squares\s*\("), CODE)[:1],
+                where=defined(recording, "sum_of_squares"),
                 advice="`#include <Eigen/Core>`, and add up an `Eigen::Vector3d` with its function `sum()`.",
             )
         )
@@ -165,7 +171,7 @@ def member(recording: Recording) -> None:
                 summary="`get_a_private_member` does not return what `set_a_private_member` was given.",
                 expected="-3 and 41",
                 seen=" and ".join(map(str, seen)),
-                where=(*places_of(recording.sources, r"\bset_a_private_member\s*\("), CODE)[-1:],
+                where=defined(recording, "set_a_private_member"),
                 advice="The one writes the member, the other returns it. Is it the same one, of this object?",
             )
         )
@@ -180,7 +186,7 @@ def to_string(recording: Recording) -> None:
                 summary=f"`to_string` returns `{seen[0][:40]}`, not `SampleClass(-3)`.",
                 expected="SampleClass(-3) and SampleClass(41)",
                 seen=" and ".join(text[:60] for text in seen),
-                where=(CODE,),
+                where=defined(recording, "to_string"),
                 advice='`QString("SampleClass(%1)").arg(number).toStdString()` puts the number in place.',
             )
         )
@@ -195,7 +201,7 @@ def streams(recording: Recording) -> None:
                 summary=f"`stream << sample << '|'` writes `{seen[0][:40]}`, not `SampleClass(-3)|`.",
                 expected="SampleClass(-3)|",
                 seen=seen[0][:120],
-                where=(*places_of(recording.sources, r"\boperator\s*<<"), CODE)[-1:],
+                where=defined(recording, r"operator\s*<<"),
                 advice="Write to the stream that it is given: `return stream << sample.to_string();`.",
             )
         )
@@ -212,7 +218,7 @@ def sum_of_squares(recording: Recording) -> None:
                     summary=f"`sum_of_squares({arguments})` is {given:g}, not {value:g}.",
                     expected=f"{value:g}",
                     seen=f"{given:g}",
-                    where=(*places_of(recording.sources, r"\bsum_of_squares\s*\("), CODE)[-1:],
+                    where=defined(recording, "sum_of_squares"),
                     advice="It is `a*a + 2*a*b + b*b`, in `double` throughout.",
                 )
             )

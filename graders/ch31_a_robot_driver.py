@@ -550,8 +550,8 @@ def one_launch(arena: Arena) -> None:
         with arena.lateness():
             more(arena, states, launched, 2 / MYROBOT.period)
         arena.until(lambda: asked.available, timeout=3, while_running=launched)
-        call = asked.get("ip")
-        arena.until(lambda: call.done, timeout=2, while_running=launched)
+        answered = asked.get("ip")
+        arena.until(lambda: all(one.done for one in answered), timeout=2, while_running=launched)
     arena.interrupt(launched)
 
 
@@ -601,6 +601,18 @@ def launched_end(recording: Recording) -> None:
     view = recording.launched(LAUNCH_FILE)
     asked = view.main.interrupted_at or 0.0
     order = "`check 31-driver` looks at this, too: begin there."
+    own = launch_file(recording, LAUNCH_FILE)
+    said = any(MOTOR_OFF in line.text for line in view.main.lines)
+    if not said and not any("output" in text for text in own.files.values()):
+        raise Failure(
+            Feedback(
+                summary="`ros2 launch` does not show what the driver says, so nobody sees its end.",
+                expected=f"`{MOTOR_OFF}.`, then `{DISCONNECTED}.`",
+                seen="nothing of it",
+                where=tuple(call.where for call in calls(own, "Node"))[:1],
+                advice="Give `Node` the argument `output='screen'`.",
+            )
+        )
     for program in view.processes.values():
         expect_order(program.lines, asked, "Ctrl+C", order)
 
@@ -652,8 +664,19 @@ def script(recording: Recording) -> None:
         )
 
 
-@client.check("runs", "the script is installed, and keeps running")
+@client.check("runs", "the script is installed, and keeps running", needs=("builds", "script"))
 def runs(recording: Recording) -> None:
+    missing = recording.missing_executable(SCRIPT)
+    if missing:
+        raise Failure(
+            Feedback(
+                summary=f"`ros2 run` finds no `{SCRIPT}`: CMakeLists.txt does not install it.",
+                expected=f"installed in the folder lib/{PACKAGE}",
+                seen=f"installed: {listed(missing.available)}",
+                where=(Location(f"{IN_CPP}/CMakeLists.txt"),),
+                advice=f"`install(PROGRAMS scripts/{SCRIPT} DESTINATION lib/${{PROJECT_NAME}})`",
+            )
+        )
     expect_running(only_script(recording), SCRIPT)
 
 
@@ -662,7 +685,8 @@ def sends(recording: Recording) -> None:
     if recording.messages(MYROBOT.topic(TARGETS)):
         return
     sources = only_script(recording).sources
-    topics = {e.topic for e in recording.seen_endpoints() if e.kind == "publisher"}
+    right = MYROBOT.topic(TARGETS)
+    topics = {e.topic for e in recording.seen_endpoints() if e.kind == "publisher"} - {right}
     other = next((topic for topic in sorted(topics) if topic.endswith(f"/{TARGETS}")), None)
     if other:
         raise Failure(

@@ -16,6 +16,7 @@ from jsonschema.validators import validator_for
 
 from course.arena.arena import Arena
 from course.arena.own_programs import memory_mark
+from course.arena.process import Process
 from course.content.document import Document
 from course.errors import OurFault
 from course.evidence.events import Marked, OutputLine
@@ -306,7 +307,10 @@ NODES = ("talker", "listener")
 WITNESS = "witness"
 ENOUGH = 3
 START_TIME = 30.0
-TALKER, LISTENER = (Path(__file__).parent / "probes" / f"ch32_{name}.py" for name in NODES)
+PROBES = Path(__file__).parent / "probes"
+TALKER, LISTENER = PROBES / "ch32_talker.py", PROBES / "ch32_listener.py"
+# Of a value; the system takes no variable without end.
+LONGEST = 200
 # As ROS reads the variable: what follows the digits does not count, and a 0 before them makes them octal.
 NUMBER = re.compile(r"\s*\+?(0[0-7]*|[1-9]\d{0,8})(?![xX\d])")
 
@@ -357,12 +361,14 @@ def listen_in_both(arena: Arena) -> None:
     setting = chosen(file.read_text(encoding="utf-8", errors="replace"))
     number = number_of(setting)
     given = setting.value or "" if number is None and setting else str(arena.domain(number or 0))
-    env = {VARIABLE: given.replace("\0", "")} if setting else {}
+    env = {VARIABLE: given.replace("\0", "")[:LONGEST]} if setting else {}
     arena.companion(LISTENER, WITNESS, name=WITNESS, env={VARIABLE: str(arena.domain(WANTED))})
     if not arena.until(lambda: arena.printed(f"{WITNESS} ready"), timeout=START_TIME):
         raise OurFault("the witness in domain 1 did not come up")
     listener = arena.companion(LISTENER, "listener", name="listener", env=env)
-    arena.companion(TALKER, "hello", name="talker", env=env)
+    talker = arena.companion(TALKER, "hello", name="talker", env=env)
+    if not all([is_up(arena, program) for program in (listener, talker)]):  # each of them may end by itself
+        return
     arena.until(lambda: arena.printed("listener heard") >= ENOUGH, timeout=START_TIME, while_running=listener)
     arena.until(
         lambda: arena.printed(f"{WITNESS} heard") >= ENOUGH or len(arena.graph.nodes) >= len(NODES),
@@ -507,7 +513,7 @@ def in_two_containers(arena: Arena) -> None:
         return
     default = {"FASTDDS_BUILTIN_TRANSPORTS": "DEFAULT"}
     control = arena.companion(TALKER, "hello", name=WITHOUT, env=default, own_memory=True)
-    arena.until(lambda: is_up(arena, WITHOUT), timeout=START_TIME, while_running=control)
+    is_up(arena, control)
     arena.shared_memory(control)
     control.close()
     heard = arena.subscribe(HEARD, "std_msgs/msg/String")
@@ -515,14 +521,20 @@ def in_two_containers(arena: Arena) -> None:
     listener = arena.companion(LISTENER, "listener", name="listener", env=env, own_memory=True)
     talker = arena.companion(TALKER, "hello", name="talker", env=env, own_memory=True)
     for program in (listener, talker):
-        arena.until(lambda: is_up(arena, program.name), timeout=START_TIME, while_running=program)  # noqa: B023
+        is_up(arena, program)
         arena.shared_memory(program)
     if not memory(arena.timeline.of(Marked), "listener", "talker"):
         arena.until(lambda: heard.count >= ENOUGH, timeout=15, while_running=talker)
 
 
-def is_up(arena: Arena, name: str) -> bool:
-    return any(e.process == name and e.text.endswith(" ready") for e in arena.timeline.of(OutputLine))
+def is_up(arena: Arena, program: Process) -> bool:
+    """Wait until it has made its node, or has ended."""
+
+    def told() -> bool:
+        said = (event for event in arena.timeline.of(OutputLine) if event.process == program.name)
+        return any(event.text.endswith(" ready") for event in said)
+
+    return arena.until(told, timeout=START_TIME, while_running=program)
 
 
 def memory(marks: Iterable[Marked], *names: str) -> list[str]:
@@ -646,7 +658,11 @@ def arrive(recording: Recording) -> None:
     kinds = [text_of(part) for part in named(root, "transport_descriptor", "type")]
     other = next((kind for kind in kinds if kind != "UDPv4"), None)
     addresses = [part for name in WHITELISTS for part in named(root, "transport_descriptor", name)]
-    if other:
+    ended = next((name for name in NODES if recording.process(name).ended_by_itself), None)
+    if ended:
+        summary, where = f"With this profile, the {ended} ends right away.", "<participant"
+        advice = "Take out of the profile what the task does not ask for."
+    elif other:
         summary, where = f"The transport is `{other}`; nothing arrived over UDPv4.", f">{other}<"
         advice = "`<type>UDPv4</type>` is the one that all other nodes have, too."
     elif addresses:

@@ -152,7 +152,9 @@ class Arena(OwnPrograms):
 
     def play_along(self, file: Path, *args: str, name: str) -> Process:
         """Start a Python file of the course's own that makes nodes for the learner's to talk to."""
-        return self.start_ours(sys.executable, str(file), *args, name=name, env=our_environment())
+        # Where we have made a log, programs that run as somebody else cannot write.
+        env = {**our_environment(), "ROS_LOG_DIR": str(self._ours / "log")}
+        return self.start_ours(sys.executable, str(file), *args, name=name, env=env)
 
     def until(
         self,

@@ -8,7 +8,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Protocol
 
-_OWN_MEMORY = "bwrap --die-with-parent --dev-bind / / --perms 1777 --tmpfs /dev/shm --".split()
+from course.arena.containment import SCRATCH
+
+# What programs need may lie in there.
+_KEPT = f"--bind-try {SCRATCH} {SCRATCH}"
+_OWN_MEMORY = f"bwrap --die-with-parent --dev-bind / / --perms 1777 --tmpfs /dev/shm {_KEPT} --".split()
 
 
 class Started(Protocol):

@@ -212,3 +212,13 @@ def test_addresses_that_are_drawn_from_too_many(tmp_path: Path, bits: str, stead
     command = native.steady(("program", "word"), file)
     assert command[-2:] == ("program", "word")
     assert (command[0] == "sh" and "setarch" in command[2]) is steady
+
+
+def test_options_for_headers_and_libraries_of_ros(tmp_path: Path) -> None:
+    folder = tmp_path
+    for name in ("one/include/sas_core/sas_core", "one/lib", "two"):
+        (folder / name).mkdir(parents=True)
+    options = native.ros_options((folder / "one", folder / "two", folder / "gone"), ["sas_core"])
+    assert f"-isystem{folder}/one/include/sas_core" in options  # where <sas_core/...> is found
+    assert options.index(f"-L{folder}/one/lib") < options.index("-lsas_core")
+    assert not any("gone" in option for option in options)

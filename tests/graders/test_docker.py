@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from course.arena import containment
+from course.arena.enclosure import namespace_obstacle
 from course.content import Course
 from course.errors import MissingHere, OurFault
 from course.evidence.events import Marked, OutputLine
@@ -48,7 +50,7 @@ def complaint(text: str) -> Feedback:
             "services: {talker: {image: a, environment: {A: [1]}}}",
             ("talker.environment.A` cannot be a list",),
         ),
-        ("services: {talker: {image: a, env_file: [{paht: b}]}}", ("env_file.0`", "`path`")),
+        ("services: {talker: {image: a, env_file: [{paht: b}]}}", ("env_file.0` knows no `paht`",)),
         ("services: {talker: {image: yes}}", ("cannot be yes or no", "Quotation marks")),
         ("- services", ("no list of names",)),
         ("services", ("no list of names",)),
@@ -111,6 +113,21 @@ def test_without_shared_memory_in_the_control_nothing_is_proven() -> None:
         GRADERS.no_memory(recorded(GRADERS.PROFILE, text, *marks))
     control = Marked(0.5, GRADERS.memory_mark(GRADERS.WITHOUT), "fastrtps_port7411 lttng-ust-wait-6")
     GRADERS.no_memory(recorded(GRADERS.PROFILE, text, control, *marks))
+
+
+@pytest.mark.slow
+def test_where_namespaces_are_all_there_is_a_profile_is_judged_too(
+    course: Course, home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Programs get a /dev/shm of their own from bubblewrap then, not from the sandbox that there is not."""
+    if obstacle := namespace_obstacle():
+        pytest.skip(f"not exercised: a profile where namespaces are all there is ({obstacle})")
+    monkeypatch.setattr(containment, "unless_known", lambda *_: "no sandbox here")
+    exercise = course.exercise("32-udp-profile")
+    trial.lay_solution(course, exercise, home)
+    result = check_exercise(exercise, home, ros=find_ros())
+    assert result.containment == "namespaces"
+    assert [check.id for check in result.checks if check.outcome.value != "passed"] == []
 
 
 def graded(course: Course, home: Path, exercise: str, evidence: Path | None = None, **files: str) -> Result:

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <stdexcept>
 #include <string>
 
 #include "rcl/rcl.h"
@@ -19,7 +18,7 @@ constexpr std::int64_t burst = 100;
 void check(rcl_ret_t ret)
 {
   if (ret != RCL_RET_OK) {
-    throw std::runtime_error(rcl_get_error_string().str);
+    rclcpp::exceptions::throw_from_rcl_error(ret);
   }
 }
 

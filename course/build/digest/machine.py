@@ -99,11 +99,16 @@ def _fault(line: str, machine: Machine) -> CourseError | None:
         return MissingHere(what, "sudo apt install python3-dev")
     if _NO_COMPILER.search(line) and machine.lacks_compiler():
         return MissingHere("This machine has no C++ compiler that works.", "sudo apt install g++")
-    if (found := _NO_LIBRARY.search(line)) and machine.lacks_library(found["name"]):
+    # Where Qt is there, one of its parts that is not is a name that somebody misspelt.
+    if (found := _NO_LIBRARY.search(line)) and machine.lacks_library(_main_part(found["name"])):
         called, package = _LIBRARIES["Qt5" if found["name"].startswith("Qt5") else found["name"]]
         what = f"The C++ library {called} is not installed on this machine."
         return MissingHere(what, f"sudo apt install {package}")
     return None
+
+
+def _main_part(library: str) -> str:
+    return "Qt5Core" if library.startswith("Qt5") else library
 
 
 def _output(command: Sequence[str]) -> str:

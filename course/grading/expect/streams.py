@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from statistics import median
 
-from course.evidence.following import alike, answers, same
+from course.evidence.following import Answer, alike, answers, same
 from course.evidence.pacing import Pacing, pacing_of
 from course.evidence.recording import Recording
 from course.evidence.stream import Row, Stream
 from course.evidence.waves import Wave, fit_wave
 from course.feedback import Failure, Feedback, Location, Pace, Spoilt
+from course.grading.explain.sketch import sketch
 
 _TOO_LOADED = "this machine had too much to do to measure milliseconds."
 # Of the amplitude: how far a sine may be off its own fit, and off what it should be.
@@ -130,6 +132,7 @@ def expect_steps(
                 seen=told(one.last) if one.last is not None else "no message after it",
                 where=where,
                 advice=advice,
+                details=_drawn(commands, stream, _farthest(one)),
             )
         )
     latency = median(came)
@@ -149,6 +152,17 @@ def expect_steps(
     )
 
 
+def _farthest(one: Answer) -> int:
+    """The joint that is farthest from where it should be."""
+    off = [abs(a - b) for a, b in zip(one.target, one.last or (), strict=False)]
+    return off.index(max(off)) if off else 0
+
+
+def _drawn(commands: Stream, stream: Stream, joint: int) -> tuple[str, ...]:
+    """From the first to the last command."""
+    return sketch(commands, stream.between(commands.times[0], commands.times[-1]), joint)
+
+
 def expect_follows_wave(
     recording: Recording, commands: Stream, stream: Stream, frequency: float, *, within: float, advice: str,
     where: tuple[Location, ...] = (),
@@ -166,7 +180,11 @@ def expect_follows_wave(
                     advice=advice,
                 )
             )
-        _expect_wave(recording, stream, joint, asked, made, within, advice, where)
+        try:
+            _expect_wave(recording, stream, joint, asked, made, within, advice, where)
+        except Failure as failure:
+            drawn = _drawn(commands, stream, joint)
+            raise Failure(replace(failure.feedback, details=drawn)) from None
 
 
 def _expect_wave(

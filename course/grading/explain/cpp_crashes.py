@@ -91,7 +91,7 @@ def _own_library(lines: Sequence[str], sources: Sources) -> Feedback | None:
                 where=(command.where,),
                 advice=f"The package builds it, but it is to be installed, too: "
                 f"`install(TARGETS {name} EXPORT ... LIBRARY DESTINATION lib)`.",
-                details=tuple(line for line in lines if _NO_LIBRARY.search(line))[:1],
+                details=tuple(re.sub(r"^/\S*/", "", line) for line in lines if _NO_LIBRARY.search(line))[:1],
             )
     return None
 

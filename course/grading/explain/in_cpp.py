@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
+
 from course.evidence.process_view import ProcessView
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
@@ -19,6 +22,8 @@ _DEAF = (
     "A handler of your own calls `rclcpp::shutdown()`."
 )
 _DEAF_PLACES = r"\bwhile\s*\(\s*(?:true|1)\s*\)|\bfor\s*\(\s*;\s*;\s*\)|\bsig(?:nal|action)\s*\("
+# What rclcpp throws when it is asked for more after Ctrl+C.
+_WENT_ON = re.compile(r"context is not valid|rcl_shutdown\(\) was called|context is already shut")
 _IN_THE_TEXT = (
     ("<<", "`<<` stands within the quotes: end the text before it, and begin it once more behind."),
     ("%", "`RCLCPP_INFO_STREAM` puts texts together with `<<`. `%d` is for `RCLCPP_INFO`, and the number "
@@ -43,7 +48,10 @@ class Cpp(Language):
 
     def unhandled(self, recording: Recording, view: ProcessView, asked: float) -> Feedback | None:
         lines = tuple(line.text for line in view.lines if line.t >= asked)
-        return cpp_crash(view.exited, lines, recording.sources, "Ctrl+C ends the program, but not in peace")
+        found = cpp_crash(view.exited, lines, recording.sources, "Ctrl+C ends the program, but not in peace")
+        if found and _WENT_ON.search(" ".join(lines)):
+            return replace(found, advice=_DEAF, where=places_of(recording.sources, _DEAF_PLACES)[:2])
+        return found
 
     def to_keep_running(self, sources: Sources) -> Cause:
         where = tuple(place for name in SPINS for place in self.places(sources, name))[:2]

@@ -71,3 +71,11 @@ def test_a_library_of_the_system_is_missing_only_if_it_really_is(
     (tmp_path / folder).mkdir(parents=True)
     (tmp_path / folder / config).touch()
     raise_if_machine(log, machine)
+
+
+def test_a_misspelt_part_of_what_is_there_is_no_fault_of_the_machine(tmp_path: Path) -> None:
+    folder = tmp_path / "lib/x86_64-linux-gnu/cmake/Qt5Core"
+    folder.mkdir(parents=True)
+    (folder / "Qt5CoreConfig.cmake").touch()
+    machine = Machine(tmp_path, Path(sys.executable), Killed(), system=(tmp_path,))
+    raise_if_machine(["    Qt5coreConfig.cmake"], machine)

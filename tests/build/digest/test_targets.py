@@ -132,3 +132,12 @@ def test_a_library_of_the_package_that_is_not_linked(
     assert failure is not None
     assert "`src/arm.cpp` of `arm` defines it" in str(failure.feedback.advice)
     assert "add `target_link_libraries(robot arm)`" in str(failure.feedback.advice)
+
+
+def test_a_target_is_not_told_to_link_itself(case: Callable[..., Case], src_with_targets: Path) -> None:
+    (src_with_targets / PACKAGE / "src/arm.cpp").write_text("void Arm::bend(double by)\n{\n}\n")
+    object_file = "CMakeFiles/arm.dir/src/arm.cpp.o"
+    log = f"/usr/bin/ld: {object_file}: in function `f()':\narm.cpp:(.text+0x1): undefined reference to"
+    failure = explain(case(PACKAGE, f"{log} `Arm::bend(int)'\n"))
+    assert failure is not None
+    assert "target_link_libraries" not in str(failure.feedback.advice)

@@ -77,6 +77,19 @@ def test_ctrl_c() -> None:
     assert crashed.summary.startswith("Ctrl+C ends the program, but not in peace")
 
 
+def test_a_loop_that_goes_on_after_ctrl_c() -> None:
+    lines = [
+        OutputLine(5.1, "talker", "terminate called after throwing an instance of 'rclcpp::RCLError'"),
+        OutputLine(
+            5.1, "talker", "  what():  the given context is not valid, either rcl_init() was not called"
+        ),
+    ]
+    recording = cpp(INTERRUPTED, *lines, end(5.2, None, 6), code="while (true) { spin_some(node); }")
+    found = in_cpp(told(expect_clean_interrupt, recording, "talker"))
+    assert "`while (rclcpp::ok())`" in str(found.advice)
+    assert where(found) == ["src/talker.cpp:2"]
+
+
 def test_an_error_before_ctrl_c_is_no_matter_of_it() -> None:
     early = OutputLine(1.0, "talker", "terminate called after throwing an instance of 'x'")
     expect_clean_interrupt(cpp(early, INTERRUPTED, end(5.1)), "talker")

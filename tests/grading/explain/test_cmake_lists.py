@@ -54,6 +54,7 @@ def told(text: str, *available: str) -> tuple[str, str, list[str]]:
     [
         ("add_executable(talker a.cpp)", "is built, but not installed", "2"),
         ("add_executable(talker a.cpp)\ninstall(TARGETS other DESTINATION lib/talk)", "not installed.", "2"),
+        ("add_executable(talker a.cpp)\ninstall(FILES talker DESTINATION share)", "not installed.", "2"),
         ("add_executable(talker a.cpp)\ninstall(TARGETS talker DESTINATION bin)", "in the folder bin", "3"),
         ("add_executable(talker a.cpp)\ninstall(TARGETS talker)", "no DESTINATION", "3"),
         ("add_executable(tolker a.cpp)", "has `tolker`, but not `talker`", "2"),

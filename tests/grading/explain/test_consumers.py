@@ -55,7 +55,7 @@ OLDER = """\
         (TARGETS, "ament_export_dependencies",
          ("`Qt5::Core` and `Eigen3::Eigen`", "_dependencies(Qt5Core Eigen3) |", "CMakeLists.txt:4")),
         (OLDER, "ament_export_dependencies", ("`Eigen3::Eigen` and `Qt5::Core`", "(Eigen3 Qt5Core)")),
-        (TARGETS, "", ("`Qt5::Core`", "| CMakeLists.txt:8 CMakeLists.txt:4")),
+        (TARGETS, "", ("find `Qt5::Core`, which", "| CMakeLists.txt:8 CMakeLists.txt:4")),
         ('Imported target "mathpack::mathpack" includes non-existent path\n  "/store/include"', "DIRECTORY",
          ("the header is not installed", "`install(DIRECTORY include/", "| CMakeLists.txt")),
         ('references the file\n  "/store/lib/libmathpack.so"\n  but this file does not exist.', "",

@@ -53,6 +53,10 @@ def test_what_belongs_to_a_call() -> None:
     assert "void" not in call.around
 
 
+def test_a_call_right_behind_a_brace() -> None:
+    assert cpp_calls(sources("a(); {f(1); b();} c();"), "f")[0].around == "{f(1); b();"
+
+
 def test_brackets_that_are_never_closed() -> None:
     call = cpp_calls(sources("f(a, {b"), "f")[0]
     assert (call.before, call.arguments) == ("", "a, {b")

@@ -23,20 +23,20 @@ public:
   {
     declare_parameter("count", 0);
     told_ = add_post_set_parameters_callback([this](const auto &) {++changes_;});
-    const auto group = create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+    group_ = create_callback_group(rclcpp::CallbackGroupType::Reentrant);
     publisher_ = create_publisher<String>("chatter", 100);
     rclcpp::SubscriptionOptions options;
-    options.callback_group = group;
+    options.callback_group = group_;
     subscription_ = create_subscription<String>(
       "chatter", 100, [this](String::UniquePtr message) {characters_ += message->data.size();}, options);
     service_ = create_service<Trigger>(
       "go", [](const Trigger::Request::SharedPtr, Trigger::Response::SharedPtr response) {
         response->message = "gone";
-      }, rclcpp::ServicesQoS(), group);
-    client_ = create_client<Trigger>("go", rclcpp::ServicesQoS(), group);
-    fast_ = create_wall_timer(1ms, [this]() {publish();}, group);
+      }, rclcpp::ServicesQoS(), group_);
+    client_ = create_client<Trigger>("go", rclcpp::ServicesQoS(), group_);
+    fast_ = create_wall_timer(1ms, [this]() {publish();}, group_);
     slow_ = create_timer(10ms, [this]() {call();});
-    passing_ = create_wall_timer(100ms, [this]() {let_one_pass();}, group);
+    passing_ = create_wall_timer(100ms, [this]() {let_one_pass();}, group_);
   }
 
   void report() const
@@ -69,17 +69,25 @@ private:
 
   void let_one_pass()
   {
-    auto node = std::make_shared<rclcpp::Node>("passing");
-    auto publisher = node->create_publisher<String>("chatter", 1);
-    publisher->publish(String());
-    rclcpp::spin_some(node);
-    RCLCPP_DEBUG(node->get_logger().get_child("child"), "gone again");
-    ++passed_;
+    try {
+      // Several may be here at the same time: names are not shared.
+      auto node = std::make_shared<rclcpp::Node>("passing_" + std::to_string(++names_));
+      auto publisher = node->create_publisher<String>("chatter", 1);
+      publisher->publish(String());
+      rclcpp::spin_some(node);
+      RCLCPP_DEBUG(node->get_logger().get_child("child"), "gone again");
+      ++passed_;
+    } catch (const rclcpp::exceptions::RCLError &) {
+      if (rclcpp::ok()) {
+        throw;
+      }
+    }
   }
 
   std::atomic<std::size_t> characters_{0};
-  std::atomic_int answers_{0}, changes_{0}, passed_{0};
+  std::atomic_int answers_{0}, changes_{0}, passed_{0}, names_{0};
   int calls_ = 0;
+  rclcpp::CallbackGroup::SharedPtr group_;
   PostSetParametersCallbackHandle::SharedPtr told_;
   rclcpp::Publisher<String>::SharedPtr publisher_;
   rclcpp::Subscription<String>::SharedPtr subscription_;

@@ -179,9 +179,9 @@ bool Context::shutdown(const std::string & reason)
     return false;
   }
   call(impl_->copy(impl_->pre_shutdown));
+  impl_->valid = false;  // whoever fails from now on can see why
   detail::check(rcl_shutdown(impl_->rcl_context.get()), "failed to shutdown rcl context");
   impl_->reason = reason;
-  impl_->valid = false;
   call(impl_->copy(impl_->on_shutdown));
   interrupt_all_sleep();
   impl_->logging.reset();

@@ -10,32 +10,22 @@
 namespace rclcpp
 {
 
-namespace
+std::unique_ptr<executors::SingleThreadedExecutor> detail::executor_for(
+  const node_interfaces::NodeBaseInterface::SharedPtr & node)
 {
-
-/// An executor that has a node while it lives.
-class ForNode
-{
-public:
-  explicit ForNode(node_interfaces::NodeBaseInterface::SharedPtr node)
-  : executor_(options_for(*node))
-  {
-    executor_.add_node(std::move(node), false);
+  ExecutorOptions options;
+  options.context = node->get_context();
+  try {
+    auto executor = std::make_unique<executors::SingleThreadedExecutor>(options);
+    executor->add_node(node, false);
+    return executor;
+  } catch (const exceptions::RCLError &) {
+    if (options.context->is_valid()) {
+      throw;
+    }
+    return nullptr;
   }
-  executors::SingleThreadedExecutor & get() {return executor_;}
-
-private:
-  static ExecutorOptions options_for(node_interfaces::NodeBaseInterface & node)
-  {
-    ExecutorOptions options;
-    options.context = node.get_context();
-    return options;
-  }
-
-  executors::SingleThreadedExecutor executor_;
-};
-
-}  // namespace
+}
 
 void executors::SingleThreadedExecutor::spin()
 {
@@ -94,7 +84,9 @@ void executors::MultiThreadedExecutor::run()
 
 void spin(node_interfaces::NodeBaseInterface::SharedPtr node_ptr)
 {
-  ForNode(std::move(node_ptr)).get().spin();
+  if (const auto executor = detail::executor_for(node_ptr)) {
+    executor->spin();
+  }
 }
 
 void spin(std::shared_ptr<Node> node_ptr)
@@ -104,7 +96,9 @@ void spin(std::shared_ptr<Node> node_ptr)
 
 void spin_some(node_interfaces::NodeBaseInterface::SharedPtr node_ptr)
 {
-  ForNode(std::move(node_ptr)).get().spin_some();
+  if (const auto executor = detail::executor_for(node_ptr)) {
+    executor->spin_some();
+  }
 }
 
 void spin_some(std::shared_ptr<Node> node_ptr)
@@ -115,7 +109,9 @@ void spin_some(std::shared_ptr<Node> node_ptr)
 void spin_all(
   node_interfaces::NodeBaseInterface::SharedPtr node_ptr, std::chrono::nanoseconds max_duration)
 {
-  ForNode(std::move(node_ptr)).get().spin_all(max_duration);
+  if (const auto executor = detail::executor_for(node_ptr)) {
+    executor->spin_all(max_duration);
+  }
 }
 
 void spin_all(std::shared_ptr<Node> node_ptr, std::chrono::nanoseconds max_duration)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rcl/graph.h"
+#include "rclcpp/exceptions.hpp"
 #include "wait_set.hpp"
 
 namespace rclcpp::detail
@@ -29,15 +30,11 @@ private:
   const rcl_guard_condition_t * condition_;
 };
 
-}  // namespace
-
-bool wait_for_graph(
+/// As `wait_for_graph`, of a context that goes on as long as this takes.
+bool wait_in_slices(
   const std::shared_ptr<rcl_node_t> & node, const Context::SharedPtr & context,
   const std::function<bool()> & holds, nanoseconds timeout)
 {
-  if (holds() || timeout == nanoseconds(0) || !context->is_valid()) {
-    return holds();
-  }
   const auto began = std::chrono::steady_clock::now();
   const std::vector<std::shared_ptr<Entity>> change{std::make_shared<GraphChange>(*node)};
   const GuardCondition never(context);
@@ -53,6 +50,25 @@ bool wait_for_graph(
     set.wait(change, never, left);
   }
   return holds();
+}
+
+}  // namespace
+
+bool wait_for_graph(
+  const std::shared_ptr<rcl_node_t> & node, const Context::SharedPtr & context,
+  const std::function<bool()> & holds, nanoseconds timeout)
+{
+  if (holds() || timeout == nanoseconds(0) || !context->is_valid()) {
+    return holds();
+  }
+  try {
+    return wait_in_slices(node, context, holds, timeout);
+  } catch (const exceptions::RCLError &) {
+    if (context->is_valid()) {
+      throw;
+    }
+    return false;
+  }
 }
 
 }  // namespace rclcpp::detail

@@ -184,9 +184,7 @@ void spin_all_goes_on_until_nothing_is_ready()
   EXPECT(publisher->wait_for_all_acked(10s));
   SingleThreadedExecutor executor;
   executor.add_node(node);
-  while (heard.size() < 3) {
-    executor.spin_all(1s);
-  }
+  executor.spin_all(10s);
   EXPECT(heard == std::vector<std::string>{"a", "b", "c"});
 }
 
@@ -255,6 +253,36 @@ void futures_end_or_time_out()
   EXPECT(code == rclcpp::FutureReturnCode::INTERRUPTED);
 }
 
+void changes_of_parameters_are_handled()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  node->declare_parameter("watched", 1);
+  node->declare_parameter("other", 1);
+  rclcpp::ParameterEventHandler handler(node);
+  std::promise<std::int64_t> seen;
+  int times = 0, all = 0;
+  auto one = handler.add_parameter_callback(
+    "watched", [&](const rclcpp::Parameter & parameter) {
+      if (++times == 1) {
+        seen.set_value(parameter.as_int());
+      }
+    });
+  auto every = handler.add_parameter_event_callback([&](const auto &) {++all;});
+  // Again and again: who hears it must first have been found.
+  auto timer = node->create_wall_timer(
+    5ms, [&]() {
+      node->set_parameter({"other", 2});
+      node->set_parameter({"watched", 3});
+    });
+  auto future = seen.get_future();
+  EXPECT(rclcpp::spin_until_future_complete(node, future, 20s) == rclcpp::FutureReturnCode::SUCCESS);
+  EXPECT(future.get() == 3);
+  rclcpp::spin_some(node);
+  EXPECT(all >= times);
+  handler.remove_parameter_callback(one);
+  EXPECT(!THROWN(std::runtime_error, handler.remove_parameter_callback(one)).empty());
+}
+
 void the_first_exception_ends_all_threads()
 {
   auto node = std::make_shared<rclcpp::Node>("node");
@@ -280,6 +308,7 @@ int main(int argc, char * argv[])
     {"a_group_of_its_own_has_its_own_executor", a_group_of_its_own_has_its_own_executor},
     {"wrong_use_is_said", wrong_use_is_said},
     {"futures_end_or_time_out", futures_end_or_time_out},
+    {"changes_of_parameters_are_handled", changes_of_parameters_are_handled},
     {"the_first_exception_ends_all_threads", the_first_exception_ends_all_threads},
   };
   const int code = run_case(cases, argv[1]);

@@ -61,8 +61,9 @@ int main(int argc, char * argv[])
     say(rclcpp::sleep_for(1h) ? "slept" : "woken");
   } else if (what == "callbacks") {
     rclcpp::on_shutdown([]() {say("on shutdown"); rclcpp::shutdown();});
+    auto node = std::make_shared<rclcpp::Node>("callbacks");
     say("ready");
-    rclcpp::spin(std::make_shared<rclcpp::Node>("callbacks"));
+    rclcpp::spin(node);
     say("left");
   } else if (what == "throw") {
     auto node = std::make_shared<rclcpp::Node>("throw");

@@ -161,6 +161,38 @@ void parameters_of_a_node()
   EXPECT(node.get_parameters("a", below) && below == (std::map<std::string, int>{{"b", 1}, {"c.d", 2}}));
 }
 
+void qos_overrides()
+{
+  rclcpp::NodeOptions options;
+  options.append_parameter_override("qos_overrides./topic.publisher.depth", 7);
+  options.append_parameter_override("qos_overrides./topic.publisher.reliability", "best_effort");
+  rclcpp::Node node("node", options);
+  rclcpp::PublisherOptions open;
+  open.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies();
+  const auto qos = node.create_publisher<String>("topic", 10, open)->get_actual_qos();
+  EXPECT(qos.depth() == 7 && qos.reliability() == rclcpp::ReliabilityPolicy::BestEffort);
+  EXPECT(node.get_parameter("qos_overrides./topic.publisher.history").as_string() == "keep_last");
+  EXPECT(node.create_publisher<String>("other", 10)->get_actual_qos().depth() == 10);
+  open.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies(
+    [](const rclcpp::QoS &) {return rclcpp::QosCallbackResult{false, "no"};});
+  EXPECT(
+    !THROWN(
+      exceptions::InvalidQosOverridesException,
+      node.create_publisher<String>("third", 10, open)).empty());
+}
+
+void next_message()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  const auto kept = rclcpp::QoS(1).transient_local();
+  auto publisher = node->create_publisher<String>("topic", kept);
+  String message, heard;
+  EXPECT(!rclcpp::wait_for_message(heard, node, "topic", 5ms, kept));
+  message.data = "kept";
+  publisher->publish(message);
+  EXPECT(rclcpp::wait_for_message(heard, node, "topic", 10s, kept) && heard.data == "kept");
+}
+
 void parameter_callbacks()
 {
   rclcpp::Node node("node");
@@ -281,6 +313,8 @@ int main(int argc, char * argv[])
     {"parameter_values", parameter_values},
     {"parameters_of_a_node", parameters_of_a_node},
     {"parameter_callbacks", parameter_callbacks},
+    {"qos_overrides", qos_overrides},
+    {"next_message", next_message},
     {"names", names},
     {"contexts", contexts},
     {"graph", graph},

@@ -12,6 +12,15 @@
 namespace rclcpp
 {
 
+namespace detail
+{
+
+/// An executor that has the node; none when the context has ended, as it may at any moment.
+std::unique_ptr<executors::SingleThreadedExecutor> executor_for(
+  const node_interfaces::NodeBaseInterface::SharedPtr & node);
+
+}  // namespace detail
+
 // These have an executor of their own for the node, for as long as they last.
 void spin(node_interfaces::NodeBaseInterface::SharedPtr node_ptr);
 void spin(std::shared_ptr<Node> node_ptr);
@@ -54,10 +63,9 @@ FutureReturnCode spin_until_future_complete(
   node_interfaces::NodeBaseInterface::SharedPtr node_ptr, const FutureT & future,
   std::chrono::duration<RepT, PeriodT> timeout = std::chrono::duration<RepT, PeriodT>(-1))
 {
-  ExecutorOptions options;
-  options.context = node_ptr->get_context();
-  executors::SingleThreadedExecutor executor(options);
-  return executors::spin_node_until_future_complete(executor, node_ptr, future, timeout);
+  const auto executor = detail::executor_for(node_ptr);
+  return executor ?
+         executor->spin_until_future_complete(future, timeout) : FutureReturnCode::INTERRUPTED;
 }
 
 template<typename NodeT = Node, typename FutureT, typename RepT = std::int64_t, typename PeriodT = std::milli>

@@ -5,7 +5,6 @@ import math
 import time
 
 from dqrobotics.utils.DQ_Math import deg2rad
-
 from sas_common import rclcpp_init, rclcpp_Node, rclcpp_shutdown, rclcpp_spin_some
 from sas_core import Clock, Statistics
 from sas_robot_driver import RobotDriverClient
