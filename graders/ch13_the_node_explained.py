@@ -38,7 +38,9 @@ def all_three_at_once(arena: Arena) -> None:
     started = [found for found in programs.values() if found]
     arena.until(lambda: len(arena.graph.nodes) >= sum(p.running for p in started), timeout=15)
     for node, text, count in ((HEARTBEAT, BEAT, ENOUGH), (NIGHT_WATCH, QUIET, ENOUGH), (COUNTDOWN, "L", 1)):
-        arena.until(partial(heard, arena, programs[node], text, count), timeout=4)
+        # The pace counts from the first line on: on a busy machine that comes late.
+        if arena.until(partial(heard, arena, programs[node], text, 1), timeout=6):
+            arena.until(partial(heard, arena, programs[node], text, count), timeout=4)
     for process in started:
         arena.interrupt(process)
 
@@ -105,7 +107,7 @@ def countdown_counts(recording: Recording) -> None:
     said = tuple(line.text.strip() for line in recording.log)
     if said != COUNTED:
         raise Failure(miscounted(recording, said))
-    times = tuple(line.t for line in recording.log)
+    times = spoken_at(recording)
     gaps = [later - earlier for earlier, later in pairwise(times)]
     # A single word may reach us late: most of a period is left for that, and none for two words at once.
     if not PERIOD / 2 <= median(gaps) <= 2 * PERIOD or min(gaps) < PERIOD / 10:
@@ -118,6 +120,18 @@ def countdown_counts(recording: Recording) -> None:
                 advice="Let the timer alone call `count_down`, and leave its period at 0.5 seconds.",
             )
         )
+
+
+def spoken_at(recording: Recording) -> tuple[float, ...]:
+    """When each word was said, by the terminal if it is there.
+
+    What a node logs before others have found it, the log delivers in one go.
+    """
+    lines = recording.process(program(COUNTDOWN)).lines
+    printed = tuple(
+        line.t for line in lines if line.text.strip().endswith(tuple(f": {word}" for word in COUNTED))
+    )
+    return printed if len(printed) == len(COUNTED) else tuple(line.t for line in recording.log)
 
 
 def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:

@@ -22,6 +22,7 @@ from course.feedback import Feedback
 from course.grading.result import Result, Verdict
 from course.home.opening import Refused
 from course.home.storage import storing
+from course.report.gradebook.files import sweep
 from course.rosenv.files import wipe
 
 # With nothing beside it, a second look at what was our error; and a third one.
@@ -73,6 +74,7 @@ def default_jobs() -> int:
 def results_folder(out: Path) -> Iterator[Results]:
     """Nobody else may grade into it meanwhile. Raises UsageError and StorageError."""
     with _alone_in(out), Results.open(out) as results:
+        sweep(out)
         yield results
 
 

@@ -238,6 +238,14 @@ def test_two_do_not_grade_into_one_folder(tmp_path: Path) -> None:
         pass
 
 
+def test_what_a_killed_run_left_half_written_goes(tmp_path: Path) -> None:
+    half = tmp_path / "out/feedback/.ada.md.99999999.part"
+    half.parent.mkdir(parents=True)
+    half.touch()
+    with results_folder(tmp_path / "out"):
+        assert not half.exists()
+
+
 def test_a_folder_that_cannot_be_made_is_told(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     with (

@@ -8,8 +8,11 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
+import psutil
+
 from course.errors import StorageError
 
+_PART = re.compile(r"\..+\.(?P<pid>\d{1,9})\.part")
 _PLAIN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,79}")
 _MADE_NAME = re.compile(r".*-[0-9a-f]{12}")
 
@@ -31,6 +34,19 @@ def write(target: Path, pieces: Iterable[str | bytes]) -> None:
     except OSError as error:
         what = f"{target} cannot be written: {error.strerror or error}."
         raise StorageError(what, "See that there is room and that you may write there.") from error
+
+
+def sweep(folder: Path) -> None:
+    """Remove what `write` left half written below `folder` when it was killed. Raises StorageError."""
+    try:
+        for place, _, names in os.walk(folder):
+            for name in names:
+                found = _PART.fullmatch(name)
+                if found and not psutil.pid_exists(int(found["pid"])):
+                    Path(place, name).unlink(missing_ok=True)
+    except OSError as error:
+        what = f"{folder} cannot be cleaned up: {error.strerror or error}."
+        raise StorageError(what, "See that you may write there.") from error
 
 
 def file_stem(person_id: str) -> str:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from course.errors import StorageError
-from course.report.gradebook.files import file_stem, write
+from course.report.gradebook.files import file_stem, sweep, write
 from tests.report.gradebook import hostile
 
 
@@ -38,6 +42,33 @@ def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     with pytest.raises(StorageError) as caught:
         write(tmp_path / "file" / "a.txt", ["x"])
     assert "a.txt" in caught.value.what and caught.value.next_step
+
+
+def killed_while_writing(target: Path) -> None:
+    """A process that writes to it, and is killed in the middle."""
+    code = (
+        "import os, signal, sys; from pathlib import Path; from course.report.gradebook.files import write\n"
+        "def pieces():\n    yield 'half'\n    os.kill(os.getpid(), signal.SIGKILL)\n"
+        f"write(Path({str(target)!r}), pieces())"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == -signal.SIGKILL
+
+
+def test_what_a_killed_writer_left_is_swept_and_nothing_else(tmp_path: Path) -> None:
+    target = tmp_path / "feedback" / "ada.md"
+    killed_while_writing(target)
+    write(target, ["whole"])
+    (left,) = set(target.parent.iterdir()) - {target}
+    others = (
+        target.with_name(f".ada.md.{os.getpid()}.part"),  # this process may be writing it
+        target.with_name("a.99999999.part"),
+        target.with_name(".part"),
+    )
+    for other in others:
+        other.write_text("")
+    sweep(tmp_path)
+    assert not left.exists()
+    assert set(target.parent.iterdir()) == {target, *others}
 
 
 def test_a_link_is_replaced_and_not_followed(tmp_path: Path) -> None:

@@ -64,7 +64,7 @@ def test_what_is_wrong(workspace: Path) -> None:
         typed(*send, "/fibonacci", "std_msgs/msg/String", "{}"),
         typed(*send, "/fibonacci", _TYPE, "{nosuch: 1}"),
         typed(*send, "/fibonacci", _TYPE, "{order: [1"),
-        typed(*send, "/nosuch", _TYPE, "{order: 1}", stop={"after": 1.5}),
+        typed(*send, "/nosuch", _TYPE, "{order: 1}", stop={"when": "become available"}),
     ]
     found = among(["fibonacci"], cases, workspace)
     assert [outcome.code for outcome in found] == [1, 1, 1, 1, 2]
