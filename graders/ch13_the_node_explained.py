@@ -128,9 +128,8 @@ def spoken_at(recording: Recording) -> tuple[float, ...]:
     What a node logs before others have found it, the log delivers in one go.
     """
     lines = recording.process(program(COUNTDOWN)).lines
-    printed = tuple(
-        line.t for line in lines if line.text.strip().endswith(tuple(f": {word}" for word in COUNTED))
-    )
+    ends = tuple(f": {word}" for word in COUNTED)
+    printed = tuple(line.t for line in lines if line.text.strip().endswith(ends))
     return printed if len(printed) == len(COUNTED) else tuple(line.t for line in recording.log)
 
 

@@ -74,8 +74,15 @@ def default_jobs() -> int:
 def results_folder(out: Path) -> Iterator[Results]:
     """Nobody else may grade into it meanwhile. Raises UsageError and StorageError."""
     with _alone_in(out), Results.open(out) as results:
-        sweep(out)
+        _sweep(out)
         yield results
+
+
+def _sweep(out: Path) -> None:
+    """Where reports and recordings are written. What submissions have left in WORK may be of any depth."""
+    with storing(f"results cannot be kept in {out}"):
+        for folder in (out, *out.glob("*/"), *out.glob(f"{EVIDENCE}/*/")):
+            sweep(folder)
 
 
 @contextlib.contextmanager

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from course.batch.run import ATTEMPTS, Batch, Progress, results_folder, run
 from course.content import Course
 from course.errors import StorageError, UsageError
 from course.grading.result import Feedback, Outcome, Result, Verdict
+from course.rosenv.files import wipe
 from tests.batch.conftest import Lay
 from tests.batch.samples import PASSED, QUIZ, names
 
@@ -238,12 +240,37 @@ def test_two_do_not_grade_into_one_folder(tmp_path: Path) -> None:
         pass
 
 
-def test_what_a_killed_run_left_half_written_goes(tmp_path: Path) -> None:
-    half = tmp_path / "out/feedback/.ada.md.99999999.part"
+@pytest.mark.parametrize(
+    "name",
+    [".results.csv.99999999.part", "feedback/.ada.md.99999999.part", "evidence/ada/.q.mcap.99999999.part"],
+)
+def test_what_a_killed_run_left_half_written_goes(tmp_path: Path, name: str) -> None:
+    half = tmp_path / "out" / name
     half.parent.mkdir(parents=True)
     half.touch()
     with results_folder(tmp_path / "out"):
         assert not half.exists()
+
+
+@pytest.fixture
+def deep(tmp_path: Path) -> Iterator[Path]:
+    """The results' folder, in whose `work` lie more folders in one another than fit into one path."""
+    work = tmp_path / "out/work"
+    work.mkdir(parents=True)
+    here = os.open(work, os.O_DIRECTORY)
+    for _ in range(1500):
+        os.mkdir("d", dir_fd=here)
+        inner = os.open("d", os.O_DIRECTORY, dir_fd=here)
+        os.close(here)
+        here = inner
+    os.close(here)
+    yield work.parent
+    wipe(work)  # pytest could not
+
+
+def test_what_a_killed_run_left_of_a_submission_may_be_deep(deep: Path) -> None:
+    with results_folder(deep) as results:
+        assert results.submissions() == []
 
 
 def test_a_folder_that_cannot_be_made_is_told(tmp_path: Path) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-import psutil
 import pytest
 
 from course.content import open_course
@@ -25,6 +24,7 @@ from course.validate.tasks import (
     task_to_line,
 )
 from tests.conftest import FIXTURES
+from tests.processes import none_stays
 from tests.validate.conftest import QUIZ
 
 COURSE = open_course(FIXTURES / "quiz_course")
@@ -88,10 +88,9 @@ def test_whoever_stops_listening_ends_the_workers_and_nothing_is_left(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-    before = set(psutil.Process().children(recursive=True))
-    results = run(COURSE.root, [EXERCISE], proofs([EXERCISE]), jobs=1)
-    next(results)
-    assert list(tmp_path.iterdir())
-    results.close()
-    assert list(tmp_path.iterdir()) == []
-    assert set(psutil.Process().children(recursive=True)) <= before
+    with none_stays():
+        results = run(COURSE.root, [EXERCISE], proofs([EXERCISE]), jobs=1)
+        next(results)
+        assert list(tmp_path.iterdir())
+        results.close()
+        assert list(tmp_path.iterdir()) == []

@@ -7,7 +7,6 @@ import contextlib
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 
-import psutil
 import pytest
 
 from course.content import Exercise
@@ -17,6 +16,7 @@ from course.watch import checks as module
 from course.watch.checks import Checks
 from course.watch.messages import message_from_line, message_to_line, task_from_line, task_to_line
 from course.watch.model import Checked, Message, Said, Stuck, Task
+from tests.processes import none_stays
 from tests.watch.pretended import LIGHT, judged
 
 pytestmark = pytest.mark.slow
@@ -73,11 +73,8 @@ def serve(tmp_path: Path, small_course: Path, monkeypatch: pytest.MonkeyPatch) -
                     await served
             return room
 
-        # Other tests of this process may have left helpers of theirs, as multiprocessing does.
-        before = set(psutil.Process().children(recursive=True))
-        room = asyncio.run(serving())
-        assert set(psutil.Process().children(recursive=True)) <= before
-        return room
+        with none_stays():
+            return asyncio.run(serving())
 
     return run
 

@@ -37,16 +37,11 @@ def write(target: Path, pieces: Iterable[str | bytes]) -> None:
 
 
 def sweep(folder: Path) -> None:
-    """Remove what `write` left half written below `folder` when it was killed. Raises StorageError."""
-    try:
-        for place, _, names in os.walk(folder):
-            for name in names:
-                found = _PART.fullmatch(name)
-                if found and not psutil.pid_exists(int(found["pid"])):
-                    Path(place, name).unlink(missing_ok=True)
-    except OSError as error:
-        what = f"{folder} cannot be cleaned up: {error.strerror or error}."
-        raise StorageError(what, "See that you may write there.") from error
+    """Remove what `write` left half written in `folder` when it was killed. Raises OSError."""
+    for left in folder.glob(".*.part"):
+        found = _PART.fullmatch(left.name)
+        if found and not psutil.pid_exists(int(found["pid"])):
+            left.unlink(missing_ok=True)
 
 
 def file_stem(person_id: str) -> str:

@@ -6,13 +6,13 @@ import contextlib
 from collections.abc import Iterator
 from pathlib import Path
 
-import psutil
 import pytest
 
 from course.errors import OurFault
 from course.grading.channel import Judgement
 from course.grading.rejudge import Beside
 from course.grading.rejudge.model import PORTION
+from tests.processes import below, none_stays
 
 from .conftest import GRADER, Store
 
@@ -98,12 +98,10 @@ def test_who_ends_pytest_spoils_no_other(beside: Beside, store: Store, grader: P
 
 @pytest.mark.slow
 def test_it_ends_with_its_owner(store: Store) -> None:
-    known = set(psutil.Process().children(recursive=True))
-    with contextlib.closing(Beside()) as beside:
+    with none_stays() as known, contextlib.closing(Beside()) as beside:
         stored = store("one", 9)
         beside.judge(stored.exercise, stored.file)
-        assert set(psutil.Process().children(recursive=True)) > known
-    assert set(psutil.Process().children(recursive=True)) <= known
+        assert below() > known
 
 
 def test_where_no_process_can_be_started_it_is_told(

@@ -5,12 +5,12 @@ from __future__ import annotations
 import dataclasses
 import time
 
-import psutil
 import pytest
 
 from course.arena.sandbox.limits import BUILD
 from course.build import confined, process, stopped, usage
 from tests.hostile.builds.conftest import BuildIt, cmake_package, python_package
+from tests.processes import none_stays
 
 pytestmark = pytest.mark.slow
 MB = 1024 * 1024
@@ -150,14 +150,12 @@ if os.fork() == 0:
             except OSError:
                 pass
 """
-    # Other tests of this process may have left helpers of theirs, as multiprocessing does.
-    known = set(psutil.Process().children(recursive=True))
-    built = build_it(python_package(program), guarantee="no process outlives a build")
-    assert built.outcome.failure is None, built.words
-    before = {path: path.lstat().st_mtime_ns for path in built.entry.rglob("*")}
-    time.sleep(0.5)  # for what must not happen, no event can be awaited
-    assert before == {path: path.lstat().st_mtime_ns for path in built.entry.rglob("*")}
-    assert set(psutil.Process().children(recursive=True)) <= known
+    with none_stays():
+        built = build_it(python_package(program), guarantee="no process outlives a build")
+        assert built.outcome.failure is None, built.words
+        before = {path: path.lstat().st_mtime_ns for path in built.entry.rglob("*")}
+        time.sleep(0.5)  # for what must not happen, no event can be awaited
+        assert before == {path: path.lstat().st_mtime_ns for path in built.entry.rglob("*")}
 
 
 def test_all_limits_have_words() -> None:

@@ -66,7 +66,7 @@ def test_what_a_killed_writer_left_is_swept_and_nothing_else(tmp_path: Path) -> 
     )
     for other in others:
         other.write_text("")
-    sweep(tmp_path)
+    sweep(target.parent)
     assert not left.exists()
     assert set(target.parent.iterdir()) == {target, *others}
 

@@ -59,7 +59,7 @@ def test_a_closed_pipe_is_no_error(workspace: Path) -> None:
 
 
 def test_sigterm_ends_with_15(workspace: Path) -> None:
-    stop = {"signal": "SIGTERM", "after": 4}
+    stop = {"signal": "SIGTERM", "when": r"\S"}
     lines = (
         f"topic echo {_TOPIC}", "topic hz /nosuch", f"topic bw {_TOPIC}", "doctor hello",
         "topic pub /none std_msgs/msg/Int64", "topic pub --once /none std_msgs/msg/Int64",

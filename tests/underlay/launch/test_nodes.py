@@ -192,8 +192,8 @@ node = Node(
 print(node.get_fully_qualified_name(), node.resolve_topic_name("a"), file=sys.stderr)
 for name in ("flag", "number", "text", "texts", "nested.x", "rate", "quoted", "unicode"):
     print(name, repr(node.get_parameter(name).value), file=sys.stderr)
-print("ready", file=sys.stderr, flush=True)
 try:
+    print("ready", file=sys.stderr, flush=True)
     rclpy.spin(node)
 except KeyboardInterrupt:
     pass

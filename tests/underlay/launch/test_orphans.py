@@ -46,8 +46,13 @@ def _killed(launcher: Launcher, path: str, entities: str, started: str, least: i
     """Start these, kill the launch alone once it has so many processes: all of them end."""
     with launcher.started(launcher.description(entities), PATH=path) as running:
         running.wait_for(started)
-        assert comes_true(lambda: len(_descendants(running)) >= least)
-        there = _descendants(running)
+        there: list[psutil.Process] = []
+
+        def enough() -> bool:
+            there[:] = _descendants(running)
+            return len(there) >= least
+
+        assert comes_true(enough)
         running.signal(signal.SIGKILL)
         running.process.wait(timeout=20)
         assert all(gone(process.pid) for process in there), there
