@@ -119,9 +119,9 @@ in_python = Grader("31-driver-python")
 
 def watch(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> bool:
     """Start the robot's driver, command it, and press Ctrl+C; whether its joints were heard."""
-    states, node = hear(arena, robot, start)
-    if node and states.count:
-        with arena.lateness():
+    with arena.lateness():
+        states, node = hear(arena, robot, start)
+        if node and states.count:
             command(arena, robot, states, node)
     arena.interrupt(node)
     return states.count > 0
@@ -171,11 +171,15 @@ def wave(t: float) -> list[float]:
 
 def end_with_a_wrong_target(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> None:
     """Another life of the driver, which a target of five elements is to end."""
-    states, node = hear(arena, robot, start)
-    targets = arena.publisher(robot.topic(TARGETS), DOUBLES)
-    if node and states.count and arena.until(lambda: targets.matched, timeout=3, while_running=node):
-        with arena.lateness():
+    with arena.lateness():
+        states, node = hear(arena, robot, start)
+        targets = arena.publisher(robot.topic(TARGETS), DOUBLES)
+        ready = bool(node and states.count) and arena.until(
+            lambda: targets.matched, timeout=3, while_running=node
+        )
+        if node and ready:
             more(arena, states, node, 1.2 / robot.period)
+    if node and ready:
         arena.mark(WRONG)
         targets.publish(data=[0.1] * (JOINTS - 1))
         arena.until(lambda: False, timeout=4, while_running=node)
@@ -545,10 +549,11 @@ def at(recording: Recording, pattern: str, otherwise: str = DRIVER_CPP) -> tuple
 @launch.scenario
 def one_launch(arena: Arena) -> None:
     asked = arena.parameters(f"/{MYROBOT.name}")
-    states, launched = hear(arena, MYROBOT, lambda: arena.launch(PACKAGE, LAUNCH_FILE))
-    if launched and states.count:
-        with arena.lateness():
+    with arena.lateness():
+        states, launched = hear(arena, MYROBOT, lambda: arena.launch(PACKAGE, LAUNCH_FILE))
+        if launched and states.count:
             more(arena, states, launched, 2 / MYROBOT.period)
+    if launched and states.count:
         arena.until(lambda: asked.available, timeout=3, while_running=launched)
         answered = asked.get("ip")
         arena.until(lambda: all(one.done for one in answered), timeout=2, while_running=launched)
@@ -632,10 +637,10 @@ def a_robot_to_move(arena: Arena) -> None:
     robot = arena.play_along(PROBES / "ch31_robot.py", MYROBOT.name, name="robot")
     if not arena.until(lambda: states.count, timeout=20, while_running=robot):
         raise OurFault("the robot of the grader did not come up")
-    script = arena.run(PACKAGE, SCRIPT)
-    arena.until(lambda: targets.count, timeout=12, while_running=script)
-    if targets.count:
-        with arena.lateness():
+    with arena.lateness():
+        script = arena.run(PACKAGE, SCRIPT)
+        arena.until(lambda: targets.count, timeout=12, while_running=script)
+        if targets.count:
             arena.until(lambda: targets.count >= ENOUGH, timeout=8, while_running=script)
     arena.interrupt(script)
     robot.close()
