@@ -33,10 +33,10 @@ def five_messages(arena: Arena) -> None:
     """Five messages are four intervals."""
     node = arena.run(PACKAGE, NODE)
     if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
-        arena.until(lambda: arena.logged("") or arena.printed("Print"), timeout=4, while_running=node)
+        arena.until(lambda: arena.logged("") or arena.printed("Print"), timeout=6, while_running=node)
         arena.until(
             lambda: arena.logged("Print") >= ENOUGH or arena.printed("Print") > ENOUGH + 1,
-            timeout=4,
+            timeout=6,
             while_running=node,
         )
         # What a quick node printed may reach the log a moment later.

@@ -104,6 +104,8 @@ DRAWING = replace(WRITING, name="drawing_arm", period=0.02)
 STEPS = tuple(tuple(0.1 * step + 0.02 * joint for joint in range(JOINTS)) for step in range(1, 11))
 STEP_TIME = 0.06
 WAVE, COMMANDS = 1.0, 0.01  # Hz, and s between two targets
+# What a driver's source may use: `deg2rad`, parameters, or the driver's node are nobody's mistake there.
+LIBRARIES = ("sas_core", "sas_common", "sas_robot_driver", "dqrobotics", "rclcpp", "rcutils")
 MOTOR_OFF, DISCONNECTED = "Motor off", "Disconnected"
 WRONG = "a target of five elements"
 AGAIN = "again, until it gets a target of five elements"
@@ -149,7 +151,7 @@ def hear(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> tup
     limits = [arena.subscribe(robot.topic(name), DOUBLES) for name in (LEAST, GREATEST)]
     node = start()
     if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
-        arena.until(lambda: states.count, timeout=4, while_running=node)
+        arena.until(lambda: states.count, timeout=8, while_running=node)
         if states.count:
             arena.until(lambda: all(one.count for one in limits), timeout=2, while_running=node)
     for one in limits:  # they say the same in each round
@@ -182,7 +184,7 @@ def end_with_a_wrong_target(arena: Arena, robot: Robot, start: Callable[[], Proc
     if node and ready:
         arena.mark(WRONG)
         targets.publish(data=[0.1] * (JOINTS - 1))
-        arena.until(lambda: False, timeout=4, while_running=node)
+        arena.until(lambda: False, timeout=6, while_running=node)
     arena.interrupt(node)
 
 
@@ -367,7 +369,7 @@ def class_and_node(arena: Arena) -> None:
         "class",
         DRIVER_CPP,
         ours=PROBES / "ch31_driver.cpp",
-        options=arena.ros_options("sas_core", "rclcpp", "rcutils"),
+        options=arena.ros_options(*LIBRARIES),
         sanitized=False,
     )
     for question in ("life", "early", "wrong", "ends"):
@@ -556,7 +558,7 @@ def one_launch(arena: Arena) -> None:
     if launched and states.count:
         arena.until(lambda: asked.available, timeout=3, while_running=launched)
         answered = asked.get("ip")
-        arena.until(lambda: all(one.done for one in answered), timeout=2, while_running=launched)
+        arena.until(lambda: all(one.done for one in answered), timeout=6, while_running=launched)
     arena.interrupt(launched)
 
 
@@ -639,7 +641,7 @@ def a_robot_to_move(arena: Arena) -> None:
         raise OurFault("the robot of the grader did not come up")
     with arena.lateness():
         script = arena.run(PACKAGE, SCRIPT)
-        arena.until(lambda: targets.count, timeout=12, while_running=script)
+        arena.until(lambda: targets.count, timeout=20, while_running=script)
         if targets.count:
             arena.until(lambda: targets.count >= ENOUGH, timeout=8, while_running=script)
     arena.interrupt(script)

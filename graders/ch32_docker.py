@@ -307,6 +307,8 @@ NODES = ("talker", "listener")
 WITNESS = "witness"
 ENOUGH = 3
 START_TIME = 30.0
+# s after which nodes that talk with each other would have been heard in a domain of ours.
+SILENCE = 5.0
 PROBES = Path(__file__).parent / "probes"
 TALKER, LISTENER = PROBES / "ch32_talker.py", PROBES / "ch32_listener.py"
 # Of a value; the system takes no variable without end.
@@ -372,7 +374,7 @@ def listen_in_both(arena: Arena) -> None:
     arena.until(lambda: arena.printed("listener heard") >= ENOUGH, timeout=START_TIME, while_running=listener)
     arena.until(
         lambda: arena.printed(f"{WITNESS} heard") >= ENOUGH or len(arena.graph.nodes) >= len(NODES),
-        timeout=5,
+        timeout=START_TIME if number in (0, WANTED) else SILENCE,
         while_running=listener,
     )
 
@@ -469,6 +471,8 @@ def meet(recording: Recording) -> None:
     if not any(line.startswith("listener heard") for line in recording.process("listener").text):
         raise OurFault("two nodes with the same domain did not meet")
     setting = chosen(recording.home.file(DOMAIN_ENV).text or "")
+    if number_of(setting) == WANTED:
+        raise OurFault(f"the witness did not hear the talker of its own domain, {WANTED}")
     value = (setting.value or "")[:30] if setting else ""
     raise Failure(
         Feedback(
@@ -524,7 +528,7 @@ def in_two_containers(arena: Arena) -> None:
         is_up(arena, program)
         arena.shared_memory(program)
     if not memory(arena.timeline.of(Marked), "listener", "talker"):
-        arena.until(lambda: heard.count >= ENOUGH, timeout=15, while_running=talker)
+        arena.until(lambda: heard.count >= ENOUGH, timeout=25, while_running=talker)
 
 
 def is_up(arena: Arena, program: Process) -> bool:

@@ -379,7 +379,7 @@ def not_built(recording: Recording) -> Feedback:
             summary="The compiler does not find `tinyqp/tinyqp.hpp`.",
             where=feedback.where,
             advice="Link `tinyqp::tinyqp`: it brings the folder along. With `find_library`, name that folder "
-            "in `target_include_directories`.",
+            "in `target_include_directories`. (In your own terminal `CPATH` leads there; others have none.)",
             details=feedback.details,
         )
     return feedback

@@ -1,4 +1,8 @@
-"""Notes how late this machine lets a thread of ours go on, for those who judge milliseconds."""
+"""Notes how late this machine lets programs go on, for those who judge milliseconds.
+
+A thread of ours is soon let go on even where programs with more to do have to wait, so their own waits count,
+too. What the machine itself had to wait for, on a host that it shares, only our thread sees.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +11,7 @@ import threading
 import time
 from collections.abc import Iterator
 
+from course.arena.waiting import longest, waited_below
 from course.evidence.events import Late, Watched
 from course.evidence.lateness import LOOKS, NOTED
 from course.evidence.timeline import Timeline
@@ -26,6 +31,7 @@ def noted_lateness(timeline: Timeline) -> Iterator[None]:
             wanted = time.monotonic() + LOOKS
 
     thread = threading.Thread(target=look, name="lateness", daemon=True)
+    before = waited_below()
     timeline.add(Watched(timeline.now(), True))
     thread.start()
     try:
@@ -33,4 +39,4 @@ def noted_lateness(timeline: Timeline) -> Iterator[None]:
     finally:
         over.set()
         thread.join()
-        timeline.add(Watched(timeline.now(), False))
+        timeline.add(Watched(timeline.now(), False, longest(before, waited_below())))

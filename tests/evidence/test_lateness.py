@@ -33,3 +33,11 @@ def test_only_then() -> None:
     events = [BEGIN, *notes(100, 0.02), END]
     assert not is_overloaded(events, 5.1, 9.0)
     assert is_overloaded(events, 2.0, 2.5)
+
+
+@pytest.mark.parametrize(("waited", "overloaded"), [(0.19, False), (0.21, True)])  # of four seconds
+def test_a_program_that_had_to_wait(waited: float, overloaded: bool) -> None:
+    events = [BEGIN, Watched(5.0, False, waited), Watched(6.0, True), Watched(8.0, False)]
+    assert is_overloaded(events, 1.5, 4.5) is overloaded
+    assert is_overloaded(events, 4.0, 7.0) is overloaded
+    assert not is_overloaded(events, 5.5, 9.0)

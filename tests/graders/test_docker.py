@@ -27,7 +27,7 @@ GRADERS = load_module(ROOT / "graders/ch32_docker.py")
 PROFILE = ROOT / "solutions/32-docker" / GRADERS.PROFILE
 
 
-def recorded(file: str, text: str, *events: Marked) -> Recording:
+def recorded(file: str, text: str, *events: Marked | OutputLine) -> Recording:
     entries = (HomeEntry(file, "file", 0o644, len(text)),)
     return Recording("x", events, sources=Sources({file: text}), looked_at=entries)
 
@@ -104,6 +104,14 @@ def test_how_long_is_a_time(text: str, lasts: bool) -> None:
 )
 def test_the_domain_is_read_as_docker_and_ros_do(text: str, number: int | None) -> None:
     assert GRADERS.number_of(GRADERS.chosen(text)) == number
+
+
+def test_a_witness_that_hears_nothing_is_never_blamed_on_a_right_domain() -> None:
+    heard = OutputLine(1.0, "listener", "listener heard hello 1")
+    with pytest.raises(OurFault):
+        GRADERS.meet(recorded(GRADERS.DOMAIN_ENV, "ROS_DOMAIN_ID=1\n", heard))
+    with pytest.raises(Failure):
+        GRADERS.meet(recorded(GRADERS.DOMAIN_ENV, "ROS_DOMAIN_ID=10\n", heard))
 
 
 def test_without_shared_memory_in_the_control_nothing_is_proven() -> None:

@@ -28,8 +28,12 @@ _DEAF = (
     "`signal.signal(...)` that ignores Ctrl+C, keeps the program running."
 )
 # rclpy looks whether it is still to spin, and then makes what it waits with. A SIGINT in between shuts it
-# down, and what it raises then is none of the exceptions that a program is to expect.
-_SHUT_DOWN_IN_BETWEEN = re.compile(r"RCLError: failed to initialize wait set: the given context is not valid")
+# down, and what it raises then is none of the exceptions that a program is to expect. The same goes for a
+# SIGINT while rclpy turns what it took into a message of Python.
+_SHUT_DOWN_IN_BETWEEN = re.compile(
+    r"RCLError: failed to initialize wait set: the given context is not valid"
+    r"|RuntimeError: Unable to convert call argument"
+)
 
 
 class Python(Language):

@@ -11,7 +11,7 @@ class Counter
 public:
   explicit Counter(rclcpp::Node & node)
   : logger_(node.get_logger()),
-    timer_(node.create_wall_timer(std::chrono::milliseconds(500), [this]() {count();}))
+    timer_(node.create_timer(std::chrono::milliseconds(500), [this]() {count();}))
   {
   }
 
