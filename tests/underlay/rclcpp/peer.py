@@ -37,11 +37,13 @@ def serve(node: Node) -> None:
     node.create_service(SetBool, "switch", answer)
 
 
-def call(node: Node) -> None:
-    client = node.create_client(SetBool, "switch")
-    client.wait_for_service()
-    future = client.call_async(SetBool.Request(data=True))
-    future.add_done_callback(lambda done: say(f"{done.result().success} {done.result().message}"))
+def call(node: Node, *names: str) -> None:
+    for name in names:
+        client = node.create_client(SetBool, name)
+        client.wait_for_service()
+        future = client.call_async(SetBool.Request(data=True))
+        rclpy.spin_until_future_complete(node, future)
+        say(f"{name} {future.result().success} {future.result().message}")
 
 
 def events(node: Node) -> None:

@@ -68,16 +68,13 @@ def test_ros2_param(room: Room) -> None:
         assert param("get", "rate").text == "Double value is: 2.5\n"
         assert param("set", "rate", "3.5").text == "Set parameter successful\n"
         assert shown(node.until("rate =")) == ["rate = 3.500000"]
-        assert param("get", "rate").text == "Double value is: 3.5\n"
         assert param("set", "rate", "-1.0").text == "Setting parameter failed: a rate is positive\n"
-        odd = "Setting parameter failed: Parameter {limited} doesn't comply with integer range.\n"
-        assert param("set", "limited", "5").text == odd
-        fixed = "Setting parameter failed: parameter 'fixed' cannot be set because it is read-only\n"
-        assert param("set", "fixed", "false").text == fixed
         described = param("describe", "limited").text
         assert "Description: from nought to ten" in described
         assert "Max value: 10" in described
-        assert "    numbers:\n    - 1.0\n    - 2.0\n" in param("dump").text
+        dumped = param("dump").text
+        assert "    numbers:\n    - 1.0\n    - 2.0\n" in dumped
+        assert "    rate: 3.5\n" in dumped
 
 
 def test_changes_are_told(room: Room) -> None:

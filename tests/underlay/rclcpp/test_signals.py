@@ -46,6 +46,21 @@ def test_it_calls_what_is_to_be_called_on_shutdown(room: Room) -> None:
     assert "left\n" in ended.text
 
 
+def test_what_fails_while_it_shuts_down_is_said(room: Room) -> None:
+    with room.program("signals", "failing") as program:
+        program.until("ready")
+        ended = program.end()
+    assert ended.code == 0
+    assert "[rclcpp]: while shutting down: on purpose\n" in ended.text
+    assert "left\n" in ended.text  # meanwhile: it is another thread
+
+
+def test_a_callback_of_a_shutdown_may_ask_for_a_shutdown(room: Room) -> None:
+    ended = room.run("signals", "nested")
+    assert ended.code == 0
+    assert ended.text.endswith("left\n")
+
+
 def test_a_program_may_end_without_a_shutdown(room: Room) -> None:
     ended = room.run("signals", "throw")
     assert (ended.code, ended.text) == (5, "from a callback\n")

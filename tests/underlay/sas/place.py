@@ -37,6 +37,12 @@ def watched(command: Sequence[str], *steps: Sequence[Any]) -> dict[str, Any]:
     return dict(json.loads(_run([_python(), str(HERE / "witness.py")], environment(), json.dumps(job))))
 
 
+def ended(command: Sequence[str]) -> dict[str, Any]:
+    """What a driver says that ends by itself, with nobody to hear it."""
+    done = _done(command, environment())
+    return {"stdout": done.stdout, "stderr": done.stderr, "code": done.returncode}
+
+
 def beside(command: Sequence[str], *others: str) -> str:
     """What a program prints that is run while the driver runs."""
     return _run([_python(), str(HERE / "beside.py"), json.dumps(list(command)), *others], environment())
@@ -48,13 +54,19 @@ def alone(*command: str) -> str:
 
 
 def _run(command: Sequence[str], variables: Mapping[str, str], text: str = "") -> str:
+    done = _done(command, variables, text)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def _done(
+    command: Sequence[str], variables: Mapping[str, str], text: str = ""
+) -> subprocess.CompletedProcess[str]:
     with enclosure() as around:
-        done = subprocess.run(
+        return subprocess.run(
             [*around.prefix, *command], env={**variables, **around.environment}, input=text,
             capture_output=True, text=True, timeout=_TIMEOUT, check=False,
         )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def python(name: str) -> tuple[str, str]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.underlay.sas.place import driver, watched
+from tests.underlay.sas.place import driver, ended, watched
 
 pytestmark = pytest.mark.slow
 
@@ -45,7 +45,7 @@ def well() -> dict[str, Any]:
     one, other = [0.1 * joint for joint in range(6)], [-1.5] * 6
     return watched(
         driver(),
-        ["hear", 1000], ["graph"], ["command", POSITIONS, one], ["command", POSITIONS, other], ["interrupt"],
+        ["hear", 250], ["graph"], ["command", POSITIONS, one], ["command", POSITIONS, other], ["interrupt"],
     )  # fmt: skip
 
 
@@ -108,7 +108,7 @@ def test_homing_is_heard_and_not_passed_on() -> None:
     ],
 )
 def test_whatever_throws_it_is_left_in_order(fails: str, called: list[str], said: str) -> None:
-    report = watched(driver(fail_in=fails))
+    report = ended(driver(fail_in=fails))
     assert calls(report) == called
     assert [line.partition("::Robot driver: ")[2] for line in errors(report)] == [said]
     assert report["stdout"].splitlines()[-1] == "returned 1"
@@ -131,6 +131,6 @@ def test_it_is_disconnected_though_deinitialize_throws() -> None:
 def test_what_is_missing_or_wrong_is_named_before_anything_moves(
     parameters: dict[str, Any], said: str
 ) -> None:
-    report = watched(driver(**parameters))
+    report = ended(driver(**parameters))
     assert calls(report) == []
     assert said in errors(report)[0]

@@ -1,11 +1,15 @@
-// Publishes, hears, serves, calls, sets parameters and times, in several threads, until it is interrupted.
-// In between nodes come and go.
+// busy [leak | race | undefined]: publishes, hears, serves, calls, sets parameters and times, in several
+// threads, until it is interrupted; in between nodes come and go. With a word it does something wrong instead.
+
+#include <dlfcn.h>
 
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "rclcpp/rclcpp.hpp"
 #include "std_msgs/msg/string.hpp"
@@ -34,9 +38,9 @@ public:
         response->message = "gone";
       }, rclcpp::ServicesQoS(), group_);
     client_ = create_client<Trigger>("go", rclcpp::ServicesQoS(), group_);
-    fast_ = create_wall_timer(1ms, [this]() {publish();}, group_);
+    fast_ = create_wall_timer(2ms, [this]() {publish();}, group_);
     slow_ = create_timer(10ms, [this]() {call();});
-    passing_ = create_wall_timer(100ms, [this]() {let_one_pass();}, group_);
+    passing_ = create_wall_timer(200ms, [this]() {let_one_pass();}, group_);
   }
 
   void report() const
@@ -58,24 +62,31 @@ private:
   void call()
   {
     set_parameter({"count", ++calls_});
-    if (client_->service_is_ready()) {
-      client_->async_send_request(
-        std::make_shared<Trigger::Request>(),
-        [this](rclcpp::Client<Trigger>::SharedFuture future) {
-          answers_ += static_cast<int>(future.get()->message.size());
-        });
+    if (!client_->service_is_ready()) {
+      return;
+    }
+    const auto sent = client_->async_send_request(
+      std::make_shared<Trigger::Request>(),
+      [this](rclcpp::Client<Trigger>::SharedFuture future) {
+        answers_ += static_cast<int>(future.get()->message.size());
+      });
+    if (calls_ % 10 == 0) {
+      client_->remove_pending_request(sent);
     }
   }
 
   void let_one_pass()
   {
     try {
-      // Several may be here at the same time: names are not shared.
-      auto node = std::make_shared<rclcpp::Node>("passing_" + std::to_string(++names_));
+      // Several may be here at the same time, two of each name.
+      const std::string name = "passing_" + std::to_string(++names_);
+      auto node = std::make_shared<rclcpp::Node>(name);
+      auto other = std::make_shared<rclcpp::Node>(name);
       auto publisher = node->create_publisher<String>("chatter", 1);
       publisher->publish(String());
       rclcpp::spin_some(node);
-      RCLCPP_DEBUG(node->get_logger().get_child("child"), "gone again");
+      const auto fleeting = create_wall_timer(1ms, []() {}, group_);  // while others collect what is in it
+      RCLCPP_DEBUG(other->get_logger().get_child("child"), "gone again");
       ++passed_;
     } catch (const rclcpp::exceptions::RCLError &) {
       if (rclcpp::ok()) {
@@ -96,14 +107,66 @@ private:
   rclcpp::TimerBase::SharedPtr fast_, slow_, passing_;
 };
 
-int main(int argc, char * argv[])
+/// Where the rclcpp lies that this program uses.
+const char * place_of_rclcpp()
 {
-  rclcpp::init(argc, argv);
+  Dl_info found{};
+  bool (* const function)(rclcpp::Context::SharedPtr) = &rclcpp::ok;
+  return dladdr(reinterpret_cast<const void *>(function), &found) != 0 ? found.dli_fname : "nowhere";
+}
+
+void leak()
+{
+  rclcpp::Node node("leaky");
+  auto publisher = node.create_publisher<String>("chatter", 1);
+  for (int i = 0; i < 10; ++i) {
+    publisher->publish(*std::make_unique<String>().release());
+  }
+}
+
+void race()
+{
+  int number = 0;
+  const auto count = [&number]() {
+      for (int i = 0; i < 1000; ++i) {
+        ++number;
+      }
+    };
+  std::thread one(count), other(count);
+  one.join();
+  other.join();
+  std::printf("%d\n", number);
+}
+
+void overflow(int number)
+{
+  std::printf("%d\n", std::numeric_limits<int>::max() - 1 + number);
+}
+
+void be_busy()
+{
   auto node = std::make_shared<Busy>();
   rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 4);
   executor.add_node(node);
   executor.spin();
   node->report();
+}
+
+int main(int argc, char * argv[])
+{
+  const std::string wrong = argc > 1 ? argv[1] : "";
+  rclcpp::init(argc, argv);
+  std::printf("rclcpp: %s\n", place_of_rclcpp());
+  std::fflush(stdout);
+  if (wrong == "leak") {
+    leak();
+  } else if (wrong == "race") {
+    race();
+  } else if (wrong == "undefined") {
+    overflow(argc);
+  } else {
+    be_busy();
+  }
   rclcpp::shutdown();
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -62,10 +63,19 @@ bool remove(std::vector<Callback> & callbacks, const OnShutdownCallbackHandle & 
   return true;
 }
 
+/// Calls all of them; the first exception of any comes when the last was called.
 void call(const std::vector<Callback> & callbacks)
 {
+  std::exception_ptr failure;
   for (const auto & callback : callbacks) {
-    (*callback)();
+    try {
+      (*callback)();
+    } catch (...) {
+      failure = failure ? failure : std::current_exception();
+    }
+  }
+  if (failure) {
+    std::rethrow_exception(failure);
   }
 }
 
@@ -76,11 +86,14 @@ struct Context::Impl
   // Asked in every turn of a loop, also by those whom a shutdown wakes: no lock.
   std::atomic<bool> valid{false};
 
-  // Held for init and shutdown as a whole.
-  mutable std::recursive_mutex mutex;
+  // Held for init and shutdown as a whole, callbacks of the user's included.
+  std::recursive_mutex mutex;
   std::optional<detail::Logging> logging;
-  std::shared_ptr<rcl_context_t> rcl_context;
   InitOptions options;
+
+  // Never held for long: those whom a callback waits for may ask for these.
+  mutable std::mutex facts_mutex;
+  std::shared_ptr<rcl_context_t> rcl_context;
   std::string reason;
 
   std::mutex callbacks_mutex;
@@ -89,6 +102,19 @@ struct Context::Impl
   std::mutex sleep_mutex;
   std::condition_variable awake;
   std::size_t interruptions = 0;
+
+  std::shared_ptr<rcl_context_t> handle() const
+  {
+    const std::lock_guard lock(facts_mutex);
+    return rcl_context;
+  }
+
+  void note(std::shared_ptr<rcl_context_t> fresh, const std::string & why)
+  {
+    const std::lock_guard lock(facts_mutex);
+    rcl_context.swap(fresh);  // the one before may go when the mutex is free again
+    reason = why;
+  }
 
   OnShutdownCallbackHandle add(std::vector<Callback> & callbacks, OnShutdownCallback callback)
   {
@@ -128,21 +154,29 @@ void Context::init(int argc, char const * const * argv, const InitOptions & init
   auto fresh = std::make_unique<rcl_context_t>(rcl_get_zero_initialized_context());
   const rcl_ret_t ret = rcl_init(argc, argv, init_options.get_rcl_init_options(), fresh.get());
   detail::check(ret, "failed to initialize rcl");
-  impl_->rcl_context = {fresh.release(), finish_context};
-  impl_->valid = true;
+  const std::shared_ptr<rcl_context_t> begun(fresh.release(), finish_context);
+  impl_->note(begun, "");
   impl_->options = init_options;
-  impl_->reason.clear();
-  const rcl_arguments_t & arguments = impl_->rcl_context->global_arguments;
-  if (init_options.auto_initialize_logging()) {
-    impl_->logging.emplace(arguments);
-  }
-  auto unknown = detail::unknown_ros_arguments(arguments, {argv, argv + argc});
-  if (!unknown.empty()) {
-    shutdown("unknown ROS arguments");
-    throw exceptions::UnknownROSArgsError(std::move(unknown));
+  impl_->valid = true;
+  try {
+    configure(begun->global_arguments, {argv, argv + argc});
+  } catch (...) {
+    shutdown("it could not be configured");
+    throw;
   }
   if (const auto self = weak_from_this().lock()) {
     remember(self);
+  }
+}
+
+void Context::configure(const rcl_arguments_t & arguments, const std::vector<const char *> & words)
+{
+  if (impl_->options.auto_initialize_logging()) {
+    impl_->logging.emplace(arguments);
+  }
+  auto unknown = detail::unknown_ros_arguments(arguments, words);
+  if (!unknown.empty()) {
+    throw exceptions::UnknownROSArgsError(std::move(unknown));
   }
 }
 
@@ -158,17 +192,15 @@ const InitOptions & Context::get_init_options() const
 
 std::size_t Context::get_domain_id() const
 {
-  const std::lock_guard lock(impl_->mutex);
   std::size_t domain_id = 0;
   detail::check(
-    rcl_context_get_domain_id(impl_->rcl_context.get(), &domain_id),
-    "failed to get domain id from context");
+    rcl_context_get_domain_id(impl_->handle().get(), &domain_id), "failed to get domain id from context");
   return domain_id;
 }
 
 std::string Context::shutdown_reason() const
 {
-  const std::lock_guard lock(impl_->mutex);
+  const std::lock_guard lock(impl_->facts_mutex);
   return impl_->reason;
 }
 
@@ -180,10 +212,11 @@ bool Context::shutdown(const std::string & reason)
   }
   call(impl_->copy(impl_->pre_shutdown));
   impl_->valid = false;  // whoever fails from now on can see why
-  detail::check(rcl_shutdown(impl_->rcl_context.get()), "failed to shutdown rcl context");
-  impl_->reason = reason;
-  call(impl_->copy(impl_->on_shutdown));
+  const auto handle = impl_->handle();
+  impl_->note(handle, reason);
+  detail::check(rcl_shutdown(handle.get()), "failed to shutdown rcl context");
   interrupt_all_sleep();
+  call(impl_->copy(impl_->on_shutdown));
   impl_->logging.reset();
   return true;
 }
@@ -237,8 +270,7 @@ void Context::interrupt_all_sleep()
 
 std::shared_ptr<rcl_context_t> Context::get_rcl_context()
 {
-  const std::lock_guard lock(impl_->mutex);
-  return impl_->rcl_context;
+  return impl_->handle();
 }
 
 std::vector<Context::SharedPtr> get_contexts()

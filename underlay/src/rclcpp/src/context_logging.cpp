@@ -6,6 +6,7 @@
 #include "rcl/logging.h"
 #include "rcl/logging_rosout.h"
 #include "rclcpp/detail/check.hpp"
+#include "rosout.hpp"
 
 namespace rclcpp::detail
 {
@@ -21,7 +22,8 @@ struct Shared
 
 Shared & shared()
 {
-  static Shared instance;
+  // Never destroyed: a node or a logger may be among the last things that a program lets go.
+  static Shared & instance = *std::make_unique<Shared>().release();
   return instance;
 }
 
@@ -58,7 +60,11 @@ Logging::~Logging()
 {
   const auto mutex = logging_mutex();
   const std::lock_guard lock(*mutex);
-  if (--shared().users == 0 && rcl_logging_fini() != RCL_RET_OK) {
+  if (--shared().users > 0) {
+    return;
+  }
+  forget_rosout();
+  if (rcl_logging_fini() != RCL_RET_OK) {
     rcl_reset_error();
   }
 }

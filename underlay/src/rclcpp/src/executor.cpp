@@ -200,9 +200,8 @@ void Executor::spin_once(nanoseconds timeout)
 
 void Executor::spin_node_once(node_interfaces::NodeBaseInterface::SharedPtr node, nanoseconds timeout)
 {
-  add_node(node, false);
+  const detail::Visit visit(*this, std::move(node));
   spin_once(timeout);
-  remove_node(node, false);
 }
 
 void Executor::spin_some(nanoseconds max_duration)
@@ -220,17 +219,15 @@ void Executor::spin_all(nanoseconds max_duration)
 
 void Executor::spin_node_some(node_interfaces::NodeBaseInterface::SharedPtr node)
 {
-  add_node(node, false);
+  const detail::Visit visit(*this, std::move(node));
   spin_some();
-  remove_node(node, false);
 }
 
 void Executor::spin_node_all(
   node_interfaces::NodeBaseInterface::SharedPtr node, nanoseconds max_duration)
 {
-  add_node(node, false);
+  const detail::Visit visit(*this, std::move(node));
   spin_all(max_duration);
-  remove_node(node, false);
 }
 
 FutureReturnCode Executor::spin_until(
@@ -253,6 +250,21 @@ FutureReturnCode Executor::spin_until(
     }
   }
   return FutureReturnCode::INTERRUPTED;
+}
+
+detail::Visit::Visit(Executor & executor, node_interfaces::NodeBaseInterface::SharedPtr node)
+: executor_(executor), node_(std::move(node))
+{
+  executor_.add_node(node_, false);
+}
+
+detail::Visit::~Visit()
+{
+  try {
+    executor_.remove_node(node_, false);
+  } catch (const std::runtime_error &) {
+    // A callback has taken it out already.
+  }
 }
 
 }  // namespace rclcpp

@@ -38,6 +38,8 @@ void Executor::wait(std::chrono::nanoseconds timeout)
 {
   auto & [set, found, entities, groups] = *waiting_;
   found.clear();
+  entities.clear();  // as the last wait has done, unless it failed
+  groups.clear();
   for (const auto & known : get_all_callback_groups()) {
     const auto group = known.lock();
     if (group && group->can_be_taken_from()) {

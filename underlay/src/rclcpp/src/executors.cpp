@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <mutex>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -51,17 +52,26 @@ executors::MultiThreadedExecutor::MultiThreadedExecutor(
 void executors::MultiThreadedExecutor::spin()
 {
   const Spinning spinning(*this, "spin");
-  std::vector<std::thread> others;
-  for (std::size_t i = 1; i < number_of_threads_; ++i) {
-    others.emplace_back(&MultiThreadedExecutor::run, this);
-  }
+  std::mutex mutex;
   std::exception_ptr failure;
-  try {
-    run();
-  } catch (...) {
-    failure = std::current_exception();
-    cancel();  // the others must end before it can be passed on
-  }
+  const auto attempt = [&](const auto & action) {
+      try {
+        action();
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        failure = failure ? failure : std::current_exception();
+        cancel();  // all the threads must end before it can be passed on
+      }
+    };
+  const auto work = [&]() {attempt([this]() {run();});};
+  std::vector<std::thread> others;
+  attempt(
+    [&]() {
+      while (others.size() + 1 < number_of_threads_) {
+        others.emplace_back(work);
+      }
+    });
+  work();
   for (auto & other : others) {
     other.join();
   }

@@ -12,7 +12,7 @@ GuardCondition::GuardCondition(const Context::SharedPtr & context)
   guard_condition_(rcl_get_zero_initialized_guard_condition())
 {
   if (!context_) {
-    throw std::invalid_argument("context argument unexpectedly nullptr, or not initialized");
+    throw std::invalid_argument("context is null, or rclcpp::init() has not been called for it");
   }
   detail::check(
     rcl_guard_condition_init(

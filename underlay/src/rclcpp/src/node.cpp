@@ -122,7 +122,11 @@ Node::~Node() = default;
 
 Node::SharedPtr Node::create_sub_node(const std::string & sub_namespace)
 {
-  return Node::SharedPtr(new Node(*this, sub_namespace));
+  struct Below : Node
+  {
+    Below(const Node & other, const std::string & sub_namespace) : Node(other, sub_namespace) {}
+  };
+  return std::make_shared<Below>(*this, sub_namespace);
 }
 
 const char * Node::get_name() const

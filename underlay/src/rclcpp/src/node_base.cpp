@@ -10,6 +10,7 @@
 #include "rclcpp/node_options.hpp"
 #include "rmw/validate_namespace.h"
 #include "rmw/validate_node_name.h"
+#include "rosout.hpp"
 
 namespace rclcpp::node_interfaces
 {
@@ -21,11 +22,7 @@ void finish_node(rcl_node_t * node)
 {
   const auto mutex = detail::logging_mutex();
   const std::lock_guard lock(*mutex);  // its /rosout is taken from all who log
-  if (rcl_logging_rosout_enabled() && rcl_node_get_options(node)->enable_rosout &&
-    rcl_logging_rosout_fini_publisher_for_node(node) != RCL_RET_OK)
-  {
-    rcl_reset_error();
-  }
+  detail::end_rosout(*node);
   if (rcl_node_fini(node) != RCL_RET_OK) {
     rcl_reset_error();
   }
@@ -68,7 +65,7 @@ std::shared_ptr<rcl_node_t> make_node(
   // The context outlives its nodes.
   std::shared_ptr<rcl_node_t> made(node.release(), [context](rcl_node_t * gone) {finish_node(gone);});
   if (rcl_logging_rosout_enabled() && options.enable_rosout()) {
-    detail::check(rcl_logging_rosout_init_publisher_for_node(made.get()), "failed to make /rosout");
+    detail::begin_rosout(*made);
   }
   return made;
 }

@@ -44,7 +44,9 @@ public:
     std::vector<std::shared_ptr<HandleT>> found;
     handles_.remove_if([](const auto & known) {return known.expired();});
     for (const auto & known : handles_) {
-      found.push_back(known.lock());
+      if (auto handle = known.lock()) {  // whoever holds it may let it go at any moment
+        found.push_back(std::move(handle));
+      }
     }
     return found;
   }

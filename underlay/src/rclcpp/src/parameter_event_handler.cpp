@@ -15,7 +15,9 @@ std::vector<std::shared_ptr<Handle>> still_there(std::list<std::weak_ptr<Handle>
   handles.remove_if([](const auto & known) {return known.expired();});
   std::vector<std::shared_ptr<Handle>> found;
   for (const auto & known : handles) {
-    found.push_back(known.lock());
+    if (auto handle = known.lock()) {  // whoever holds it may let it go at any moment
+      found.push_back(std::move(handle));
+    }
   }
   return found;
 }

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <exception>
 #include <system_error>
 
 #include "rclcpp/logging.hpp"
@@ -53,6 +54,16 @@ void call(const struct sigaction & earlier, int signal_number, siginfo_t * info,
   }
 }
 
+void shut_down(Context & context)
+{
+  try {
+    context.shutdown("signal handler");
+  } catch (const std::exception & error) {
+    // Of a callback of the user's, and here is nobody who could catch it.
+    RCLCPP_ERROR(get_logger("rclcpp"), "while shutting down: %s", error.what());
+  }
+}
+
 }  // namespace
 
 SignalHandler & SignalHandler::instance()
@@ -81,14 +92,13 @@ SignalHandler::~SignalHandler()
 bool SignalHandler::install(SignalHandlerOptions options)
 {
   const std::lock_guard lock(mutex_);
-  if (installed_ || options == SignalHandlerOptions::None) {
+  if (is_installed() || options == SignalHandlerOptions::None) {
     return false;
   }
   mailbox().stopped = false;
   mailbox().signal_number = 0;
   thread_ = std::thread(&SignalHandler::wait_for_signals, this);
   options_ = options;
-  installed_ = true;
   struct sigaction action = {};
   action.sa_sigaction = &SignalHandler::handle;
   action.sa_flags = SA_SIGINFO;
@@ -108,7 +118,7 @@ bool SignalHandler::uninstall()
     return false;  // a callback of its shutdown asks; whoever waits for this thread holds the lock
   }
   const std::lock_guard lock(mutex_);
-  if (!installed_) {
+  if (!is_installed()) {
     return false;
   }
   if (covers(options_, SIGINT)) {
@@ -117,7 +127,6 @@ bool SignalHandler::uninstall()
   if (covers(options_, SIGTERM)) {
     change(SIGTERM, mailbox().earlier_term, nullptr);
   }
-  installed_ = false;
   options_ = SignalHandlerOptions::None;
   mailbox().stopped = true;
   sem_post(&mailbox().filled);
@@ -127,13 +136,11 @@ bool SignalHandler::uninstall()
 
 bool SignalHandler::is_installed()
 {
-  const std::lock_guard lock(mutex_);
-  return installed_;
+  return options_ != SignalHandlerOptions::None;
 }
 
 SignalHandlerOptions SignalHandler::options()
 {
-  const std::lock_guard lock(mutex_);
   return options_;
 }
 
@@ -162,7 +169,7 @@ void SignalHandler::wait_for_signals()
     RCLCPP_INFO(get_logger("rclcpp"), "signal_handler(signum=%d)", signal_number);
     for (const auto & known : get_contexts()) {
       if (known->get_init_options().shutdown_on_signal) {
-        known->shutdown("signal handler");
+        shut_down(*known);
       }
     }
   }

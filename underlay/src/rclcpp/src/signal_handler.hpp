@@ -2,6 +2,7 @@
 
 #include <semaphore.h>
 
+#include <atomic>
 #include <csignal>
 #include <mutex>
 #include <thread>
@@ -32,9 +33,10 @@ private:
   static void handle(int signal_number, siginfo_t * info, void * context);
   void wait_for_signals();
 
+  // Held until the thread has ended, so that the thread itself must not ask for it.
   std::mutex mutex_;
-  bool installed_ = false;
-  SignalHandlerOptions options_ = SignalHandlerOptions::None;
+  // None while it is not installed.
+  std::atomic<SignalHandlerOptions> options_{SignalHandlerOptions::None};
   std::thread thread_;
 };
 

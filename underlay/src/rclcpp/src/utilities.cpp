@@ -16,6 +16,19 @@ Context::SharedPtr or_default(Context::SharedPtr context)
   return context ? std::move(context) : contexts::get_global_default_context();
 }
 
+// A callback of a shutdown may ask for a shutdown, too. Only the outermost call takes the handlers away: that
+// waits for their thread, which in turn may wait for the callback.
+thread_local bool is_shutting_down = false;
+
+class Outermost
+{
+public:
+  Outermost() {is_shutting_down = true;}
+  Outermost(const Outermost &) = delete;
+  Outermost & operator=(const Outermost &) = delete;
+  ~Outermost() {is_shutting_down = false;}
+};
+
 /// Ends the default context before what it uses goes: the static objects of the libraries it has loaded.
 struct EndsWithProgram
 {
@@ -70,8 +83,15 @@ bool ok(Context::SharedPtr context)
 
 bool shutdown(Context::SharedPtr context, const std::string & reason)
 {
+  if (is_shutting_down) {
+    return or_default(std::move(context))->shutdown(reason);
+  }
   const bool is_default = !context || context == contexts::get_global_default_context();
-  const bool was_running = or_default(std::move(context))->shutdown(reason);
+  bool was_running = false;
+  {
+    const Outermost outermost;
+    was_running = or_default(std::move(context))->shutdown(reason);
+  }
   if (is_default) {
     uninstall_signal_handlers();
   }

@@ -20,15 +20,18 @@ double in_seconds(Steady::duration duration)
   return std::chrono::duration<double>(duration).count();
 }
 
+/// Nothing for what is not positive, or no number.
 Steady::duration from_seconds(double seconds)
 {
-  return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(seconds));
+  constexpr double longest = 1e9;  // thirty years; much more is no duration any more
+  const std::chrono::duration<double> bounded(seconds > 0.0 ? std::min(seconds, longest) : 0.0);
+  return std::chrono::duration_cast<Steady::duration>(bounded);
 }
 
 Steady::duration valid_sampling_time(double seconds)
 {
-  const auto duration = seconds > 0.0 ? from_seconds(seconds) : Steady::duration::zero();
-  if (duration <= Steady::duration::zero()) {
+  const auto duration = from_seconds(seconds);
+  if (duration == Steady::duration::zero()) {
     throw std::invalid_argument(
       "sas::Clock: the sampling time must be positive, in seconds; it is " + std::to_string(seconds) + ".");
   }
@@ -89,7 +92,7 @@ void Clock::update_and_sleep()
 
 void Clock::safe_sleep_seconds(const double & seconds, std::atomic_bool * break_loops)
 {
-  const auto end = Steady::now() + from_seconds(std::max(seconds, 0.0));
+  const auto end = Steady::now() + from_seconds(seconds);
   for (auto now = Steady::now(); now < end; now = Steady::now()) {
     if (break_loops != nullptr && *break_loops) {
       return;

@@ -286,11 +286,88 @@ void changes_of_parameters_are_handled()
 void the_first_exception_ends_all_threads()
 {
   auto node = std::make_shared<rclcpp::Node>("node");
-  auto timer = node->create_wall_timer(1ms, []() {throw std::runtime_error("from a callback");});
-  MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 1);
+  const auto group = node->create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+  Meeting meeting;
+  MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 3);
+  std::vector<rclcpp::TimerBase::SharedPtr> timers(2);
+  for (auto & timer : timers) {
+    timer = node->create_wall_timer(
+      1ms, [&]() {
+        timer->cancel();
+        meeting.met();  // in two threads, so one of them is not the one that spins
+        throw std::runtime_error("from a callback");
+      }, group);
+  }
   executor.add_node(node);
   EXPECT(THROWN(std::runtime_error, executor.spin()) == "from a callback");
   EXPECT(!executor.is_spinning());
+  auto end = node->create_wall_timer(1ms, [&]() {executor.cancel();}, group);
+  executor.spin();
+}
+
+void an_exception_leaves_the_node_free()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  auto timer = node->create_wall_timer(0ms, []() {throw std::runtime_error("from a callback");});
+  const auto base = node->get_node_base_interface();
+  SingleThreadedExecutor executor;
+  EXPECT(!THROWN(std::runtime_error, executor.spin_node_once(base)).empty());
+  EXPECT(!THROWN(std::runtime_error, executor.spin_node_some(base)).empty());
+  std::promise<void> promise;
+  const auto future = promise.get_future();
+  EXPECT(
+    THROWN(
+      std::runtime_error,
+      rclcpp::executors::spin_node_until_future_complete(executor, node, future)) == "from a callback");
+  executor.add_node(node);
+}
+
+void a_node_may_go_while_it_is_spun()
+{
+  auto goes = std::make_shared<rclcpp::Node>("goes");
+  auto stays = std::make_shared<rclcpp::Node>("stays");
+  std::promise<void> called;
+  MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 2);
+  executor.add_node(goes);
+  executor.add_node(stays);
+  std::thread spinning([&]() {executor.spin();});
+  rclcpp::TimerBase::SharedPtr first;
+  first = goes->create_wall_timer(1ms, [&]() {called.set_value(); first->cancel();});
+  called.get_future().wait();
+  std::weak_ptr<rclcpp::Node> gone = goes;
+  goes.reset();
+  EXPECT(gone.expired());
+  std::promise<void> again;
+  rclcpp::TimerBase::SharedPtr second;
+  second = stays->create_wall_timer(1ms, [&]() {again.set_value(); second->cancel();});
+  const bool heard = again.get_future().wait_for(10s) == std::future_status::ready;
+  executor.cancel();
+  spinning.join();
+  EXPECT(heard);
+}
+
+void requests_are_forgotten()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  int asked = 0;
+  auto service = node->create_service<Trigger>(
+    "go", [&](const Trigger::Request::SharedPtr, Trigger::Response::SharedPtr) {++asked;});
+  auto client = node->create_client<Trigger>("go");
+  EXPECT(client->wait_for_service(10s));
+  const auto request = std::make_shared<Trigger::Request>();
+  auto forgotten = client->async_send_request(request);
+  EXPECT(client->remove_pending_request(forgotten) && !client->remove_pending_request(forgotten));
+  EXPECT(!THROWN(std::future_error, forgotten.get()).empty());
+  bool told = false;
+  const auto silent = client->async_send_request(request, [&](auto) {told = true;});
+  EXPECT(client->remove_pending_request(silent.request_id));
+  auto kept = client->async_send_request(request);
+  EXPECT(rclcpp::spin_until_future_complete(node, kept, 10s) == rclcpp::FutureReturnCode::SUCCESS);
+  EXPECT(asked == 3 && !told);
+  client->async_send_request(request);
+  std::vector<std::int64_t> old;
+  EXPECT(client->prune_requests_older_than(std::chrono::system_clock::now() + 1h, &old) == 1);
+  EXPECT(old.size() == 1 && client->prune_pending_requests() == 0);
 }
 
 int main(int argc, char * argv[])
@@ -310,6 +387,9 @@ int main(int argc, char * argv[])
     {"futures_end_or_time_out", futures_end_or_time_out},
     {"changes_of_parameters_are_handled", changes_of_parameters_are_handled},
     {"the_first_exception_ends_all_threads", the_first_exception_ends_all_threads},
+    {"an_exception_leaves_the_node_free", an_exception_leaves_the_node_free},
+    {"a_node_may_go_while_it_is_spun", a_node_may_go_while_it_is_spun},
+    {"requests_are_forgotten", requests_are_forgotten},
   };
   const int code = run_case(cases, argv[1]);
   rclcpp::shutdown();

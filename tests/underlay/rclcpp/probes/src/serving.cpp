@@ -1,4 +1,4 @@
-// serving plain|header|later: a service | call WAY: a client of `switch`, std_srvs/SetBool.
+// serving serve: services of all forms | call: a client of `switch` in all ways | nobody: one in vain.
 
 #include <chrono>
 #include <functional>
@@ -22,26 +22,21 @@ void answer(const Request request, Response response)
 class Server : public rclcpp::Node
 {
 public:
-  explicit Server(const std::string & form)
+  Server()
   : Node("server")
   {
     using std::placeholders::_1;
     using std::placeholders::_2;
-    if (form == "plain") {
-      service_ = create_service<SetBool>("switch", &answer);
-    } else if (form == "bound") {
-      service_ = create_service<SetBool>("switch", std::bind(&Server::answer_bound, this, _1, _2));
-    } else if (form == "header") {
-      service_ = create_service<SetBool>(
-        "switch", [](std::shared_ptr<rmw_request_id_t>, Request request, Response response) {
-          answer(request, response);
-        });
-    } else {
-      service_ = create_service<SetBool>(
-        "switch", [this](std::shared_ptr<rmw_request_id_t> header, Request request) {
-          later(header, request);
-        });
-    }
+    plain_ = create_service<SetBool>("switch", &answer);
+    bound_ = create_service<SetBool>("bound", std::bind(&Server::answer_bound, this, _1, _2));
+    header_ = create_service<SetBool>(
+      "header", [](std::shared_ptr<rmw_request_id_t>, Request request, Response response) {
+        answer(request, response);
+      });
+    later_ = create_service<SetBool>(
+      "later", [this](std::shared_ptr<rmw_request_id_t> header, Request request) {
+        later(header, request);
+      });
   }
 
 private:
@@ -54,26 +49,30 @@ private:
         timer_->cancel();
         auto response = std::make_shared<SetBool::Response>();
         answer(request, response);
-        service_->send_response(*header, *response);
+        later_->send_response(*header, *response);
       });
   }
 
-  rclcpp::Service<SetBool>::SharedPtr service_;
+  rclcpp::Service<SetBool>::SharedPtr plain_, bound_, header_, later_;
   rclcpp::TimerBase::SharedPtr timer_;
 };
 
-int call(const std::string & way)
+void call_nobody()
+{
+  auto node = std::make_shared<rclcpp::Node>("caller");
+  auto client = node->create_client<SetBool>("switch");
+  RCLCPP_INFO(node->get_logger(), "there: %d", client->wait_for_service(20ms));
+  auto lost = client->async_send_request(std::make_shared<SetBool::Request>());
+  const auto code = rclcpp::spin_until_future_complete(node, lost, 20ms);
+  RCLCPP_INFO_STREAM(
+    node->get_logger(), "code: " << code << " pending: " << client->remove_pending_request(lost));
+}
+
+int call()
 {
   auto node = std::make_shared<rclcpp::Node>("caller");
   auto client = node->create_client<SetBool>("switch");
   const auto log = node->get_logger();
-  if (way == "nobody") {
-    RCLCPP_INFO(log, "there: %d", client->wait_for_service(20ms));
-    auto lost = client->async_send_request(std::make_shared<SetBool::Request>());
-    const auto code = rclcpp::spin_until_future_complete(node, lost, 20ms);
-    RCLCPP_INFO_STREAM(log, "code: " << code << " pending: " << client->remove_pending_request(lost));
-    return 0;
-  }
   while (!client->wait_for_service(1s)) {
     if (!rclcpp::ok()) {
       return 1;
@@ -81,29 +80,27 @@ int call(const std::string & way)
   }
   auto request = std::make_shared<SetBool::Request>();
   request->data = true;
-  if (way == "future") {
-    auto future = client->async_send_request(request);
-    if (rclcpp::spin_until_future_complete(node, future) == rclcpp::FutureReturnCode::SUCCESS) {
-      RCLCPP_INFO(log, "answer: %s", future.get()->message.c_str());
-    }
-  } else if (way == "shared") {
-    const auto future = client->async_send_request(request).future.share();
-    rclcpp::spin_until_future_complete(node, future, 10s);
-    RCLCPP_INFO(log, "answer: %s", future.get()->message.c_str());
-  } else if (way == "callback") {
-    using Future = rclcpp::Client<SetBool>::SharedFuture;
-    auto sent = client->async_send_request(
-      request, [log](Future future) {RCLCPP_INFO(log, "answer: %s", future.get()->message.c_str());});
-    rclcpp::spin_until_future_complete(node, sent.future);
-  } else {
-    using Future = rclcpp::Client<SetBool>::SharedFutureWithRequest;
-    auto sent = client->async_send_request(
-      request, [log](Future future) {
-        const auto & [asked, answered] = future.get();
-        RCLCPP_INFO(log, "answer: %s to %d", answered->message.c_str(), asked->data);
-      });
-    rclcpp::spin_until_future_complete(node, sent.future);
+  auto unique = client->async_send_request(request);
+  if (rclcpp::spin_until_future_complete(node, unique) == rclcpp::FutureReturnCode::SUCCESS) {
+    RCLCPP_INFO(log, "future: %s", unique.get()->message.c_str());
   }
+  const auto shared = client->async_send_request(request).future.share();
+  rclcpp::spin_until_future_complete(node, shared, 10s);
+  RCLCPP_INFO(log, "shared: %s", shared.get()->message.c_str());
+  const auto called_back = client->async_send_request(
+    request, [log](rclcpp::Client<SetBool>::SharedFuture future) {
+      RCLCPP_INFO(log, "callback: %s", future.get()->message.c_str());
+    });
+  rclcpp::spin_until_future_complete(node, called_back.future);
+  const auto generic = client->async_send_request(
+    request, [log](auto future) {RCLCPP_INFO(log, "generic: %s", future.get()->message.c_str());});
+  rclcpp::spin_until_future_complete(node, generic.future);
+  const auto with_request = client->async_send_request(
+    request, [log](rclcpp::Client<SetBool>::SharedFutureWithRequest future) {
+      const auto & [asked, answered] = future.get();
+      RCLCPP_INFO(log, "request: %s to %d", answered->message.c_str(), asked->data);
+    });
+  rclcpp::spin_until_future_complete(node, with_request.future);
   return 0;
 }
 
@@ -112,9 +109,11 @@ int main(int argc, char * argv[])
   const auto words = rclcpp::init_and_remove_ros_arguments(argc, argv);
   int code = 0;
   if (words.at(1) == "call") {
-    code = call(words.at(2));
+    code = call();
+  } else if (words.at(1) == "nobody") {
+    call_nobody();
   } else {
-    auto server = std::make_shared<Server>(words.at(1));
+    auto server = std::make_shared<Server>();
     RCLCPP_INFO(server->get_logger(), "ready");
     rclcpp::spin(server);
   }

@@ -1,4 +1,4 @@
-// signals spin | own | loop | sleep | callbacks | throw: what a signal ends, and how.
+// signals spin | own | loop | sleep | callbacks | failing | nested | throw: what a signal ends, and how.
 
 #include <atomic>
 #include <chrono>
@@ -64,6 +64,17 @@ int main(int argc, char * argv[])
     auto node = std::make_shared<rclcpp::Node>("callbacks");
     say("ready");
     rclcpp::spin(node);
+    say("left");
+  } else if (what == "failing") {
+    rclcpp::on_shutdown([]() {throw std::runtime_error("on purpose");});
+    auto node = std::make_shared<rclcpp::Node>("failing");
+    say("ready");
+    rclcpp::spin(node);
+    say("left");
+  } else if (what == "nested") {
+    // The thread that hears of the signal waits for the shutdown, whose callback asks for another one.
+    rclcpp::on_shutdown([]() {std::raise(SIGINT); rclcpp::shutdown();});
+    rclcpp::shutdown();
     say("left");
   } else if (what == "throw") {
     auto node = std::make_shared<rclcpp::Node>("throw");

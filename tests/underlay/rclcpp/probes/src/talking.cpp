@@ -1,10 +1,12 @@
-// talking say COUNT | hear FORM | late | quiet: one side of a topic, the other one is rclpy's.
+// talking say COUNT | hear | late | quiet: one side of a topic, the other one is rclpy's.
 
 #include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "rclcpp/rclcpp.hpp"
 #include "std_msgs/msg/string.hpp"
@@ -43,56 +45,54 @@ private:
   rclcpp::TimerBase::SharedPtr timer_;
 };
 
-/// Logs what it hears, with a callback of the form that is asked for.
+/// Logs what it hears, with callbacks of all forms.
 class Hearer : public rclcpp::Node
 {
 public:
-  explicit Hearer(const std::string & form)
+  Hearer()
   : Node("hearer")
   {
     using std::placeholders::_1;
     using std::placeholders::_2;
-    if (form == "reference") {
-      subscribe([this](const String & message) {heard(message);});
-    } else if (form == "shared") {
-      subscribe([this](String::SharedPtr message) {heard(*message);});
-    } else if (form == "shared_const") {
-      subscribe([this](const String::ConstSharedPtr message) {heard(*message);});
-    } else if (form == "const_reference_to_shared") {
-      subscribe([this](const std::shared_ptr<const String> & message) {heard(*message);});
-    } else if (form == "unique") {
-      subscribe([this](std::unique_ptr<String> message) {heard(*message);});
-    } else if (form == "info") {
-      subscribe([this](const String & message, const rclcpp::MessageInfo & info) {with(message, info);});
-    } else if (form == "unique_info") {
-      subscribe(
-        [this](String::UniquePtr message, const rclcpp::MessageInfo & info) {with(*message, info);});
-    } else if (form == "bound") {
-      subscribe(std::bind(&Hearer::heard_shared, this, _1));
-    } else if (form == "bound_reference") {
-      subscribe(std::bind(&Hearer::heard, this, _1));
-    } else if (form == "bound_info") {
-      subscribe(std::bind(&Hearer::with, this, _1, _2));
-    }
+    subscribe([this](const String & message) {heard("reference", message);});
+    subscribe([this](const auto & message) {heard("generic", message);});
+    subscribe([this](String message) {heard("value", message);});
+    subscribe([this](String::SharedPtr message) {heard("shared", *message);});
+    subscribe([this](const String::ConstSharedPtr message) {heard("shared_const", *message);});
+    subscribe([this](const std::shared_ptr<const String> & message) {heard("const_reference", *message);});
+    subscribe([this](std::unique_ptr<String> message) {heard("unique", *message);});
+    subscribe(
+      [this](const String & message, const rclcpp::MessageInfo & info) {with("info", message, info);});
+    subscribe(
+      [this](String::UniquePtr message, const rclcpp::MessageInfo & info) {
+        with("unique_info", *message, info);
+      });
+    subscribe(std::function<void(String::SharedPtr)>([this](auto message) {heard("function", *message);}));
+    subscribe(std::bind(&Hearer::heard_shared, this, _1));
+    subscribe(std::bind(&Hearer::heard, this, "bound_reference", _1));
+    subscribe(std::bind(&Hearer::with, this, "bound_info", _1, _2));
   }
 
 private:
   template<typename Callback>
   void subscribe(Callback && callback)
   {
-    subscription_ =
-      create_subscription<String>("chatter", rclcpp::QoS(10), std::forward<Callback>(callback));
+    subscriptions_.push_back(
+      create_subscription<String>("chatter", rclcpp::QoS(10), std::forward<Callback>(callback)));
   }
-  void heard(const String & message) const {RCLCPP_INFO(get_logger(), "heard %s", message.data.c_str());}
-  void heard_shared(const String::SharedPtr message) const {heard(*message);}
-  void with(const String & message, const rclcpp::MessageInfo & info) const
+  void heard(const char * form, const String & message) const
+  {
+    RCLCPP_INFO(get_logger(), "heard %s by %s", message.data.c_str(), form);
+  }
+  void heard_shared(const String::SharedPtr message) const {heard("bound", *message);}
+  void with(const char * form, const String & message, const rclcpp::MessageInfo & info) const
   {
     if (info.get_rmw_message_info().source_timestamp > 0) {
-      heard(message);
+      heard(form, message);
     }
   }
 
-  rclcpp::Subscription<String>::SharedPtr subscription_;
+  std::vector<rclcpp::Subscription<String>::SharedPtr> subscriptions_;
 };
 
 int main(int argc, char * argv[])
@@ -102,7 +102,7 @@ int main(int argc, char * argv[])
   if (what == "say") {
     rclcpp::spin(std::make_shared<Sayer>(std::atoi(words.at(2).c_str())));
   } else if (what == "hear") {
-    rclcpp::spin(std::make_shared<Hearer>(words.at(2)));
+    rclcpp::spin(std::make_shared<Hearer>());
   } else {
     // late: one message, before anybody listens; quiet: a publisher that not everybody can listen to
     auto node = std::make_shared<rclcpp::Node>("sayer");

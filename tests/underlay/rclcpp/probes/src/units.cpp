@@ -1,10 +1,12 @@
 // units CASE: what needs no other node; 0 when it holds.
 
 #include <chrono>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "case.hpp"
@@ -161,6 +163,29 @@ void parameters_of_a_node()
   EXPECT(node.get_parameters("a", below) && below == (std::map<std::string, int>{{"b", 1}, {"c.d", 2}}));
 }
 
+void described_parameters()
+{
+  rclcpp::Node node("node");
+  rcl_interfaces::msg::ParameterDescriptor fixed, even;
+  fixed.read_only = true;
+  even.integer_range.resize(1);
+  even.integer_range[0].from_value = 0;
+  even.integer_range[0].to_value = 10;
+  even.integer_range[0].step = 2;
+  node.declare_parameter("fixed", true, fixed);
+  node.declare_parameter("even", 4, even);
+  EXPECT(
+    node.set_parameter({"fixed", false}).reason ==
+    "parameter 'fixed' cannot be set because it is read-only");
+  for (const int odd : {5, -2, 12}) {
+    EXPECT(
+      node.set_parameter({"even", odd}).reason ==
+      "Parameter {even} doesn't comply with integer range.");
+  }
+  EXPECT(node.set_parameter({"even", 10}).successful && node.get_parameter("even").as_int() == 10);
+  EXPECT(!THROWN(exceptions::InvalidParameterValueException, node.declare_parameter("odd", 5, even)).empty());
+}
+
 void qos_overrides()
 {
   rclcpp::NodeOptions options;
@@ -270,6 +295,58 @@ void contexts()
     rclcpp::remove_ros_arguments(7, words) == std::vector<std::string>{"program", "mine", "yours"});
 }
 
+void callbacks_of_a_shutdown()
+{
+  auto context = std::make_shared<rclcpp::Context>();
+  context->init(0, nullptr);
+  std::string reason;
+  context->add_on_shutdown_callback([]() {throw std::runtime_error("the first one");});
+  context->add_on_shutdown_callback(
+    [&]() {
+      // Somebody else may ask while the callback waits for it.
+      std::thread([&]() {reason = context->get_rcl_context() ? context->shutdown_reason() : "";}).join();
+    });
+  EXPECT(THROWN(std::runtime_error, context->shutdown("because")) == "the first one");
+  EXPECT(reason == "because" && !context->is_valid());
+  context->init(0, nullptr);
+  EXPECT(context->is_valid() && context->shutdown_reason().empty());
+}
+
+void rosout_of_namesakes()
+{
+  auto first = std::make_shared<rclcpp::Node>("same");
+  auto second = std::make_shared<rclcpp::Node>("same");
+  EXPECT(first->count_publishers("/rosout") == 1);
+  second.reset();
+  EXPECT(first->count_publishers("/rosout") == 1);
+  second = std::make_shared<rclcpp::Node>("same");
+  first.reset();
+  EXPECT(second->count_publishers("/rosout") == 1);
+  auto other = std::make_shared<rclcpp::Node>("other");
+  EXPECT(other->count_publishers("/rosout") == 2);
+  second.reset();
+  EXPECT(other->count_publishers("/rosout") == 1);
+}
+
+void waiting_for_a_service()
+{
+  using Trigger = std_srvs::srv::Trigger;
+  auto node = std::make_shared<rclcpp::Node>("node");
+  auto client = node->create_client<Trigger>("go");
+  EXPECT(!client->wait_for_service(0s) && !client->wait_for_service(5ms) && !client->service_is_ready());
+  rclcpp::Service<Trigger>::SharedPtr service;
+  std::thread later(
+    [&]() {
+      service = node->create_service<Trigger>(
+        "go", [](const Trigger::Request::SharedPtr, Trigger::Response::SharedPtr) {});
+    });
+  const bool found = client->wait_for_service(-1s);
+  later.join();
+  EXPECT(found);
+  rclcpp::shutdown();
+  EXPECT(!client->wait_for_service() && !client->wait_for_service(0s));
+}
+
 void graph()
 {
   auto node = std::make_shared<rclcpp::Node>("node");
@@ -289,6 +366,38 @@ void graph()
   EXPECT(seen[0].qos_profile().reliability() == rclcpp::ReliabilityPolicy::BestEffort);
   const auto names = node->get_node_names();
   EXPECT(std::find(names.begin(), names.end(), "/node") != names.end());
+}
+
+/// What tutorials write in more than one way.
+void usual_forms()
+{
+  auto node = rclcpp::Node::make_shared(
+    "node", rclcpp::NodeOptions().automatically_declare_parameters_from_overrides(true));
+  int calls = 0;
+  const auto count = [&]() {++calls;};
+  const std::vector<rclcpp::TimerBase::SharedPtr> timers{
+    node->create_wall_timer(std::chrono::duration<double>(1.0 / 2000.0), count),
+    node->create_timer(std::chrono::milliseconds(0), count),
+    rclcpp::create_timer(node, node->get_clock(), Duration(0ms), count),
+    rclcpp::create_timer(node.get(), node->get_clock(), 0ms, std::bind(count))};
+  rclcpp::Rate(500).sleep();
+  rclcpp::Rate(1ms).sleep();
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(node);
+  executor.spin_some();
+  EXPECT(calls == 4);
+  auto publisher =
+    rclcpp::create_publisher<String>(*node, "topic", rclcpp::QoS(rclcpp::KeepLast(5)).best_effort());
+  auto subscription = rclcpp::create_subscription<String>(
+    node, "topic", rclcpp::SensorDataQoS(), [](const String::SharedPtr) {});
+  rclcpp::Publisher<String>::SharedPtr same = publisher;
+  EXPECT(subscription->get_topic_name() == std::string("/topic") && same->get_actual_qos().depth() == 5);
+  EXPECT(node->declare_parameter<std::vector<double>>("numbers", {1.0, 2.0}).size() == 2);
+  EXPECT(node->declare_parameter<int>("count", 3) == 3 && node->declare_parameter<double>("x", 1) == 1.0);
+  node->declare_parameter("typed", rclcpp::PARAMETER_DOUBLE);
+  builtin_interfaces::msg::Time stamp = node->now();
+  const Duration passed = node->now() - stamp;
+  EXPECT(passed >= Duration(0, 0) && (node->get_clock()->now() - Time(stamp)).seconds() >= 0.0);
 }
 
 void loggers()
@@ -312,12 +421,17 @@ int main(int argc, char * argv[])
     {"qos_profiles", qos_profiles},
     {"parameter_values", parameter_values},
     {"parameters_of_a_node", parameters_of_a_node},
+    {"described_parameters", described_parameters},
     {"parameter_callbacks", parameter_callbacks},
     {"qos_overrides", qos_overrides},
     {"next_message", next_message},
     {"names", names},
     {"contexts", contexts},
+    {"callbacks_of_a_shutdown", callbacks_of_a_shutdown},
+    {"rosout_of_namesakes", rosout_of_namesakes},
+    {"waiting_for_a_service", waiting_for_a_service},
     {"graph", graph},
+    {"usual_forms", usual_forms},
     {"loggers", loggers},
   };
   const int code = run_case(cases, argv[1]);

@@ -31,12 +31,13 @@ void call_with(CallbackT & callback, std::shared_ptr<MessageT> && message, const
   }
 }
 
+// One by one: a lambda that takes `const auto &` is not looked at with pointers.
 template<typename MessageT, typename CallbackT, typename ... Info>
-inline constexpr bool takes =
-  std::is_invocable_v<CallbackT &, const MessageT &, const Info &...>||
-  std::is_invocable_v<CallbackT &, std::shared_ptr<const MessageT>, const Info &...>||
-  std::is_invocable_v<CallbackT &, std::shared_ptr<MessageT>, const Info &...>||
-  std::is_invocable_v<CallbackT &, std::unique_ptr<MessageT>, const Info &...>;
+inline constexpr bool takes = std::disjunction_v<
+  std::is_invocable<CallbackT &, const MessageT &, const Info &...>,
+  std::is_invocable<CallbackT &, std::shared_ptr<const MessageT>, const Info &...>,
+  std::is_invocable<CallbackT &, std::shared_ptr<MessageT>, const Info &...>,
+  std::is_invocable<CallbackT &, std::unique_ptr<MessageT>, const Info &...>>;
 
 /// One form for callbacks of all forms.
 template<typename MessageT, typename CallbackT>

@@ -189,8 +189,9 @@ public:
 
   /// The same; the future holds the request, too.
   template<typename CallbackT,
-    std::enable_if_t<!std::is_invocable_v<CallbackT &, SharedFuture>&&
-    std::is_invocable_v<CallbackT &, SharedFutureWithRequest>, int> = 0>
+    std::enable_if_t<std::conjunction_v<
+      std::negation<std::is_invocable<CallbackT &, SharedFuture>>,
+      std::is_invocable<CallbackT &, SharedFutureWithRequest>>, int> = 0>
   SharedFutureWithRequestAndRequestId async_send_request(SharedRequest request, CallbackT && callback)
   {
     const auto promise = std::make_shared<PromiseWithRequest>();

@@ -49,7 +49,8 @@ public:
   std::size_t get_domain_id() const;
   std::string shutdown_reason() const;
 
-  /// Ends it: wakes all who wait, then calls the callbacks. False when it was not running.
+  /// Ends it: wakes all who wait, then calls the callbacks, whose first exception it throws in the end. False
+  /// when it was not running.
   virtual bool shutdown(const std::string & reason);
 
   virtual OnShutdownCallback on_shutdown(OnShutdownCallback callback);
@@ -66,6 +67,9 @@ public:
 
 private:
   struct Impl;
+
+  void configure(const rcl_arguments_t & arguments, const std::vector<const char *> & words);
+
   std::unique_ptr<Impl> impl_;
 };
 

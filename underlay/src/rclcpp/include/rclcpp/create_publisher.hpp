@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "rclcpp/node.hpp"
+#include "rclcpp/detail/node_of.hpp"
 
 namespace rclcpp
 {
@@ -14,7 +14,7 @@ std::shared_ptr<Publisher<MessageT, AllocatorT>> create_publisher(
   const PublisherOptionsWithAllocator<AllocatorT> & options =
   PublisherOptionsWithAllocator<AllocatorT>())
 {
-  return node->template create_publisher<MessageT, AllocatorT>(topic_name, qos, options);
+  return detail::node_of(node).template create_publisher<MessageT, AllocatorT>(topic_name, qos, options);
 }
 
 }  // namespace rclcpp

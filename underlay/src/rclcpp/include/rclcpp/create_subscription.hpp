@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "rclcpp/node.hpp"
+#include "rclcpp/detail/node_of.hpp"
 
 namespace rclcpp
 {
@@ -15,7 +15,7 @@ std::shared_ptr<Subscription<MessageT, AllocatorT>> create_subscription(
   const SubscriptionOptionsWithAllocator<AllocatorT> & options =
   SubscriptionOptionsWithAllocator<AllocatorT>())
 {
-  return node->template create_subscription<MessageT>(
+  return detail::node_of(node).template create_subscription<MessageT>(
     topic_name, qos, std::forward<CallbackT>(callback), options);
 }
 

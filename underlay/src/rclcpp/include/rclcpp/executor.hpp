@@ -128,4 +128,22 @@ private:
   std::unique_ptr<Waiting> waiting_;
 };
 
+namespace detail
+{
+
+/// A node is with an executor as long as this lives.
+class Visit
+{
+public:
+  Visit(Executor & executor, node_interfaces::NodeBaseInterface::SharedPtr node);
+  Visit(const Visit &) = delete;
+  Visit & operator=(const Visit &) = delete;
+  ~Visit();
+
+private:
+  Executor & executor_;
+  node_interfaces::NodeBaseInterface::SharedPtr node_;
+};
+
+}  // namespace detail
 }  // namespace rclcpp

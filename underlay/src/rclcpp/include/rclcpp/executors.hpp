@@ -3,6 +3,7 @@
 #include <chrono>
 #include <future>
 #include <memory>
+#include <utility>
 
 #include "rclcpp/executors/multi_threaded_executor.hpp"
 #include "rclcpp/executors/single_threaded_executor.hpp"
@@ -41,10 +42,8 @@ FutureReturnCode spin_node_until_future_complete(
   Executor & executor, node_interfaces::NodeBaseInterface::SharedPtr node_ptr, const FutureT & future,
   std::chrono::duration<RepT, PeriodT> timeout = std::chrono::duration<RepT, PeriodT>(-1))
 {
-  executor.add_node(node_ptr);
-  const auto code = executor.spin_until_future_complete(future, timeout);
-  executor.remove_node(node_ptr);
-  return code;
+  const rclcpp::detail::Visit visit(executor, std::move(node_ptr));
+  return executor.spin_until_future_complete(future, timeout);
 }
 
 template<typename NodeT, typename FutureT, typename RepT = std::int64_t, typename PeriodT = std::milli>

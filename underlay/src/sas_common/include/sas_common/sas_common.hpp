@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include <rclcpp/rclcpp.hpp>
 
@@ -34,7 +35,7 @@ void get_ros_parameter(
 template<typename T>
 void get_ros_optional_parameter(
   const std::shared_ptr<rclcpp::Node> & node, const std::string & parameter_name, T & value,
-  const T & default_value)
+  const std::decay_t<T> & default_value)
 {
   if (!node->has_parameter(parameter_name)) {
     node->declare_parameter<T>(parameter_name, default_value);

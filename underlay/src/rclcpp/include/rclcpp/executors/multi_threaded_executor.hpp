@@ -8,7 +8,8 @@
 namespace rclcpp::executors
 {
 
-/// Calls back in several threads; of a mutually exclusive group one callback at a time.
+/// Calls back in several threads; of a mutually exclusive group one callback at a time. What a callback
+/// throws, in whichever thread, ends them all and is thrown by spin(): the first of it, if there is more.
 class MultiThreadedExecutor : public Executor
 {
 public:
