@@ -5,7 +5,9 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import os
+import signal
 from collections.abc import Collection, Iterator
+from pathlib import Path
 
 import psutil
 
@@ -41,6 +43,7 @@ def end_descendants(spared: Collection[psutil.Process] = ()) -> int:
     """
     found: set[int] = set()
     for _ in range(_ROUNDS):
+        found |= _strike({child.pid for child in spared})
         left = _descendants(spared)
         if not left:
             break
@@ -52,6 +55,36 @@ def end_descendants(spared: Collection[psutil.Process] = ()) -> int:
         for child in left:
             _reap(child.pid)
     return len(found)
+
+
+def _strike(spared: Collection[int]) -> set[int]:
+    """Kill whoever is there at this moment; returns who was still alive.
+
+    Whoever breeds is gone, and has a successor, before a look at all processes comes to its end.
+    """
+    struck, waiting = set(), _children(os.getpid())
+    while waiting:
+        pid = waiting.pop()
+        if pid not in spared:
+            with contextlib.suppress(OSError):  # it has ended
+                if _state(pid) != "Z":
+                    os.kill(pid, signal.SIGKILL)
+                    struck.add(pid)
+            waiting += _children(pid)  # after that it has no more of them
+    return struck
+
+
+def _children(pid: int) -> list[int]:
+    """Its own ones, as the kernel has them at this moment; none where it does not tell."""
+    found: list[int] = []
+    with contextlib.suppress(OSError):
+        for thread in Path(f"/proc/{pid}/task").iterdir():
+            found += map(int, (thread / "children").read_text(encoding="ascii").split())
+    return found
+
+
+def _state(pid: int) -> str:
+    return Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()[0].decode()
 
 
 def _descendants(spared: Collection[psutil.Process]) -> list[psutil.Process]:

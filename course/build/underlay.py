@@ -14,6 +14,8 @@ from course.errors import OurFault
 from course.rosenv import Ros, add_to_underlay, missing_of_underlay, underlay_builds
 from course.rosenv.underlay import UnderlayPackage, source_root
 
+# Seconds for a package. They are our own, and end; a busy machine takes its time.
+_TIME_LIMIT = 1800.0
 # Files in which a package's interfaces are named by those who use them.
 _TEXTS = (".py", ".cpp", ".hpp", ".h", ".msg", ".srv", ".action", ".txt", ".xml")
 _LISTS = ("CMakeLists.txt",)
@@ -63,7 +65,15 @@ def build_underlay(
     if not names or root is None:
         return
     store = Store(underlay_builds(ros))
-    outcome = build(Workspace.scan(root), names, ros, store, on_progress=on_progress, interrupt=interrupt)
+    outcome = build(
+        Workspace.scan(root),
+        names,
+        ros,
+        store,
+        on_progress=on_progress,
+        interrupt=interrupt,
+        time_limit=_TIME_LIMIT,
+    )
     if outcome.failure is not None:
         log = f" Everything it printed: {outcome.failure.log}" if outcome.failure.log else ""
         raise OurFault(

@@ -20,8 +20,8 @@ from rclpy.node import Node
 
 rclpy.init()
 node = Node('talker', automatically_declare_parameters_from_overrides=True)
-print('ready', node.get_name(), flush=True)
 try:
+    print('ready', node.get_name(), flush=True)
     rclpy.spin(node)
 except (KeyboardInterrupt, ExternalShutdownException):
     if 'faulty' in node.get_name():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import select
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,6 +17,18 @@ from course.evidence.timeline import Timeline
 
 WAIT = 20.0  # for what happens in milliseconds, on a machine that has other things to do
 _E = TypeVar("_E", bound=Event)
+
+
+def ended(pid: int) -> bool:
+    """Wait for the end of a process that is not a child of ours."""
+    try:
+        watch = os.pidfd_open(pid)
+    except ProcessLookupError:
+        return True
+    try:
+        return bool(select.select([watch], [], [], WAIT)[0])
+    finally:
+        os.close(watch)
 
 
 class Stage:

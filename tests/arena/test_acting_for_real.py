@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from course.arena.enclosure import enclosure
 from course.rosenv import find_ros, node_environment, prepare
 
 pytestmark = pytest.mark.slow
@@ -25,15 +26,15 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     prepare(ros)
     environment = node_environment(ros)
     environment["PYTHONPATH"] = ":".join(filter(None, [REPO, environment.get("PYTHONPATH")]))
-    environment |= {"ROS_DOMAIN_ID": "96", "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
-    done = subprocess.run(
-        [str(ros.python), str(ACT), str(folder)],
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT,
-        check=False,
-    )
+    with enclosure(namespaces=False) as around:
+        done = subprocess.run(
+            [str(ros.python), str(ACT), str(folder)],
+            env=environment | around.environment,
+            capture_output=True,
+            text=True,
+            timeout=TIMEOUT,
+            check=False,
+        )
     assert done.returncode == 0, done.stderr
     return dict(json.loads(done.stdout))
 

@@ -205,8 +205,8 @@ def test_a_deaf_program_is_marked_and_killed(play: Play) -> None:
 
 @pytest.mark.slow
 def test_what_a_program_leaves_running_is_recorded(play: Play) -> None:
-    # It says that it is ready once it is in a session of its own, out of reach of Ctrl+C.
-    left_behind = "setsid sh -c 'echo ready; exec sleep 100' & wait"
+    # Ready it is once it sleeps: then it is in a session of its own, out of reach of Ctrl+C.
+    left_behind = "setsid sleep 100 & until grep -qx sleep /proc/$!/comm; do :; done; echo ready; wait"
     program = play.arena.start("sh", "-c", left_behind, name="it")
     assert play.arena.until(lambda: play.arena.printed("ready"), timeout=WAIT)
     play.arena.interrupt(program, grace=WAIT)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import select
 import socket
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -194,12 +196,19 @@ def held() -> list[int]:
 
 
 @pytest.fixture
-def free(monkeypatch: pytest.MonkeyPatch) -> int:
-    """A domain that nobody holds, and the only one there is. Others on this machine begin with low ones."""
-    monkeypatch.setattr(module, "_DOMAINS", range(101, 50, -1))
-    (found,) = held()
-    monkeypatch.setattr(module, "_DOMAINS", (found,))
-    return found
+def free(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
+    """A domain that nobody holds, and the only one there is. Others on this machine begin with low ones.
+
+    The same test, or one of its neighbours, in another process at this moment has another one.
+    """
+    for domain in range(101, 50, -1):
+        monkeypatch.setattr(module, "_DOMAINS", (domain,))
+        with socket.socket(socket.AF_UNIX) as claim, contextlib.suppress(OSError):
+            claim.bind(f"\0ros2course-test-of-domain-{domain}")
+            if held() == [domain]:
+                yield domain
+                return
+    pytest.fail("no domain is free")
 
 
 def test_two_checks_at_once_have_different_domains() -> None:

@@ -43,8 +43,11 @@ import os, signal
 if os.fork():
     os._exit(0)
 os.setsid()
+before = os.getpid()
 if os.fork():
     os._exit(0)
+while os.getppid() == before:  # it is the only one that is left
+    pass
 print(os.getpid(), flush=True)
 signal.pause()
 """
@@ -91,9 +94,9 @@ while time.monotonic() < end:
 
 MANY = """
 import os
-for _ in range(400):
-    if not os.fork():
-        os._exit(0)
+children = [os.fork() or os._exit(0) for _ in range(400)]
+for child in children:
+    os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT)
 os.write(1, b".\\n")
 """
 

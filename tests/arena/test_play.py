@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -14,6 +15,7 @@ from pathlib import Path
 import psutil
 import pytest
 
+from course.arena.enclosure import enclosure
 from course.arena.play import Playing, job_line, only_once
 from course.errors import OurFault, UsageError
 from course.rosenv import find_ros, node_environment
@@ -50,13 +52,19 @@ Play = Callable[..., Playing]
 
 
 @pytest.fixture
-def play(tmp_path: Path) -> Iterator[Play]:
+def environment() -> Iterator[dict[str, str]]:
+    """In a ROS domain that nobody else has."""
+    with enclosure(namespaces=False) as around:
+        yield {**node_environment(find_ros()), **around.environment}
+
+
+@pytest.fixture
+def play(tmp_path: Path, environment: dict[str, str]) -> Iterator[Play]:
     lock = (tmp_path / "lock").open("a")
 
     def make(source: str = QUIET) -> Playing:
         file = tmp_path / "05-other.py"
         file.write_text(textwrap.dedent(source))
-        environment = {**node_environment(find_ros()), "ROS_DOMAIN_ID": "96"}
         job = job_line(file, "05-other", 7, tmp_path / "acts.json")
         return Playing(job, environment, lock)
 
@@ -66,8 +74,13 @@ def play(tmp_path: Path) -> Iterator[Play]:
 
 def players() -> set[int]:
     """Processes of mysteries below this one."""
-    below = psutil.Process().children(recursive=True)
-    return {child.pid for child in below if "course.arena.player" in child.cmdline()}
+    return {child.pid for child in psutil.Process().children(recursive=True) if _plays(child)}
+
+
+def _plays(process: psutil.Process) -> bool:
+    with contextlib.suppress(psutil.NoSuchProcess):  # some other process may just end
+        return "course.arena.player" in process.cmdline()
+    return False
 
 
 def await_text(file: Path, text: str) -> None:
@@ -117,8 +130,7 @@ for name, seconds in (("answers", 20.0), ("silent", 1.0)):
 """
 
 
-def test_an_idle_node_is_there_and_does_not_answer(play: Play) -> None:
-    environment = {**node_environment(find_ros()), "ROS_DOMAIN_ID": "96"}
+def test_an_idle_node_is_there_and_does_not_answer(play: Play, environment: dict[str, str]) -> None:
     with play(IDLE):
         done = subprocess.run(
             [sys.executable, "-c", CALL],
@@ -166,11 +178,11 @@ def test_nodes_that_end_by_themselves_are_our_fault(play: Play) -> None:
 
 
 PARENT = """
-import sys
+import os, sys
 from pathlib import Path
 from course.arena.play import Playing, job_line
 from course.rosenv import find_ros, node_environment
-environment = {**node_environment(find_ros()), "ROS_DOMAIN_ID": "96"}
+environment = {**node_environment(find_ros()), "ROS_DOMAIN_ID": os.environ["ROS_DOMAIN_ID"]}
 job = job_line(Path(sys.argv[1]), "05-other", 7, Path(sys.argv[3]))
 with Playing(job, environment, open(sys.argv[2], "a")) as playing:
     print(playing._process.pid, flush=True)
@@ -179,11 +191,14 @@ with Playing(job, environment, open(sys.argv[2], "a")) as playing:
 
 
 @pytest.mark.parametrize("source", [QUIET, STUCK], ids=["quiet", "stuck"])
-def test_nodes_end_when_their_parent_is_killed(tmp_path: Path, source: str) -> None:
+def test_nodes_end_when_their_parent_is_killed(
+    tmp_path: Path, environment: dict[str, str], source: str
+) -> None:
     file = tmp_path / "05-other.py"
     file.write_text(source)
     parent = subprocess.Popen(
         [sys.executable, "-c", PARENT, str(file), str(tmp_path / "lock"), str(tmp_path / "acts.json")],
+        env={**os.environ, "ROS_DOMAIN_ID": environment["ROS_DOMAIN_ID"]},
         stdout=subprocess.PIPE,
         text=True,
     )
@@ -193,7 +208,7 @@ def test_nodes_end_when_their_parent_is_killed(tmp_path: Path, source: str) -> N
     parent.kill()
     parent.wait()
     parent.stdout.close()
-    player.wait(timeout=10)
+    player.wait(timeout=30)
 
 
 def test_only_once(tmp_path: Path) -> None:

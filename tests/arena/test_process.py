@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import select
 import signal
 import threading
 import time
@@ -16,24 +15,12 @@ from course.arena.process import Process
 from course.evidence.events import Event, OutputCut, OutputLine, ProcessExited, ProcessStarted, SignalSent
 from course.evidence.timeline import Timeline
 
-from .conftest import WAIT, Stage
+from .conftest import WAIT, Stage, ended
 
 MEGABYTE = 1_000_000
 SLACK = 200_000
 FLOOD_TIME = 60.0
 CLOSE_TIME = 10.0
-
-
-def ended(pid: int) -> bool:
-    """Wait for the end of a process that is not a child of ours."""
-    try:
-        watch = os.pidfd_open(pid)
-    except ProcessLookupError:
-        return True
-    try:
-        return bool(select.select([watch], [], [], WAIT)[0])
-    finally:
-        os.close(watch)
 
 
 def open_files() -> int:

@@ -11,6 +11,8 @@ import pytest
 
 from course.arena.survivors import started_by, still_there
 
+from .conftest import ended
+
 PARENT = (
     "import subprocess, sys\n"
     "child = subprocess.Popen(['sleep', '100'], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)\n"
@@ -31,6 +33,7 @@ def test_a_child_that_outlives_its_parent() -> None:
         parent.communicate()
     assert still_there(below) == ((pid, ("sleep", "100")),)
     os.kill(pid, signal.SIGKILL)
+    assert ended(pid)
     assert still_there(below) == ()
 
 

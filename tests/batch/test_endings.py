@@ -8,7 +8,8 @@ import signal
 import sqlite3
 import subprocess
 import time
-from contextlib import closing, suppress
+from collections.abc import Iterator
+from contextlib import closing, contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -141,11 +142,17 @@ def test_stopped_it_ends_in_order_and_goes_on(command: Command, number: signal.S
 def test_a_worker_that_is_killed_is_no_loss(command: Command) -> None:
     with command.start() as process:
         until("a minute", process)
-        workers = [each for each in below(process) if "course.batch.worker" in each.cmdline()]
-        workers[0].kill()
+        worker = next(each for each in below(process) if _is_worker(each))
+        worker.kill()
         said = process.communicate()[0]
     assert process.returncode == 0, said
     assert set(gradings(command.out)) == set(verdicts(command.out))
+
+
+def _is_worker(process: psutil.Process) -> bool:
+    with suppress(psutil.NoSuchProcess):  # what a worker has started may just end
+        return "course.batch.worker" in process.cmdline()
+    return False
 
 
 def test_two_commands_do_not_mix(quiz: Command) -> None:
@@ -163,11 +170,23 @@ def test_two_at_the_same_moment_grade_once(quiz: Command) -> None:
     assert len(gradings(quiz.out)) == 40
 
 
-def test_on_a_full_disk_it_stops_with_words_and_goes_on_later(quiz: Command) -> None:
+@contextmanager
+def _full_disk() -> Iterator[None]:
+    """Whoever is started meanwhile can write no file of more than a hundred kilobytes."""
     import resource
 
-    with quiz.start() as process:
-        resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (100_000, 100_000))
+    usual = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, usual[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, usual)
+
+
+def test_on_a_full_disk_it_stops_with_words_and_goes_on_later(quiz: Command) -> None:
+    with _full_disk():
+        process = quiz.start()
+    with process:
         said = process.communicate()[0]
     assert process.returncode == 4, said
     assert "cannot be kept" in said and "Make room" in said, said

@@ -65,7 +65,11 @@ def test_without_work_no_process_is_started(monkeypatch: pytest.MonkeyPatch) -> 
         ("other", "answered for something else"),
     ],
 )
-def test_a_worker_that_fails_is_our_error_and_the_next_task_gets_a_new_one(way: str, words: str) -> None:
+def test_a_worker_that_fails_is_our_error_and_the_next_task_gets_a_new_one(
+    way: str, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if words.startswith("ended"):
+        monkeypatch.setattr(pool, "_DEATH_TIME", 30.0)
     first, broken, last = graded(tasks("fine", way, "fine"))
     assert broken.unit == Unit("p1", way)
     assert broken.result.verdict is Verdict.OUR_ERROR
@@ -76,8 +80,14 @@ def test_a_worker_that_fails_is_our_error_and_the_next_task_gets_a_new_one(way: 
 
 @pytest.mark.slow
 def test_a_worker_that_hangs_is_ended(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(pool, "TIME_LIMIT", 2.0)
-    hung, fine = graded(tasks("hangs", "fine", evidence=tmp_path / "begun"))
+    def each_with_its_limit() -> Iterator[Task]:
+        hangs, fine = tasks("hangs", "fine", evidence=tmp_path / "begun")
+        monkeypatch.setattr(pool, "TIME_LIMIT", 2.0)
+        yield hangs
+        monkeypatch.setattr(pool, "TIME_LIMIT", 60.0)
+        yield fine
+
+    hung, fine = graded(each_with_its_limit())
     assert hung.result.fault and "did not finish within 2 s" in hung.result.fault.summary
     assert fine.result.verdict is Verdict.PASSED
 

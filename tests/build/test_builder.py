@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import threading
+import time
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from pathlib import Path
 
-import psutil
 import pytest
 
 from course.build import BuildOutcome, Interrupt, Interrupted, Store, Workspace, build, builder, one, sources
@@ -18,6 +18,7 @@ from course.errors import MissingHere, StorageError, UsageError
 from course.rosenv import Ros
 from tests.build.conftest import WORKSPACE
 from tests.build.packages import edit, make_package
+from tests.processes import none_stays
 
 Built = Callable[..., BuildOutcome]
 Runs = Callable[[], list[str]]
@@ -131,13 +132,21 @@ def test_two_packages_are_built_side_by_side(built: Built, runs: Runs, src: Path
 
 
 @pytest.mark.slow
-def test_two_checks_at_once_build_once(built: Built, runs: Runs, src: Path) -> None:
-    (src / "small_node/quick.py").write_text("import time; time.sleep(1)")
+def test_two_checks_at_once_build_once(built: Built, runs: Runs, src: Path, store: Store) -> None:
+    waits = store.root.with_name("the other waits")
+    (src / "small_node/quick.py").write_text(
+        f"import time\nwhile not pathlib.Path({str(waits)!r}).exists(): time.sleep(0.01)\n"
+    )
     said: list[str] = []
     outcomes: list[BuildOutcome] = []
 
+    def say(text: str) -> None:
+        said.append(text)
+        if text.startswith("Waiting"):
+            waits.touch()
+
     def check() -> None:
-        outcomes.append(built("small_node", on_progress=said.append))
+        outcomes.append(built("small_node", on_progress=say))
 
     threads = [threading.Thread(target=check) for _ in range(2)]
     for thread in threads:
@@ -152,10 +161,10 @@ def test_two_checks_at_once_build_once(built: Built, runs: Runs, src: Path) -> N
 @pytest.mark.slow
 def test_too_long_says_so(built: Built, runs: Runs, src: Path) -> None:
     (src / "small_node/quick.py").write_text("print('one', flush=True)\nimport time; time.sleep(300)")
-    failure = built("small_node", time_limit=1.0).failure
+    failure = built("small_node", time_limit=5.0).failure
     assert failure is not None
     assert failure.kind == "time-limit"
-    assert "longer than 1 seconds" in failure.feedback.summary
+    assert "longer than 5 seconds" in failure.feedback.summary
     assert failure.feedback.details == ("one",)
     assert [str(place) for place in failure.feedback.where] == [
         "ros2_tutorial_workspace/src/small_node/setup.py"
@@ -175,13 +184,18 @@ def test_printing_without_end_says_so(
 @pytest.mark.slow
 def test_calling_off_leaves_nothing(built: Built, runs: Runs, src: Path, store: Store) -> None:
     (src / "small_node/quick.py").write_text("import time; time.sleep(300)")
-    with Interrupt() as interrupt:
-        threading.Timer(0.5, interrupt.set).start()
+
+    def call_off() -> None:
+        while not runs():
+            time.sleep(0.01)
+        interrupt.set()
+
+    with none_stays(), Interrupt() as interrupt:
+        thread = threading.Thread(target=call_off, daemon=True)
+        thread.start()
         with pytest.raises(Interrupted):
             built("small_node", interrupt=interrupt)
-    assert not any(
-        "quick" in " ".join(child.cmdline()) for child in psutil.Process().children(recursive=True)
-    )
+        thread.join()
     assert [path.suffix for path in store.root.iterdir()] == [".lock"]
 
 

@@ -19,8 +19,8 @@ from course.build.process import Ended, Ending, run
 
 REPO = Path(__file__).parents[2]
 
-# Starts a child that would live for long, tells its number, and then does what the rest of the line says.
-PARENT = "sleep 300 & echo $! > child; "
+# Starts a child that would live for long, tells of it, and then does what the rest of the line says.
+PARENT = "sleep 300 & : > child; "
 
 
 @pytest.fixture
@@ -40,15 +40,13 @@ def shell(tmp_path: Path) -> Callable[..., Ended]:
 
 
 def gone(folder: Path) -> bool:
-    """Whether the child that was told of has ended, give or take a moment."""
-    try:
-        child = psutil.Process(int((folder / "child").read_text()))
-        child.wait(10)
-    except psutil.NoSuchProcess:
-        pass
-    except psutil.TimeoutExpired:
-        return child.status() == psutil.STATUS_ZOMBIE
-    return True
+    """Whether all that ran in the folder has ended, give or take a moment."""
+    psutil.wait_procs(running_in(folder), 10)
+    return not running_in(folder)
+
+
+def running_in(folder: Path) -> list[psutil.Process]:
+    return [one for one in psutil.process_iter(["cwd"]) if one.info["cwd"] == str(folder)]
 
 
 def test_output_and_code_are_kept(shell: Callable[..., Ended], tmp_path: Path) -> None:
@@ -91,11 +89,18 @@ def test_a_flood_is_stopped(
 
 @pytest.mark.slow
 def test_calling_off_ends_everything(shell: Callable[..., Ended], tmp_path: Path) -> None:
+    def call_off() -> None:
+        while not (tmp_path / "child").exists():
+            time.sleep(0.01)
+        interrupt.set()
+
     with Interrupt() as interrupt:
-        threading.Timer(0.3, interrupt.set).start()
+        thread = threading.Thread(target=call_off, daemon=True)
+        thread.start()
         began = time.monotonic()
         with pytest.raises(Interrupted):
             shell(PARENT + "wait", interrupt=interrupt)
+        thread.join()
     assert time.monotonic() - began < 20
     assert gone(tmp_path)
 
@@ -107,7 +112,7 @@ from course.build import Interrupt
 from course.build.process import run
 folder = Path(sys.argv[1])
 with Interrupt() as interrupt:
-    run(["/bin/sh", "-c", "sleep 300 & echo $! > new; mv new child; wait"], cwd=folder,
+    run(["/bin/sh", "-c", "sleep 300 & : > child; wait"], cwd=folder,
         env={"PATH": "/usr/bin:/bin"}, output=folder / "output", time_limit=100, interrupt=interrupt)
 """
 

@@ -25,12 +25,12 @@ import course.rosenv
 from course.grading.result import CheckResult, Outcome, Result, Verdict
 
 def check_exercise(exercise, home, *, on_progress, **options):
-    on_progress("building lanterns")
-    if os.environ["CHECK"] == "waits":
-        try:
+    try:
+        on_progress("building lanterns")
+        if os.environ["CHECK"] == "waits":
             threading.Event().wait(60)
-        finally:
-            Path(home, "cleaned-up").touch()
+    finally:
+        Path(home, "cleaned-up").touch()
     return Result(exercise.id, Verdict.PASSED, (CheckResult("a", "It shines", 1, Outcome.PASSED),))
 
 module = types.ModuleType("course.grading.check")

@@ -8,19 +8,20 @@ from typing import Any
 
 import pytest
 
+from course.arena.enclosure import enclosure
+
 from .conftest import ros_python
 
 pytestmark = pytest.mark.slow
 
 CALL = Path(__file__).with_name("call.py")
-DOMAIN = "97"
 
 
 @pytest.fixture(scope="module")
 def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     folder = tmp_path_factory.mktemp("call")
-    variables = {"ROS_DOMAIN_ID": DOMAIN, "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
-    return dict(json.loads(ros_python(CALL, str(folder / "call.mcap"), **variables)))
+    with enclosure(namespaces=False) as around:
+        return dict(json.loads(ros_python(CALL, str(folder / "call.mcap"), **around.environment)))
 
 
 def test_what_is_loaded_is_what_was_recorded(found: dict[str, Any]) -> None:

@@ -8,19 +8,19 @@ from typing import Any
 
 import pytest
 
+from course.arena.enclosure import enclosure
+
 from .conftest import ros_python
 
 pytestmark = pytest.mark.slow
 
 LISTEN = Path(__file__).with_name("listen.py")
-DOMAIN = "98"
 
 
 @pytest.fixture(scope="module")
 def found() -> dict[str, Any]:
-    return dict(
-        json.loads(ros_python(LISTEN, ROS_DOMAIN_ID=DOMAIN, ROS_AUTOMATIC_DISCOVERY_RANGE="LOCALHOST"))
-    )
+    with enclosure(namespaces=False) as around:
+        return dict(json.loads(ros_python(LISTEN, **around.environment)))
 
 
 def test_messages_are_heard_whatever_qos_the_publisher_offers(found: dict[str, Any]) -> None:

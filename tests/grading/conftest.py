@@ -23,7 +23,7 @@ toy = Grader("01-toy")
 @toy.scenario
 def run_it(arena):
     program = arena.run("toy", "program")
-    arena.until(lambda: arena.printed("go"), timeout=5, while_running=program)
+    arena.until(lambda: arena.printed("go"), timeout=30, while_running=program)
     arena.interrupt(program)
 
 @toy.check("starts", "it starts")

@@ -28,6 +28,7 @@ def test_a_program_that_becomes_another(grade: Grade) -> None:
 def test_a_node_with_the_graders_name(grade: Grade) -> None:
     graded = grade({NODE: with_attack("impostor", SPEAKS=False)}, guarantee="the grader knows itself")
     assert any(line.startswith("found ['_ros2course_") for line in graded.printed)
+    assert graded.failed == ()
     assert graded.result.verdict is Verdict.PASSED, graded.result
 
 

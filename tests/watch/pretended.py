@@ -26,12 +26,13 @@ def check_exercise(
     exercise: Exercise, home: Path, *, on_progress: Callable[[str], None], **_: object
 ) -> Result:
     told = (home / LIGHT).read_text().strip() if (home / LIGHT).is_file() else "dark"
-    note(home, f"began {told}")
-    if told.startswith("waits"):
-        try:
+    try:  # whatever tells a test that it has begun is within
+        note(home, f"began {told}")
+        if told.startswith("waits"):
             on_progress(f"looking at the {told} lantern")
             threading.Event().wait(300)
-        finally:
+    finally:
+        if told.startswith("waits"):
             note(home, f"ended {told}")
     if told == "lacks":
         raise MissingHere("There is no lamp oil on this machine.", "Buy some.")

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import fcntl
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 
 import pytest
@@ -34,6 +36,20 @@ class Grading:
         self._thread.join(PATIENCE)
 
 
+def await_place(gate: Path) -> None:
+    """Wait until somebody is the next one."""
+    end = time.monotonic() + PATIENCE
+    with gate.with_name(f"{gate.name}.next").open("a") as place:
+        while time.monotonic() < end:
+            try:
+                fcntl.flock(place, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                return
+            fcntl.flock(place, fcntl.LOCK_UN)
+            time.sleep(0.01)
+    pytest.fail("nobody waits")
+
+
 def test_several_run_together(tmp_path: Path) -> None:
     one, two = (Grading(tmp_path / "gate", alone=False) for _ in range(2))
     assert one.begun.wait(PATIENCE) and two.begun.wait(PATIENCE)
@@ -47,6 +63,7 @@ def test_who_is_alone_waits_for_the_others_and_they_for_it(tmp_path: Path) -> No
     first = Grading(gate, alone=False)
     assert first.begun.wait(PATIENCE)
     lonely = Grading(gate, alone=True)
+    await_place(gate)
     assert not lonely.begun.wait(A_WHILE)
     late = Grading(gate, alone=False)
     assert not late.begun.wait(A_WHILE)  # nobody gets past it

@@ -13,7 +13,8 @@ from playwright.sync_api import Browser, Page, sync_playwright
 Open = Callable[..., Page]
 
 
-@pytest.fixture(scope="session")
+# Not of the session: an event loop runs in this thread as long as the browser does, and others want theirs.
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
     program = shutil.which("chromium")
     assert program, "chromium is not installed: see run-tests"

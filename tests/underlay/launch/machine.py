@@ -73,6 +73,13 @@ class Running:
                 return self.lines[-1]
         raise AssertionError(f"{text!r} never came: {self.lines}")
 
+    def wait_for_all(self, *texts: str) -> None:
+        """In whatever order they come."""
+        missing = {*texts}
+        while missing:
+            line = self.wait_for("")
+            missing = {text for text in missing if text not in line}
+
     def pid_of(self, process: str) -> int:
         line = self.wait_for(f"[{process}]: process started with pid [")
         return int(line.rpartition("[")[2].rstrip("]"))

@@ -163,8 +163,9 @@ def test_a_condition_that_is_neither(launcher: Launcher) -> None:
 @pytest.mark.slow
 def test_an_exception_ends_what_runs(launcher: Launcher) -> None:
     answer = launcher.run(
-        "ExecuteProcess(cmd=['sleep', '100']),"
-        "TimerAction(period=0.2, actions=[OpaqueFunction(function=lambda context: 1 / 0)])"
+        "RegisterEventHandler(OnProcessStart(on_start=["
+        "TimerAction(period=0.01, actions=[OpaqueFunction(function=lambda context: 1 / 0)])])),"
+        "ExecuteProcess(cmd=['sleep', '100'])"
     )
     assert answer.said[1:] == [
         "[ERROR] [launch]: Caught exception in launch (see debug for traceback): division by zero",

@@ -71,7 +71,7 @@ def test_interrupted(launcher: Launcher, name: str) -> None:
 def test_two_nodes(launcher: Launcher) -> None:
     case = capture("two_nodes")
     with launcher.started(*_words(launcher, case)) as running:
-        running.wait_for("Printed 2 times")
+        running.wait_for_all("Printed 2 times", "[sample_python_node-2]: process has finished cleanly")
         running.signal(signal.SIGINT)
         answer = running.finish()
     # What two processes write has no order among them.

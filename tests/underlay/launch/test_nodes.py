@@ -207,7 +207,8 @@ def test_a_real_node_gets_what_was_meant(launcher: Launcher) -> None:
     path = launcher.description(
         f"""
         PushRosNamespace('space'), SetParameter('rate', 2.0),
-        Node(executable='{program}', name='renamed', remappings=[('a', '/b')], parameters=[{{
+        Node(executable='{program}', name='renamed', remappings=[('a', '/b')], sigterm_timeout='60',
+             parameters=[{{
             'flag': LaunchConfiguration('flag', default='true'), 'number': 3, 'text': 'y',
             'texts': ['n', '1'], 'nested': {{'x': 1.5}}, 'quoted': "it's: {{}}", 'unicode': 'Größe'}}]),
         """

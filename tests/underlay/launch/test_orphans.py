@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import signal
 from pathlib import Path
@@ -73,7 +74,7 @@ def test_killed_while_processes_are_being_started(launcher: Launcher, path: str)
             running.wait_for(f"[sleep-{number}]: process started")
             running.process.kill()  # the launch alone
             running.process.wait(timeout=20)
-            assert comes_true(lambda: not _running("sleep", seconds))
+            assert comes_true(lambda: not _running("sleep", seconds)), _sleepers_and_guards()
 
 
 def _running(*end: str) -> list[int]:
@@ -82,6 +83,11 @@ def _running(*end: str) -> list[int]:
         if tuple((process.info["cmdline"] or [])[-len(end) :]) == end:
             found.append(process.pid)
     return found
+
+
+def _sleepers_and_guards() -> list[dict[str, object]]:
+    everybody = psutil.process_iter(["pid", "ppid", "status", "cmdline"])
+    return [one.info for one in everybody if re.search(r"'sleep'|guard_program", str(one.info["cmdline"]))]
 
 
 @pytest.mark.slow
@@ -126,7 +132,7 @@ def test_a_mistake_further_down_ends_what_was_begun(launcher: Launcher, path: st
 
 @pytest.mark.slow
 def test_a_flood_of_output_does_not_delay_the_end(launcher: Launcher) -> None:
-    flood = "ExecuteProcess(cmd=['yes', 'x'], output={}),"
+    flood = "ExecuteProcess(cmd=['yes', 'x'], output={}, sigterm_timeout='20'),"
     path = launcher.description(flood.format("'screen'") + flood.format("'both'"))
     with launcher.started(path) as running:
         running.wait_for("[yes-2] x", times=10)

@@ -222,7 +222,8 @@ def test_a_hangup_ends_the_processes(launcher: Launcher) -> None:
 
 def test_last_words_of_what_a_process_started(launcher: Launcher) -> None:
     answer = launcher.run(
-        "ExecuteProcess(cmd=['sh', '-c', '(sleep 0.1; echo late) & exit 0'], output='screen')"
+        "ExecuteProcess(cmd=['sh', '-c', '(sleep 0.1; echo late) & exit 0'], output='screen')",
+        before="from launch.child import child\nchild._LAST_WORDS = 30.0",
     )
     assert answer.of("sh-1") == ["late"]
     assert "process has finished cleanly" in answer.said[-1]

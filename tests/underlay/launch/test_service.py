@@ -13,7 +13,15 @@ import asyncio, os, sys, threading
 from launch import LaunchDescription, LaunchService
 from launch.actions import ExecuteProcess, LogInfo, RegisterEventHandler
 from launch.event_handlers import OnProcessStart
-description = LaunchDescription([ExecuteProcess(cmd=['sleep', '100'], name='s')])
+sleeps = ExecuteProcess(cmd=['sleep', '100'], name='s')
+description = LaunchDescription([sleeps])
+async def until_started(service):
+    started = asyncio.Event()
+    description.add_action(RegisterEventHandler(OnProcessStart(on_start=lambda *_: started.set())))
+    service.include_launch_description(description)
+    task = asyncio.create_task(service.run_async())
+    await started.wait()
+    return task
 """
 MODULES = """
 from launch.action import Action
@@ -110,9 +118,7 @@ def test_within_a_loop_that_is_there(launcher: Launcher) -> None:
         + """
 async def main():
     service = LaunchService(noninteractive=True)
-    service.include_launch_description(description)
-    task = asyncio.create_task(service.run_async())
-    await asyncio.sleep(0.3)
+    task = await until_started(service)
     service.shutdown()
     return await task
 assert asyncio.run(main()) == 0
@@ -130,11 +136,8 @@ def test_cancelling_leaves_no_process_behind(launcher: Launcher) -> None:
         + """
 from launch import LaunchDescription
 async def main():
-    service = LaunchService()
-    service.include_launch_description(description)
-    task = asyncio.create_task(service.run_async())
-    await asyncio.sleep(0.3)
-    pid = description.entities[0].process_details['pid']
+    task = await until_started(LaunchService())
+    pid = sleeps.process_details['pid']
     task.cancel()
     await asyncio.gather(task, return_exceptions=True)
     return pid

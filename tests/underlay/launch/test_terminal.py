@@ -14,6 +14,10 @@ from tests.underlay.launch.machine import TIMEOUT, Launcher, gone
 
 MULE = "trap '' INT TERM; echo ready; while :; do sleep 0.05; done"
 POLITE = "trap 'echo bye; exit 0' INT; echo ready; while :; do sleep 0.05; done"
+# Ends at the second Ctrl+C.
+PATIENT = "end() { exit 0; }; again() { trap end INT; echo once; }; trap again INT; echo ready; "
+PATIENT += "while :; do sleep 0.05; done"
+NEVER = "sigterm_timeout='100'"
 TWICE = "[WARNING] [launch]: user interrupted with ctrl-c (SIGINT) again, ignoring..."
 
 
@@ -35,6 +39,17 @@ def _on_terminal(launcher: Launcher, entities: str) -> Iterator[pexpect.spawn]:
         child.close(force=True)
 
 
+def _expect_all(child: pexpect.spawn, *texts: str) -> str:
+    """In whatever order they come; all up to there, line by line."""
+    missing, said = {*texts}, ""
+    while missing:
+        line = child.readline()
+        assert line, f"{missing} never came: {said}"
+        said += line.rstrip("\r\n") + "\n"
+        missing = {text for text in missing if text not in said}
+    return said
+
+
 def _rest(child: pexpect.spawn) -> list[str]:
     child.expect(pexpect.EOF)
     child.close()
@@ -47,7 +62,7 @@ def _process(name: str, script: str, more: str = "") -> str:
 
 
 def test_ctrl_c_is_not_sent_twice(launcher: Launcher) -> None:
-    with _on_terminal(launcher, _process("polite", POLITE)) as child:
+    with _on_terminal(launcher, _process("polite", POLITE, NEVER)) as child:
         child.expect_exact("[polite-1] ready")
         child.sendintr()
         said = _rest(child)
@@ -60,13 +75,13 @@ def test_ctrl_c_is_not_sent_twice(launcher: Launcher) -> None:
 @pytest.mark.slow
 def test_ctrl_c_twice_ends_no_sooner_and_leaves_nothing(launcher: Launcher) -> None:
     stubborn = _process("mule", MULE, "sigterm_timeout='0.4', sigkill_timeout='0.2'")
-    with _on_terminal(launcher, stubborn) as child:
-        child.expect_exact("[mule-1] ready")
+    with _on_terminal(launcher, stubborn + _process("patient", PATIENT, NEVER)) as child:
+        _expect_all(child, "[mule-1] ready", "[patient-2] ready")
         there = psutil.Process(child.pid).children(recursive=True)
         child.sendintr()
-        child.expect_exact("user interrupted with ctrl-c (SIGINT)")
+        early = _expect_all(child, "user interrupted with ctrl-c (SIGINT)", "[patient-2] once")
         child.sendintr()
-        said = _rest(child)
+        said = [*early.splitlines(), *_rest(child)]
     assert TWICE in said
     head = "[ERROR] [mule-1]: process[mule-1] failed to terminate"
     assert f"{head} '0.4' seconds after receiving 'SIGINT', escalating to 'SIGTERM'" in said
@@ -89,7 +104,7 @@ def test_a_closed_window_leaves_nothing(launcher: Launcher) -> None:
 
 def test_noninteractive_sends_the_signal_itself(launcher: Launcher) -> None:
     """`-n` says that no terminal does it."""
-    path = launcher.description(_process("polite", POLITE))
+    path = launcher.description(_process("polite", POLITE, NEVER))
     with launcher.started("-n", path) as running:
         running.wait_for("ready")
         running.signal(signal.SIGINT)

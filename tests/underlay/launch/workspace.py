@@ -12,14 +12,13 @@ LAUNCH_FILE = "peanut_butter_falcon_quote_publisher_launch.py"
 # What the package `telling` shares besides.
 _SHARED = Path(__file__).with_name("cases") / "share"
 
-# A node as far as launch can see: it says what it says and dies of SIGINT.
+# A node as far as launch can see: it says what the real one had said by then, and dies of SIGINT.
 _FOREVER = """#!/bin/sh
-i=0
-while :; do
+for i in 0 1 2; do
   echo "[INFO] [1795276996.286076376] [print_forever]: Printed $i times." >&2
-  i=$((i + 1))
   sleep 0.1
 done
+exec sleep 100
 """
 _ONCE = """#!/bin/sh
 echo "Hi from python_package_with_a_node."

@@ -125,6 +125,19 @@ def test_sigint_reaches_the_node_once(send: Callable[[int, int], None], tools: R
 
 
 @pytest.mark.slow
+def test_sigint_reaches_the_node_once_on_a_busy_machine(tools: Ros2) -> None:
+    """What ros2 has beside it to see what the group gets has to wait for its turn."""
+    with tools.started("run", "tools", "counting") as process:
+        assert _line(process) == "ready\n"
+        (witness,) = (one for one in psutil.Process(process.pid).children() if "ros2cli" in one.cmdline())
+        witness.suspend()
+        os.killpg(process.pid, signal.SIGINT)
+        assert _line(process) == "got 2\n"
+        witness.resume()
+        assert process.wait(10) == 3
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("send", [os.kill, os.killpg], ids=["ros2 alone", "the group"])
 def test_sigterm_ends_both(send: Callable[[int, int], None], tools: Ros2) -> None:
     """The real one leaves the node behind when only ros2 gets it."""

@@ -66,6 +66,13 @@ class Room:
             assert time.monotonic() < end, f"{word} was never started"
             time.sleep(0.005)
 
+    def await_status(self, word: str, status: str) -> None:
+        """Wait until all of them are in this state: each gets there when it has its turn."""
+        end = time.monotonic() + _COMING
+        while (found := {one.status() for one in self.running(word)}) != {status}:
+            assert time.monotonic() < end, found
+            time.sleep(0.005)
+
     def leave(self) -> None:
         """End the ros2 daemon and close all windows; nothing may be left running after that.
 

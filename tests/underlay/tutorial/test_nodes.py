@@ -51,7 +51,7 @@ def test_ctrl_z_then_fg(room: Room) -> None:
     terminal.see("Printed 1 times")
     terminal.press("\x1a")
     assert "Stopped" in terminal.end(code=148)
-    assert {one.status() for one in room.running("print_forever_node")} == {psutil.STATUS_STOPPED}
+    room.await_status("print_forever_node", psutil.STATUS_STOPPED)
     terminal.begin("fg")
     terminal.see("Printed 3 times")
     assert "Traceback" not in terminal.ctrl_c(code=0)

@@ -114,8 +114,8 @@ def test_rates(room: Room, publisher: Terminal) -> None:
     hz.begin("ros2 topic hz /amazing_quote")
     bw.begin("ros2 topic bw /amazing_quote")
     assert delay.run("ros2 topic delay /amazing_quote", code=1).text == "msg does not have header\n"
-    rate = hz.see(r"average rate: [\d.]+\r\n\tmin: [\d.]+s max: [\d.]+s std dev: [\d.]+s window: \d+\r\n")
-    assert 1.5 < float(re.findall(r"average rate: ([\d.]+)", rate)[-1]) < 3.0
+    # Two a second: an average of many, as the first ones are of few.
+    hz.see(r"average rate: (1\.[5-9]|2\.)\d*\r\n\tmin: [\d.]+s max: [\d.]+s std dev: [\d.]+s window: \d+\r\n")
     bw.see(
         r"Subscribed to \[/amazing_quote\]", r"\d+ B/s from \d+ messages\r\n\tMessage size mean: \d+ B min"
     )

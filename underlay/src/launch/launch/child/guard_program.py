@@ -7,20 +7,19 @@ the launch has ended as it should.
 
 from __future__ import annotations
 
-import contextlib
 import os
 import signal
 import sys
 import time
 from collections.abc import Iterable
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))
+sys.path.insert(0, os.path.dirname(__file__))  # noqa: PTH120  as in tree.py
 
 from tree import descendants, holders
 
-_ROUNDS, _PAUSE = 200, 0.02  # what is killed may have started something a moment before
-_QUIET = 50  # rounds without a find; a process that becomes another program cannot be looked into meanwhile
+_ROUNDS = 200  # what is killed may have started something a moment before
+_SHORT, _LONG = 0.02, 0.2  # seconds from one look to the next, longer and longer while nothing is found
+_QUIET = 1.0  # seconds without a find; a process that becomes another program cannot be looked into meanwhile
 
 
 def main() -> None:
@@ -36,20 +35,23 @@ def main() -> None:
 
 def _end_all(watched: set[int], mark: str) -> None:
     _kill([*descendants(watched), *watched])
-    quiet = 0
+    pause, quiet = _SHORT, 0.0
     for _ in range(_ROUNDS):
         left = holders(mark)
         _kill([*descendants(left), *left])
-        quiet = 0 if left else quiet + 1
-        if quiet == _QUIET:
+        if quiet >= _QUIET and not left:
             return
-        time.sleep(_PAUSE)
+        pause, quiet = (_SHORT, 0.0) if left else (min(2 * pause, _LONG), quiet)
+        time.sleep(pause)
+        quiet += pause
 
 
 def _kill(pids: Iterable[int]) -> None:
     for pid in pids:
-        with contextlib.suppress(ProcessLookupError, PermissionError):
+        try:  # noqa: SIM105  as in tree.py
             os.kill(pid, signal.SIGKILL)
+        except (ProcessLookupError, PermissionError):
+            pass
 
 
 if __name__ == "__main__":

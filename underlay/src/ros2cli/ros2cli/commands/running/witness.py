@@ -1,7 +1,7 @@
 """Tells signals that the whole process group got from those that only this process got.
 
 Nothing in a signal says so. A second process of the same group does: it waits for signals and reports each
-one. What it has not reported after a moment was meant for us alone.
+one. What it has not reported after a moment, nor when it is asked, was meant for us alone.
 """
 
 from __future__ import annotations
@@ -9,11 +9,16 @@ from __future__ import annotations
 import os
 import select
 import signal
+from collections.abc import Iterator
 from typing import NoReturn
 
 from ros2cli.commands.running.bound import binding
 
 _PATIENCE = 0.2  # seconds; the members of a group get a signal within microseconds of each other
+# The question whether anything is left to report, and the answer that there is not. The kernel hands over
+# waiting signals in the order of their numbers, and so this one after all that can be watched.
+_QUESTION = signal.SIGRTMIN
+_ANSWERED_WITHIN = 5.0  # seconds; on a machine with too much to do the witness may have to wait for its turn
 
 
 class Witness:
@@ -25,11 +30,12 @@ class Witness:
     def __enter__(self) -> Witness:
         bind = binding()
         self._reports, writing = os.pipe()
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, self._watched)
+        os.set_blocking(self._reports, False)
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {*self._watched, _QUESTION})
         self._pid = os.fork()
         if self._pid == 0:
             bind()
-            _report_signals(self._watched, writing)
+            _report_signals({*self._watched, _QUESTION}, writing)
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
         os.close(writing)
         return self
@@ -41,13 +47,30 @@ class Witness:
 
     def saw(self, number: int) -> bool:
         """Tell whether the process group got this signal, too."""
-        while select.select([self._reports], [], [], _PATIENCE)[0]:
-            report = os.read(self._reports, 1)
-            if not report or report[0] == number:
-                return bool(report)
-        return False
+        return number in self._heard(_PATIENCE) or self._has_seen(number)
+
+    def _has_seen(self, number: int) -> bool:
+        """What it says when it is asked: it may not have had the time to report by itself."""
+        os.kill(self._pid, _QUESTION)
+        seen = False
+        for report in self._heard(_ANSWERED_WITHIN):
+            if report == _QUESTION:
+                break
+            seen = seen or report == number
+        return seen
+
+    def _heard(self, patience: float) -> Iterator[int]:
+        """Its reports, until it is silent for so long."""
+        while select.select([self._reports], [], [], patience)[0]:
+            try:
+                report = os.read(self._reports, 1)
+            except BlockingIOError:  # whoever handles a second signal, in the midst of this, has taken it
+                continue
+            if not report:
+                return
+            yield report[0]
 
 
-def _report_signals(watched: frozenset[signal.Signals], writing: int) -> NoReturn:
+def _report_signals(watched: set[int], writing: int) -> NoReturn:
     while True:
         os.write(writing, bytes([signal.sigwait(watched)]))
