@@ -105,7 +105,7 @@ STEPS = tuple(tuple(0.1 * step + 0.02 * joint for joint in range(JOINTS)) for st
 STEP_TIME = 0.06
 WAVE, COMMANDS = 1.0, 0.01  # Hz, and s between two targets
 # What a driver's source may use: `deg2rad`, parameters, or the driver's node are nobody's mistake there.
-LIBRARIES = ("sas_core", "sas_common", "sas_robot_driver", "dqrobotics", "rclcpp", "rcutils")
+LIBRARIES = ("sas_core", "sas_robot_driver", "dqrobotics", "rclcpp", "rcutils")
 MOTOR_OFF, DISCONNECTED = "Motor off", "Disconnected"
 WRONG = "a target of five elements"
 AGAIN = "again, until it gets a target of five elements"
