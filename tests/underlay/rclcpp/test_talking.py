@@ -14,7 +14,7 @@ FORMS = (
 
 
 def test_rclpy_hears_all_that_is_published_in_order(room: Room) -> None:
-    with room.peer("hear", "/chatter") as peer, room.program("talking", "say", "20"):
+    with room.peer("hear", "/chatter", "transient_local") as peer, room.program("talking", "say", "20"):
         heard = peer.until("19\n").splitlines()
     assert heard == ["listening", *map(str, range(20))]
 

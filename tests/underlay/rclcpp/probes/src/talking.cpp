@@ -21,7 +21,8 @@ public:
   explicit Sayer(int count)
   : Node("sayer"), count_(count)
   {
-    publisher_ = create_publisher<String>("chatter", 10);
+    // Keeps them all for a listener that is known here before it knows of this publisher.
+    publisher_ = create_publisher<String>("chatter", rclcpp::QoS(100).transient_local());
     timer_ = create_wall_timer(5ms, std::bind(&Sayer::say, this));
   }
 
