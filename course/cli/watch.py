@@ -106,11 +106,13 @@ class AtDesk:
         return HintText(exercise, index + 1, total, exercise.hints[index])
 
     def listing(self) -> Listing:
-        from course.cli.listing import row_of
+        from course.cli.listing import heading_of, row_of
         from course.watch.model import Listing
 
-        exercises = self._desk.course.exercises()
-        return Listing(tuple(row_of(exercise, self._desk.progress) for exercise in exercises))
+        chapters = self._desk.course.chapters()
+        exercises = (one for chapter in chapters for one in chapter.exercises)
+        rows = tuple(row_of(exercise, self._desk.progress) for exercise in exercises)
+        return Listing(rows, tuple(heading_of(chapter) for chapter in chapters))
 
     def is_passed(self, exercise: Exercise) -> bool:
         return self._desk.is_passed(exercise.id)

@@ -94,7 +94,7 @@ def _hint(body: HintText, console: Console, typed: Typed) -> None:
 
 @render.register
 def _list(body: Listing, console: Console, typed: Typed) -> None:
-    render_list(console, body.rows)
+    render_list(console, body.rows, body.chapters)
 
 
 @render.register

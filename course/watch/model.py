@@ -141,6 +141,7 @@ class Listing:
     """All exercises."""
 
     rows: tuple[Row, ...]
+    chapters: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
