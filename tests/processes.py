@@ -13,6 +13,14 @@ def below() -> set[psutil.Process]:
     return set(psutil.Process().children(recursive=True))
 
 
+def words_of(process: psutil.Process) -> list[str]:
+    """Its command line; empty for one that has just ended, as others that a test did not ask for may."""
+    try:
+        return process.cmdline()
+    except psutil.Error:
+        return []
+
+
 @contextmanager
 def none_stays() -> Iterator[set[psutil.Process]]:
     """Whatever is started meanwhile has ended at the end. Gives what was there before.

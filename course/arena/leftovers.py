@@ -42,8 +42,9 @@ def end_descendants(spared: Collection[psutil.Process] = ()) -> int:
     Returns how many were still there (0 when everyone had ended in order).
     """
     found: set[int] = set()
+    numbers = {child.pid for child in spared}
     for _ in range(_ROUNDS):
-        found |= _strike({child.pid for child in spared})
+        found |= _strike(numbers)
         left = _descendants(spared)
         if not left:
             break

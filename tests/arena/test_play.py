@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import signal
 import subprocess
@@ -19,6 +18,7 @@ from course.arena.enclosure import enclosure
 from course.arena.play import Playing, job_line, only_once
 from course.errors import OurFault, UsageError
 from course.rosenv import find_ros, node_environment
+from tests.processes import below, words_of
 
 pytestmark = pytest.mark.slow
 
@@ -74,13 +74,7 @@ def play(tmp_path: Path, environment: dict[str, str]) -> Iterator[Play]:
 
 def players() -> set[int]:
     """Processes of mysteries below this one."""
-    return {child.pid for child in psutil.Process().children(recursive=True) if _plays(child)}
-
-
-def _plays(process: psutil.Process) -> bool:
-    with contextlib.suppress(psutil.NoSuchProcess):  # some other process may just end
-        return "course.arena.player" in process.cmdline()
-    return False
+    return {child.pid for child in below() if "course.arena.player" in words_of(child)}
 
 
 def await_text(file: Path, text: str) -> None:

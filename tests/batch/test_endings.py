@@ -24,6 +24,7 @@ from tests.batch.command import Command, below, groups_of, half_written, outlivi
 from tests.batch.conftest import Lay
 from tests.batch.the_class import lay_class
 from tests.conftest import FIXTURES
+from tests.processes import words_of
 
 pytestmark = pytest.mark.slow
 
@@ -142,17 +143,11 @@ def test_stopped_it_ends_in_order_and_goes_on(command: Command, number: signal.S
 def test_a_worker_that_is_killed_is_no_loss(command: Command) -> None:
     with command.start() as process:
         until("a minute", process)
-        worker = next(each for each in below(process) if _is_worker(each))
+        worker = next(each for each in below(process) if "course.batch.worker" in words_of(each))
         worker.kill()
         said = process.communicate()[0]
     assert process.returncode == 0, said
     assert set(gradings(command.out)) == set(verdicts(command.out))
-
-
-def _is_worker(process: psutil.Process) -> bool:
-    with suppress(psutil.NoSuchProcess):  # what a worker has started may just end
-        return "course.batch.worker" in process.cmdline()
-    return False
 
 
 def test_two_commands_do_not_mix(quiz: Command) -> None:

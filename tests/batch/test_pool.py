@@ -7,7 +7,6 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
-import psutil
 import pytest
 
 from course.batch import pool
@@ -16,6 +15,7 @@ from course.batch.model import Graded, Task, Unit
 from course.batch.pool import Pool
 from course.grading.result import Verdict
 from tests.batch.samples import people
+from tests.processes import none_stays
 
 ODD = replace(GRADINGS, worker="tests.batch.odd_worker")
 
@@ -23,9 +23,8 @@ ODD = replace(GRADINGS, worker="tests.batch.odd_worker")
 @pytest.fixture(autouse=True)
 def odd_worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setattr(pool, "_DEATH_TIME", 0.5)
-    before = set(psutil.Process().children(recursive=True))
-    yield
-    assert set(psutil.Process().children(recursive=True)) <= before
+    with none_stays():
+        yield
 
 
 def tasks(*exercises: str, evidence: Path = Path("none")) -> Iterator[Task]:

@@ -5,13 +5,15 @@ from __future__ import annotations
 import contextlib
 import shutil
 import sys
-from collections.abc import Callable
+import threading
+import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from course.arena.sandbox.once import Confinement
-from course.build import BuildOutcome, Store, Workspace, build, confined, one
+from course.build import BuildOutcome, Interrupt, Store, Workspace, build, confined, one
 from course.build.colcon import colcon_command
 from course.rosenv import Ros, find_ros, prepare
 
@@ -30,6 +32,22 @@ marker = pathlib.Path(install, name, "share/ament_index/resource_index/packages"
 marker.parent.mkdir(parents=True)
 marker.touch()
 """
+
+
+@contextlib.contextmanager
+def called_off(condition: Callable[[], object]) -> Iterator[Interrupt]:
+    """What is set, in another thread, as soon as the condition is true."""
+
+    def call_off() -> None:
+        while not condition():
+            time.sleep(0.01)
+        interrupt.set()
+
+    with Interrupt() as interrupt:
+        thread = threading.Thread(target=call_off, daemon=True)
+        thread.start()
+        yield interrupt
+        thread.join()
 
 
 @pytest.fixture(scope="session")

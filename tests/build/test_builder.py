@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import os
 import threading
-import time
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from pathlib import Path
 
 import pytest
 
-from course.build import BuildOutcome, Interrupt, Interrupted, Store, Workspace, build, builder, one, sources
+from course.build import BuildOutcome, Interrupted, Store, Workspace, build, builder, one, sources
 from course.build.digest.machine import Machine
 from course.build.manifest import ManifestFault
 from course.errors import MissingHere, StorageError, UsageError
 from course.rosenv import Ros
-from tests.build.conftest import WORKSPACE
+from tests.build.conftest import WORKSPACE, called_off
 from tests.build.packages import edit, make_package
 from tests.processes import none_stays
 
@@ -184,18 +183,8 @@ def test_printing_without_end_says_so(
 @pytest.mark.slow
 def test_calling_off_leaves_nothing(built: Built, runs: Runs, src: Path, store: Store) -> None:
     (src / "small_node/quick.py").write_text("import time; time.sleep(300)")
-
-    def call_off() -> None:
-        while not runs():
-            time.sleep(0.01)
-        interrupt.set()
-
-    with none_stays(), Interrupt() as interrupt:
-        thread = threading.Thread(target=call_off, daemon=True)
-        thread.start()
-        with pytest.raises(Interrupted):
-            built("small_node", interrupt=interrupt)
-        thread.join()
+    with none_stays(), called_off(runs) as interrupt, pytest.raises(Interrupted):
+        built("small_node", interrupt=interrupt)
     assert [path.suffix for path in store.root.iterdir()] == [".lock"]
 
 

@@ -6,7 +6,6 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +15,7 @@ import pytest
 
 from course.build import Interrupt, Interrupted, process
 from course.build.process import Ended, Ending, run
+from tests.build.conftest import called_off
 
 REPO = Path(__file__).parents[2]
 
@@ -89,18 +89,9 @@ def test_a_flood_is_stopped(
 
 @pytest.mark.slow
 def test_calling_off_ends_everything(shell: Callable[..., Ended], tmp_path: Path) -> None:
-    def call_off() -> None:
-        while not (tmp_path / "child").exists():
-            time.sleep(0.01)
-        interrupt.set()
-
-    with Interrupt() as interrupt:
-        thread = threading.Thread(target=call_off, daemon=True)
-        thread.start()
-        began = time.monotonic()
-        with pytest.raises(Interrupted):
-            shell(PARENT + "wait", interrupt=interrupt)
-        thread.join()
+    began = time.monotonic()
+    with called_off((tmp_path / "child").exists) as interrupt, pytest.raises(Interrupted):
+        shell(PARENT + "wait", interrupt=interrupt)
     assert time.monotonic() - began < 20
     assert gone(tmp_path)
 

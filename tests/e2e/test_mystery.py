@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import re
 import subprocess
 import sys
@@ -19,6 +18,7 @@ from course.arena.play_module import load_play, seed_for
 from course.home import CourseHome
 from course.rosenv import find_ros, node_environment
 from tests.e2e.conftest import COMMAND
+from tests.processes import words_of
 
 pytestmark = pytest.mark.slow
 
@@ -103,13 +103,8 @@ def ended(child: pexpect.spawn[str]) -> tuple[str, int | None]:
 
 
 def nodes_below(child: pexpect.spawn[str]) -> list[psutil.Process]:
-    return [process for process in psutil.Process(child.pid).children(recursive=True) if plays(process)]
-
-
-def plays(process: psutil.Process) -> bool:
-    with contextlib.suppress(psutil.NoSuchProcess):  # some other process may just end
-        return "course.arena.player" in process.cmdline()
-    return False
+    children = psutil.Process(child.pid).children(recursive=True)
+    return [process for process in children if "course.arena.player" in words_of(process)]
 
 
 def test_from_play_to_the_pass(start: Start, domain: Mapping[str, str], plan: Any) -> None:

@@ -17,6 +17,7 @@ import pytest
 
 from course.content import Exercise, open_course
 from course.home import create_home
+from tests.processes import words_of
 from tests.watch.pretended import LIGHT
 
 REPO = Path(__file__).parents[2]
@@ -137,7 +138,7 @@ stty -g >after
         return next(
             process
             for process in psutil.Process(self.child.pid).children(recursive=True)
-            if self.script in process.cmdline()
+            if self.script in words_of(process)
         )
 
     def ended(self) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import signal
 import subprocess
@@ -19,6 +18,7 @@ from course.grading.result import Verdict
 from tests.batch.command import Command, half_written, verdicts
 from tests.batch.conftest import Lay
 from tests.conftest import FIXTURES
+from tests.processes import words_of
 
 pytest.importorskip("distributed")
 pytestmark = pytest.mark.slow
@@ -64,12 +64,8 @@ def _session(process: psutil.Process) -> int | None:
 
 
 def dask_workers(process: subprocess.Popen[str]) -> list[psutil.Process]:
-    found = []
-    for child in psutil.Process(process.pid).children():
-        with contextlib.suppress(psutil.NoSuchProcess):  # others of the command's end in between
-            if any("spawn_main" in word for word in child.cmdline()):
-                found.append(child)
-    return found
+    children = psutil.Process(process.pid).children()
+    return [child for child in children if any("spawn_main" in word for word in words_of(child))]
 
 
 def graded(process: subprocess.Popen[str], count: int) -> list[str]:

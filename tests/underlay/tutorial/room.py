@@ -16,6 +16,7 @@ from pathlib import Path
 import psutil
 
 from course.arena.enclosure import enclosure
+from tests.processes import words_of
 from tests.underlay.tutorial.terminal import Terminal
 
 REPOSITORY = Path(__file__).parents[3]
@@ -57,7 +58,7 @@ class Room:
 
     def running(self, word: str) -> list[psutil.Process]:
         """Those of them that have this word in their command line."""
-        return [process for process in self.programs() if word in _words(process)]
+        return [process for process in self.programs() if word in words_of(process)]
 
     def await_program(self, word: str) -> None:
         """Wait until there is one."""
@@ -86,7 +87,7 @@ class Room:
                 assert terminal.is_sane()
                 terminal.leave()
         _, left = psutil.wait_procs(self.programs(), _GOING)
-        assert not left, [_words(process) for process in left]
+        assert not left, [words_of(process) for process in left]
 
     def _is_from_here(self, process: psutil.Process) -> bool:
         try:
@@ -96,13 +97,6 @@ class Room:
             )
         except psutil.Error:
             return False
-
-
-def _words(process: psutil.Process) -> list[str]:
-    try:
-        return process.cmdline()
-    except psutil.Error:
-        return []
 
 
 @contextlib.contextmanager

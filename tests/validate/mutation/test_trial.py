@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
-
 import psutil
 import pytest
 
 from course.validate.mutation.model import Fate, Judged
 from course.validate.mutation.mutants import mutants
 from course.validate.mutation.trial import judged
+from tests.processes import words_of
 
 from .conftest import Workshop
 
@@ -173,16 +172,11 @@ def test_who_stops_early_leaves_no_process(workshop: Workshop) -> None:
     exercise = course.exercise("04-light")
     answers = judged(course, exercise, mutants(exercise), workshop.recorded, 2)
     next(answers)
-    (court,) = (child for child in psutil.Process().children() if is_court(child))
+    children = psutil.Process().children()
+    (court,) = (child for child in children if "course.validate.mutation.court" in words_of(child))
     # Its mutants come and go; which of them are there is looked at again while all stand still.
     court.suspend()
     ours = [court, *court.children(recursive=True)]
     answers.close()
     _gone, alive = psutil.wait_procs(ours, timeout=30)
     assert alive == []
-
-
-def is_court(process: psutil.Process) -> bool:
-    with contextlib.suppress(psutil.NoSuchProcess):  # some other process of these tests may just end
-        return "course.validate.mutation.court" in process.cmdline()
-    return False

@@ -10,6 +10,7 @@ import os
 import select
 import signal
 from collections.abc import Iterator
+from itertools import takewhile
 from typing import NoReturn
 
 from ros2cli.commands.running.bound import binding
@@ -31,11 +32,12 @@ class Witness:
         bind = binding()
         self._reports, writing = os.pipe()
         os.set_blocking(self._reports, False)
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {*self._watched, _QUESTION})
+        reported = {*self._watched, _QUESTION}
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, reported)
         self._pid = os.fork()
         if self._pid == 0:
             bind()
-            _report_signals({*self._watched, _QUESTION}, writing)
+            _report_signals(reported, writing)
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
         os.close(writing)
         return self
@@ -52,12 +54,8 @@ class Witness:
     def _has_seen(self, number: int) -> bool:
         """What it says when it is asked: it may not have had the time to report by itself."""
         os.kill(self._pid, _QUESTION)
-        seen = False
-        for report in self._heard(_ANSWERED_WITHIN):
-            if report == _QUESTION:
-                break
-            seen = seen or report == number
-        return seen
+        # All up to the answer: it must not be taken for that to a later question.
+        return number in list(takewhile(lambda report: report != _QUESTION, self._heard(_ANSWERED_WITHIN)))
 
     def _heard(self, patience: float) -> Iterator[int]:
         """Its reports, until it is silent for so long."""
