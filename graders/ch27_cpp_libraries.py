@@ -53,6 +53,7 @@ def another_package_and_the_node(arena: Arena) -> None:
             lambda: min(arena.logged(TEXT), arena.logged(SUM_TEXT)) >= ENOUGH, timeout=6, while_running=node
         )
     arena.interrupt(node)
+    arena.require_libraries("Eigen3", "Qt5Core")
     consumer = arena.build_project(CONSUMER, PROJECT)
     arena.ask_native(consumer, name=CONSUMER, timeout=10, env=arena.ros_libraries)
     arena.ask_sourced(consumer, PACKAGE, name=SOURCED)

@@ -365,6 +365,7 @@ def expect_end_by_a_wrong_target(recording: Recording, process: str, advice: str
 @driver.scenario
 def class_and_node(arena: Arena) -> None:
     """Ask the class what it does, then run the node twice."""
+    arena.require_libraries("Eigen3")
     program = arena.compile(
         "class",
         DRIVER_CPP,

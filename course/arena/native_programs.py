@@ -14,6 +14,7 @@ from course.arena.home_programs import HomePrograms
 from course.arena.probe import collect_answers
 from course.arena.process import Process
 from course.evidence.events import OutputLine, ProcessExited, ProgramMissing
+from course.rosenv.libraries import require_libraries
 
 _CHECKED = "sanitizers"
 
@@ -24,6 +25,10 @@ class NativePrograms(HomePrograms):
     def require(self, *tools: str) -> None:
         """Raise MissingHere, with the command that installs it, when this machine lacks one of them."""
         native.require(tools, self._plain_programs().get("PATH", ""))
+
+    def require_libraries(self, *names: str) -> None:
+        """Raise MissingHere, likewise, when this machine lacks a C++ library (`Eigen3`, `Qt5Core`)."""
+        require_libraries(names)
 
     def tool(
         self,

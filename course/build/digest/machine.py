@@ -15,6 +15,7 @@ from pathlib import Path
 
 from course.build.store import disk_full
 from course.errors import CourseError, MissingHere
+from course.rosenv.libraries import SYSTEM, lacks_library, missing_library
 
 _FULL = re.compile(r"No space left on device|Disk quota exceeded")
 _MEMORY = re.compile(r"Killed signal terminated program|Cannot allocate memory|out of memory allocating")
@@ -23,10 +24,6 @@ _PYTHON_HEADERS = re.compile(
 )
 _NO_COMPILER = re.compile(r"No CMAKE_C(XX)?_COMPILER could be found")
 _NO_LIBRARY = re.compile(r"^\s+(?P<name>Eigen3|Qt5\w*)Config\.cmake$")
-
-# What CMake calls a library of the system, what people call it, and the Debian package that brings it.
-_LIBRARIES = {"Eigen3": ("Eigen 3", "libeigen3-dev"), "Qt5": ("Qt 5", "qtbase5-dev")}
-_CMAKE_FOLDERS = ("share/*/cmake", "share/cmake/*", "lib/cmake/*", "lib/*/cmake/*")
 
 _ROOM = 64 * 1024 * 1024
 _SECONDS = 30.0
@@ -58,7 +55,7 @@ class Machine:
     store: Path
     python: Path
     killed: Killed
-    system: tuple[Path, ...] = (Path("/usr"), Path("/usr/local"))
+    system: tuple[Path, ...] = SYSTEM
 
     def is_full(self) -> bool:
         return shutil.disk_usage(self.store).free < _ROOM
@@ -70,11 +67,6 @@ class Machine:
 
     def lacks_compiler(self) -> bool:
         return not all(_output([name, "--version"]) for name in ("cc", "c++"))
-
-    def lacks_library(self, name: str) -> bool:
-        """Whether CMake would not find the system's library of this name."""
-        places = (f"{folder}/{name}Config.cmake" for folder in _CMAKE_FOLDERS)
-        return not any(any(root.glob(place)) for place in places for root in self.system)
 
 
 def raise_if_machine(lines: Sequence[str], machine: Machine) -> None:
@@ -99,16 +91,9 @@ def _fault(line: str, machine: Machine) -> CourseError | None:
         return MissingHere(what, "sudo apt install python3-dev")
     if _NO_COMPILER.search(line) and machine.lacks_compiler():
         return MissingHere("This machine has no C++ compiler that works.", "sudo apt install g++")
-    # Where Qt is there, one of its parts that is not is a name that somebody misspelt.
-    if (found := _NO_LIBRARY.search(line)) and machine.lacks_library(_main_part(found["name"])):
-        called, package = _LIBRARIES["Qt5" if found["name"].startswith("Qt5") else found["name"]]
-        what = f"The C++ library {called} is not installed on this machine."
-        return MissingHere(what, f"sudo apt install {package}")
+    if (found := _NO_LIBRARY.search(line)) and lacks_library(found["name"], machine.system):
+        return missing_library(found["name"])
     return None
-
-
-def _main_part(library: str) -> str:
-    return "Qt5Core" if library.startswith("Qt5") else library
 
 
 def _output(command: Sequence[str]) -> str:
