@@ -8,6 +8,8 @@ import signal
 import stat
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from itertools import dropwhile
+from operator import itemgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +17,7 @@ from course.arena.arena import Arena
 from course.arena.process import Process
 from course.errors import OurFault
 from course.evidence.events import OutputLine
+from course.evidence.process_view import ProcessView
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
 from course.evidence.stream import Stream
@@ -106,6 +109,14 @@ STEP_TIME = 0.06
 WAVE, COMMANDS = 1.0, 0.01  # Hz, and s between two targets
 # What a driver's source may use: `deg2rad`, parameters, or the driver's node are nobody's mistake there.
 LIBRARIES = ("sas_core", "sas_robot_driver", "dqrobotics", "rclcpp", "rcutils")
+# What RobotDriverROS writes before each step, and when one fails; and the functions that it calls in it.
+STEP = re.compile(r"::Robot driver: ([a-z ]+)$")
+FAILED = re.compile(r"::Robot driver: (?P<step>[a-z ]+) failed: (?P<error>.*)")
+FAILING = {
+    "connect": r"::connect\s*\(",
+    "initialize": r"::initialize\s*\(",
+    "control loop": r"::(?:get|set_target)_joint_positions\s*\(",
+}
 MOTOR_OFF, DISCONNECTED = "Motor off", "Disconnected"
 WRONG = "a target of five elements"
 AGAIN = "again, until it gets a target of five elements"
@@ -297,7 +308,30 @@ def expect_step_and_wave(
         return
     within = 0.03 + 2 * robot.period
     states = states.between(sine.times[0] + 0.2, sine.times[-1]) if len(sine) else sine
+    expect_no_jump(sine, states, advice, tuple(where))
     expect_follows_wave(recording, sine, states, WAVE, within=within, advice=advice, where=tuple(where))
+
+
+def expect_no_jump(sine: Stream, states: Stream, advice: str, where: tuple[Location, ...]) -> None:
+    """No joint leaves what was commanded. No load of a machine does that, so none excuses it.
+
+    What comes first may still be an earlier target, where a machine was held up.
+    """
+    for joint in range(JOINTS if len(sine) and states.widths == (JOINTS,) else 0):
+        least, greatest = min(sine.column(joint)), max(sine.column(joint))
+        room = 0.1 * (greatest - least)
+        outside = [(not least - room <= x <= greatest + room, x) for x in states.column(joint)]
+        far = next((x for out, x in dropwhile(itemgetter(0), outside) if out), None)
+        if far is not None:
+            raise Failure(
+                Feedback(
+                    summary=f"Joint {joint + 1} goes to where nobody commanded it.",
+                    expected=f"positions from {least:.3g} to {greatest:.3g} rad",
+                    seen=f"{far:.3g} rad",
+                    where=where,
+                    advice=advice,
+                )
+            )
 
 
 def expect_order(lines: Iterable[OutputLine], after: float, what: str, advice: str) -> None:
@@ -369,8 +403,9 @@ def class_and_node(arena: Arena) -> None:
     program = arena.compile(
         "class",
         DRIVER_CPP,
+        *more_files(arena.home),
         ours=PROBES / "ch31_driver.cpp",
-        options=arena.ros_options(*LIBRARIES),
+        options=(f"-I{IN_CPP}/include", *arena.ros_options(*LIBRARIES)),
         sanitized=False,
     )
     for question in ("life", "early", "wrong", "ends"):
@@ -383,6 +418,36 @@ def class_and_node(arena: Arena) -> None:
         end_with_a_wrong_target(arena, RIGHT, lambda: start(RIGHT, AGAIN))
 
 
+def more_files(home: Path) -> list[str]:
+    """What else of the package's `src` is built, as far as the class may need it: all without a `main`."""
+    listed = text_of(home / IN_CPP / "CMakeLists.txt")
+    files = (path.relative_to(home).as_posix() for path in sorted((home / IN_CPP / "src").glob("*.cpp")))
+    others = (file for file in files if file not in (DRIVER_CPP, NODE_CPP) and Path(file).name in listed)
+    return [file for file in others if not re.search(r"\bmain\s*\(", text_of(home / file))]
+
+
+def text_of(file: Path) -> str:
+    return file.read_text(encoding="utf-8", errors="replace") if file.is_file() else ""
+
+
+def expect_begun(recording: Recording, process: str) -> None:
+    """In this life of the class, `connect` and `initialize` threw nothing."""
+    for name in ("connect", "initialize"):
+        where = at(recording, rf"::{name}\s*\(", DRIVER_CPP)
+        answer = native_answer(recording, name, f"{name}()", process, where=where[0])
+        if answer.error is None:
+            continue
+        raise Failure(
+            Feedback(
+                summary=f"`{name}()` throws, although nothing is wrong with the robot.",
+                expected="no exception",
+                seen=answer.error[:150],
+                where=where,
+                advice="It may throw when the robot cannot be reached or started. This one can always be.",
+            )
+        )
+
+
 @driver.check("usable", "a program of another's can use the class")
 def usable(recording: Recording) -> None:
     expect_compiled(recording, "class")
@@ -391,6 +456,7 @@ def usable(recording: Recording) -> None:
 @driver.check("connected", "after `connect` it has six zeros, and goes where it is told", needs="usable")
 def connected(recording: Recording) -> None:
     where = at(recording, r"::connect\s*\(", DRIVER_CPP)
+    expect_begun(recording, "life")
     for question, what, wanted, advice in (
         ("zeros", "get_joint_positions()", [0.0] * JOINTS, "After `connect` there are six zeros."),
         (
@@ -423,6 +489,8 @@ def throws(recording: Recording) -> None:
         ("five", "wrong", "set_target_joint_positions` with five elements", "set_target_joint_positions"),
         ("seven", "wrong", "set_target_joint_positions` with seven elements", "set_target_joint_positions"),
     ):
+        if process == "wrong":
+            expect_begun(recording, process)
         where = at(recording, rf"::{name}\s*\(", DRIVER_CPP)
         answer = native_answer(recording, question, f"{name}()", process, where=where[0])
         if answer.error is not None:
@@ -443,6 +511,8 @@ def peaceful(recording: Recording) -> None:
     for name in ("deinitialize", "disconnect"):
         where = at(recording, rf"::{name}\s*\(", DRIVER_CPP)
         for when in (" at once", "", " again"):
+            if not when:
+                expect_begun(recording, "ends")
             answer = native_answer(recording, name + when, f"{name}()", "ends", where=where[0])
             if answer.error is None:
                 continue
@@ -460,7 +530,52 @@ def peaceful(recording: Recording) -> None:
 
 @driver.check("starts", "the program starts with its parameters, and keeps running")
 def starts(recording: Recording) -> None:
+    expect_executable(recording, EXECUTABLE)
+    view = recording.process(EXECUTABLE)
+    ended = view.ended_by_itself
+    if ended and ended.signal is None and (failure := why_ended(recording, view)):
+        raise Failure(failure)
     expect_running(recording, EXECUTABLE)
+    until = view.interrupted_at or math.inf
+    steps = [found[1] for line in view.lines if line.t < until and (found := STEP.search(line.text))]
+    if steps[-1:] in (["connect"], ["initialize"]) and not states_of(recording, LEFT).times:
+        raise Failure(
+            Feedback(
+                summary=f"The driver does not come out of `{steps[-1]}()`, so its loop never begins.",
+                expected="it returns at once",
+                seen="it was still in there in the end",
+                where=at(recording, rf"::{steps[-1]}\s*\("),
+                advice="Look for a loop in it that never ends. The loop of a driver is `control_loop()`'s.",
+            )
+        )
+
+
+def why_ended(recording: Recording, view: ProcessView) -> Feedback | None:
+    """What the driver said that ended it before its time; None if C++ itself ended it."""
+    if any("terminate called" in text or "error while loading" in text for text in view.text):
+        return None
+    said = next((text for text in view.text if "[ERROR]" in text or "[FATAL]" in text), None)
+    failed = FAILED.search(said) if said else None
+    where = at(recording, FAILING[failed["step"]]) if failed and failed["step"] in FAILING else ()
+    advice = f"Look for what throws this in `{failed['step']}()`." if failed else "Begin with this error."
+    if failed and failed["step"] == "control loop":
+        advice = "Look for what throws this in `get_joint_positions` or `set_target_joint_positions`."
+    if said is None:
+        where = at(recording, r"\bcontrol_loop\s*\(|\bmain\s*\(", NODE_CPP)
+        advice = (
+            "`control_loop()` runs the driver until Ctrl+C: call it on the `RobotDriverROS`, and let nobody "
+            "set the flag before."
+        )
+    return Feedback(
+        summary="The driver ends by itself, because of an error."
+        if said
+        else "The driver ends by itself, and says nothing of an error.",
+        expected="it runs until Ctrl+C",
+        seen=(failed["error"] if failed else said or "no error")[:200],
+        where=where,
+        advice=advice,
+        details=view.text[-6:],
+    )
 
 
 @driver.check("topics", "its topics are those of a driver, and begin with the node's name", needs="starts")

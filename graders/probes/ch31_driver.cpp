@@ -30,14 +30,22 @@ Eigen::VectorXd target(int joints) {
   return made;
 }
 
-void begin(Driver& driver) {
-  driver.connect();
-  driver.initialize();
+// Whether there is anything more to ask.
+bool begin(Driver& driver) {
+  bool begun = false;
+  ask("connect", [&] { driver.connect(); });
+  ask("initialize", [&] {
+    driver.initialize();
+    begun = true;
+  });
+  return begun;
 }
 
 void whole_life() {
   Driver driver(configuration(), &flag);
-  begin(driver);
+  if (!begin(driver)) {
+    return;
+  }
   ask("zeros", [&] { return numbers(driver.get_joint_positions()); });
   ask("follows", [&] {
     driver.set_target_joint_positions(target(6));
@@ -52,7 +60,9 @@ void without_connection() {
 
 void wrong_targets() {
   Driver driver(configuration(), &flag);
-  begin(driver);
+  if (!begin(driver)) {
+    return;
+  }
   ask("five", [&] { driver.set_target_joint_positions(target(5)); });
   ask("seven", [&] { driver.set_target_joint_positions(target(7)); });
 }
@@ -62,7 +72,9 @@ void ends() {
   ask("deinitialize at once", [&] { never.deinitialize(); });
   ask("disconnect at once", [&] { never.disconnect(); });
   Driver driver(configuration(), &flag);
-  begin(driver);
+  if (!begin(driver)) {
+    return;
+  }
   ask("deinitialize", [&] { driver.deinitialize(); });
   ask("disconnect", [&] { driver.disconnect(); });
   ask("deinitialize again", [&] { driver.deinitialize(); });

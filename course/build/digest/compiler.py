@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import PurePosixPath
 
 from course.build.digest.case import Case
@@ -13,6 +14,7 @@ from course.build.refusal import like
 from course.feedback import Location
 
 _HEADER = re.compile(r"^(\S+): No such file or directory$")
+_HEADERS = ("*.hpp", "*.hh", "*.hxx", "*.h")
 _SOURCES = ("*.cpp", "*.cc", "*.cxx", "*.c")
 _MOST_SOURCES = 200
 _LIBRARIES = re.compile(r"(?mi)^\s*add_library\s*\(\s*(\S+)([^)]*)\)")
@@ -48,6 +50,9 @@ def _header_advice(case: Case, error: CppError) -> str | None:
             f"It belongs to `{package}`: name that in `find_package`, in the target's dependencies, "
             "and as `<depend>` in package.xml."
         )
+    own = {PurePosixPath(file).name: file for file in _sources(case, _HEADERS)}
+    if near := like(PurePosixPath(found.group(1)).name, own):
+        return f"Did you mean the header `{own[near]}`? If so, does the target know its folder?"
     near = like(package, case.known_packages())
     return f"Did you mean a header of `{near}`?" if near else None
 
@@ -62,7 +67,9 @@ def _target_without(case: Case, error: CppError) -> str | None:
     looked_for = rf"(?i)find_package\s*\(\s*{re.escape(package)}\b"
     if not package or error.file is None or not case.line_of("CMakeLists.txt", looked_for):
         return None
-    made = re.compile(rf"CMakeFiles/([^/\s]+)\.dir/{re.escape(error.file)}\.o\b")
+    of_header = PurePosixPath(error.file).suffix in (pattern[1:] for pattern in _HEADERS)
+    file = r"\S+" if of_header else re.escape(error.file)  # whoever includes it
+    made = re.compile(rf"\*\*\* .*CMakeFiles/([^/\s]+)\.dir/{file}\.o\b")
     return next((found[1] for line in case.lines if (found := made.search(line))), None)
 
 
@@ -77,10 +84,13 @@ def _linker(case: Case, error: CppError) -> BuildFailure:
     else:
         summary = f"`{name}` is used, but nothing in `{error.target or package}` defines it."
         advice = _unlisted(case, error) or _unlinked(case, error) or advice_on(error)
+    announced = _announced(case, error) if error.kind == "undefined" else None
     where = [
+        *([announced] if announced else []),
         *([case.place(error.file, error.line)] if error.file and error.line else []),
         *_lists(case, error),
     ]
+    advice = _unwritten(name) if announced else advice
     return case.failure("linker", summary, where=where, advice=advice, details=error.details)
 
 
@@ -107,8 +117,28 @@ def _unlinked(case: Case, error: CppError) -> str | None:
     return None
 
 
-def _sources(case: Case) -> list[str]:
-    paths = (path for pattern in _SOURCES for path in sorted(case.source.rglob(pattern)))
+def _announced(case: Case, error: CppError) -> Location | None:
+    """Where a header of the package announces the member function, if none of its files defines one."""
+    *outer, name = error.text.split("(")[0].split("::")
+    if not outer or defining_file(error.text, {file: case.text(file) for file in _sources(case)}):
+        return None
+    in_class = rf"\b(?:class|struct)\s+{re.escape(outer[-1])}\b"
+    begins = rf"^\s*(?:explicit\s+|[^()=;/]*[\s&*])?{re.escape(name)}\s*\("
+    headers = [file for file in _sources(case, _HEADERS) if case.line_of(file, in_class)]
+    places = (case.place(file, line) for file in headers if (line := case.line_of(file, begins)))
+    return next(places, None)
+
+
+def _unwritten(name: str) -> str:
+    short = "::".join(name.split("(")[0].split("::")[-2:])
+    return (
+        f"It is announced, and no file of the package defines it. Write `{short}(...) {{ ... }}` in a .cpp "
+        "file, with its type in front and the same arguments."
+    )
+
+
+def _sources(case: Case, patterns: Sequence[str] = _SOURCES) -> list[str]:
+    paths = (path for pattern in patterns for path in sorted(case.source.rglob(pattern)))
     return [path.relative_to(case.source).as_posix() for path in paths][:_MOST_SOURCES]
 
 

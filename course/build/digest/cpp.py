@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 from typing import Literal
 
 Kind = Literal["compiler", "undefined", "twice", "library"]
@@ -17,6 +18,7 @@ Kind = Literal["compiler", "undefined", "twice", "library"]
 Own = Callable[[str], str | None]
 
 _LONGEST = 90
+_LONGEST_WORDS = 160  # of a compiler: where a name is long, what is wrong with it stands behind
 _SHOWN = 3
 # Instantiations that led to an error stand before it, what else is known of it behind.
 _MOST_AROUND = 60
@@ -24,6 +26,7 @@ _DIAGNOSTIC = re.compile(
     r"^(?P<file>[^:\s][^:]*):(?P<line>\d+):(?:\d+:)? (?P<kind>(?:fatal )?error|warning): (?P<text>.+)$"
 )
 _FROM_HERE = re.compile(r"^(?P<file>[^:\s][^:]*):(?P<line>\d+):(?:\d+:)? +(?:recursively )?required from")
+_INCLUDED = re.compile(r"^(?:In file included| +) ?from (?P<file>[^:\s][^:]*):(?P<line>\d+)(?::\d+)?[,:]$")
 _AROUND = re.compile(r"^In file included from |^ +from |: In instantiation of|: In substitution of|required ")
 _DEFINED_IN = re.compile(r"is defined in header ['‘](<[\w./]+>)['’]")
 
@@ -39,6 +42,7 @@ _LONG_NAMES = (
     (re.compile(r"std::(?:__cxx11::)?basic_string<char(?:, std::char_traits<char>, std::allocator<char> )?>"),
      "std::string"),
     (re.compile(r"std::__cxx11::"), "std::"),
+    (re.compile(r"Eigen::Matrix<double, -1, 1>"), "Eigen::VectorXd"),
     (re.compile(r" \[with [^\]]*\]"), ""),
     (re.compile("[‘’]"), "'"),  # as compilers quote where the terminal can show them
     (re.compile(r" \{aka '[^']*'\}"), ""),
@@ -81,11 +85,11 @@ def warnings(lines: Sequence[str], own: Own) -> tuple[CppError, ...]:
     return tuple(dict.fromkeys(one for one in _diagnosed(lines, own, "warning") if one.file))
 
 
-def readable_name(text: str) -> str:
-    """A symbol or an error without what no beginner wrote, and not longer than a line takes."""
+def readable_name(text: str, longest: int = _LONGEST) -> str:
+    """A symbol or an error without what no beginner wrote, and not longer than that."""
     for pattern, short in _LONG_NAMES:
         text = pattern.sub(short, text)
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 6]} [...]"
+    return text if len(text) <= longest else f"{text[: longest - 6]} [...]"
 
 
 def defining_file(symbol: str, texts: Mapping[str, str]) -> str | None:
@@ -94,8 +98,8 @@ def defining_file(symbol: str, texts: Mapping[str, str]) -> str | None:
     if not name:
         return None
     short = name.split("::")
-    # `Class::member`, as it is written outside of its class; namespaces before that may stand around it.
-    written = r"\s*::\s*".join(short[-2:])
+    # `Class::member`, as it is written outside of its class; namespaces stand before it, or around it.
+    written = (r"(?:\w+::)*" if len(short) > 1 else "") + r"\s*::\s*".join(short[-2:])
     pattern = re.compile(rf"(?:^|[\s&*]){written}\s*\([^;{{}}]*\)[^;{{}}()]*(?::[^;{{}}]*)?\{{", re.MULTILINE)
     return next((file for file, text in texts.items() if pattern.search(text)), None)
 
@@ -109,7 +113,7 @@ def _diagnosed(lines: Sequence[str], own: Own, kind: str) -> Iterator[CppError]:
         header = next(_headers(behind), "")
         yield CppError(
             "compiler",
-            readable_name(_OPTION.sub("", found["text"]).rstrip(".")),
+            readable_name(_OPTION.sub("", found["text"]).rstrip("."), _LONGEST_WORDS),
             file,
             line,
             found["file"],
@@ -122,17 +126,24 @@ def _diagnosed(lines: Sequence[str], own: Own, kind: str) -> Iterator[CppError]:
 def _place(
     lines: Sequence[str], number: int, found: re.Match[str], own: Own
 ) -> tuple[str | None, int | None]:
-    """An error in somebody else's template is the learner's where their file asked for that template."""
+    """An error in somebody else's template is the learner's where their file asked for that template.
+
+    One in somebody else's header, without a template, is theirs where they include it.
+    """
     if file := own(found["file"]):
         return file, int(found["line"])
-    place: tuple[str | None, int | None] = None, None
-    for line in reversed(lines[max(0, number - _MOST_AROUND) : number]):
-        if not _AROUND.search(line):
-            break
-        asked = _FROM_HERE.match(line)
+    before = lines[max(0, number - _MOST_AROUND) : number]
+    around = list(takewhile(_AROUND.search, reversed(before)))
+    return _nearest(_FROM_HERE, around, own) or _nearest(_INCLUDED, around, own) or (None, None)
+
+
+def _nearest(pattern: re.Pattern[str], around: Sequence[str], own: Own) -> tuple[str, int] | None:
+    """The learner's place that was printed first, nearest to the error. around: from the last line up."""
+    for line in reversed(around):
+        asked = pattern.match(line)
         if asked and (file := own(asked["file"])):
-            place = file, int(asked["line"])  # those that come before are nearer to the error
-    return place
+            return file, int(asked["line"])
+    return None
 
 
 def _headers(behind: Sequence[str]) -> Iterator[str]:

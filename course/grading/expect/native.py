@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+from dataclasses import replace
 
 from course.arena.native_programs import compiling
 from course.errors import OurFault
@@ -11,6 +12,7 @@ from course.evidence.process_view import ProcessView
 from course.evidence.recording import Recording
 from course.feedback import Failure, Feedback, Location
 from course.grading.expect.files import expect_file
+from course.grading.explain.cpp_crashes import cpp_crash
 from course.grading.explain.native import not_compiled, warned
 from course.grading.explain.sanitizers import Trouble, trouble
 
@@ -78,6 +80,8 @@ def native_answer(
     places = (where,) if where else ()
     if view.ended_by_itself is None:
         raise Failure(Feedback(summary=f"`{what}` does not come to an end.", where=places, advice=_NO_END))
+    if crashed := cpp_crash(view.exited, view.text, recording.sources, f"With `{what}` the program stops"):
+        raise Failure(replace(crashed, where=crashed.where or places))
     raise Failure(
         Feedback(
             summary=f"`{what}` ends the whole program.",

@@ -22,7 +22,7 @@ _KNOWN = (
      "Its name may hold letters, digits, `_` and `/`; no part of it begins with a digit."),
     (r"already.{0,30}initialized|ContextAlreadyInitialized",
      "Call `rclcpp::init(argc, argv)` once only, in `main`."),
-    (r"init\(\) has not been called|rcl_init|not initialized|context is (?:null|not valid|invalid)",
+    (r"init\(\) has not been called|rcl_init|not initialized|context.{1,14}(?:null|not valid|invalid)",
      "Call `rclcpp::init(argc, argv);` first in `main`, before the node is made."),
     (r"bad_weak_ptr",
      "`shared_from_this()` works only when the node is ready, and made with `std::make_shared`."),

@@ -31,6 +31,12 @@ main.cpp:3:8: error: 'shared_ptr' is not a member of 'std'
 main.cpp:3:3: note: 'std::shared_ptr' is defined in header '<memory>'; did you forget to '#include <memory>'?
 main.cpp:3:19: error: expected primary-expression before 'int'
 """
+INCLUDED = """\
+In file included from arm.hpp:3,
+                 from main.cpp:1:
+/ros/include/sas_core/sas_robot_driver.hpp:8:10: fatal error: Eigen/Dense: No such file or directory
+    8 | #include <Eigen/Dense>
+"""
 CMAKE_LINK = """\
 [100%] Linking CXX executable robot
 /usr/bin/ld: CMakeFiles/robot.dir/src/arm.cpp.o: in function `move()':
@@ -60,6 +66,12 @@ def test_an_error_in_a_template_is_where_the_learners_file_asked_for_it() -> Non
     assert (found.kind, found.file, found.line) == ("compiler", "arm.hpp", 12)
     assert found.text == "use of deleted function 'Arm::Arm(const Arm&)'"
     assert "copies an object" in advice_on(found)
+
+
+def test_an_error_in_a_header_of_others_is_where_the_learners_file_includes_it() -> None:
+    found = first(INCLUDED)
+    assert (found.file, found.line) == ("arm.hpp", 3)
+    assert found.text == "Eigen/Dense: No such file or directory"
 
 
 def test_the_instantiations_of_another_error_do_not_count() -> None:
@@ -162,6 +174,25 @@ def test_a_file_that_no_target_names_is_found(case: Callable[..., Case], src: Pa
     assert failure.feedback.advice == advice
 
 
+def test_a_function_that_nobody_wrote_is_where_the_header_announces_it(
+    case: Callable[..., Case], src: Path
+) -> None:
+    package = src / "small_interfaces"
+    (package / "arm.hpp").write_text(
+        "struct Arm {\n  // void bend(double x) is for the elbow\n  void bend(double x) override;\n};\n"
+    )
+    (package / "arm.cpp").write_text('#include "arm.hpp"\nint main() { Arm().bend(1); }\n')
+    log = "CMakeFiles/robot.dir/arm.cpp.o:(.data.rel+0x40): undefined reference to `sas::Arm::bend(double)'\n"
+    feedback = explain(case("small_interfaces", log)).feedback
+    assert str(feedback.where[0]) == f"{SRC}/small_interfaces/arm.hpp:3"
+    assert feedback.advice and "Write `Arm::bend(...) { ... }` in a .cpp file" in feedback.advice
+
+    (package / "more.cpp").write_text("void sas::Arm::bend(double x) {\n}\n")
+    feedback = explain(case("small_interfaces", log)).feedback
+    assert "arm.hpp" not in str(feedback.where[0])
+    assert feedback.advice and "`more.cpp` defines it" in feedback.advice
+
+
 @pytest.mark.parametrize(
     ("said", "words"),
     [
@@ -174,6 +205,28 @@ def test_a_file_that_no_target_names_is_found(case: Callable[..., Case], src: Pa
         ("‘count_’ was not declared in this scope", "its class in front"),
         ("‘get_logger’ was not declared in this scope; did you mean ‘getdate’?", "its class in front"),
         ("‘count’ was not declared in this scope", "`std::` in front"),
+        ("no matching function for call to ‘spin(std::shared_ptr<Talker>)’", "with `public` in front"),
+        ("invalid operands of types ‘const char*’ and ‘const char [8]’ to binary ‘operator+’", "with `<<`"),
+        ("invalid use of non-static member function ‘void Talker::talk()’", "std::bind(&Class::function"),
+        ("static assertion failed: Wrong number of arguments for pointer-to-member", "on an object"),
+        ("static assertion failed: YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES", "in capital letters"),
+        ("no declaration matches ‘std::string Arm::to_string()’", "with the header"),
+        ("QString: No such file or directory", "Qt5::Core"),
+        ("invalid application of ‘sizeof’ to incomplete type ‘sas::Arm::Impl’",
+         "write `Arm::~Arm() = default;` in the .cpp file, below `class Arm::Impl`"),
+        ("invalid application of ‘sizeof’ to incomplete type ‘Hand’", "Include the header of `Hand`"),
+        ("invalid use of incomplete type ‘class sas::Arm::Impl’", "no more than its name"),
+        ("Eigen/Dense: No such file or directory", "`target_link_libraries(... Eigen3::Eigen)`"),
+        ("Eigen/Dens: No such file or directory", "Did you mean `Eigen/Dense`?"),
+        ("eigen3/Eigen/Dense.h: No such file or directory", "Did you mean `Eigen/Dense`?"),
+        ("use of deleted function ‘sas::RobotDriver::RobotDriver()’", "`: RobotDriver(...)`"),
+        ("use of deleted function ‘sas::Arm::Arm(const sas::Arm&)’", "copies an object"),
+        ("‘override’ has not been declared", "The `)` before it is missing"),
+        ("ISO C++ forbids declaration of ‘Arm’ with no type", "called like its class"),
+        ("invalid initialization of reference of type ‘const std::vector<double>&’ from expression of type "
+         "‘Eigen::Matrix<double, -1, 1>’", "Compare the types"),
+        ("‘Eigen::VectorXd sas::RobotDriverMyrobot::get_joint_positions() const’ marked ‘override’, but does "
+         "not override", "Compare it with the base class"),
     ],
 )  # fmt: skip
 def test_advice_on_what_nodes_get_wrong(said: str, words: str) -> None:

@@ -104,12 +104,31 @@ def test_a_header_of_a_package_that_the_target_does_not_use(case: Callable[..., 
     assert "Add `ament_target_dependencies(robot std_msgs)`" in said
 
 
+@pytest.mark.usefixtures("src_with_targets")
+def test_a_header_that_another_header_includes(case: Callable[..., Case], src: Path) -> None:
+    (src / PACKAGE / "src").mkdir(exist_ok=True)
+    (src / PACKAGE / "src/robot.hpp").touch()
+    log = HEADER.format(src=SRC, header="std_msgs/msg/string.hpp").replace("robot.cpp:3", "robot.hpp:3")
+    failure = explain(case(PACKAGE, log))
+    assert failure is not None
+    assert (
+        failure.feedback.advice and "`ament_target_dependencies(robot std_msgs)`" in failure.feedback.advice
+    )
+
+
 def test_a_header_of_a_package_that_is_not_looked_for(
     case: Callable[..., Case], src_with_targets: Path
 ) -> None:
     edit(src_with_targets / PACKAGE / "CMakeLists.txt", "find_package(std_msgs REQUIRED)\n", "")
     said = missing_header(case, "std_msgs/msg/string.hpp")
     assert said.startswith("['robot.cpp:3'] It belongs to `std_msgs`: name that in `find_package`")
+
+
+@pytest.mark.usefixtures("src_with_targets")
+def test_a_header_of_the_package_by_another_name(case: Callable[..., Case], src: Path) -> None:
+    (src / PACKAGE / "src").mkdir(exist_ok=True)
+    (src / PACKAGE / "src/robot.hpp").touch()
+    assert "Did you mean the header `src/robot.hpp`?" in missing_header(case, "robot.h")
 
 
 @pytest.mark.usefixtures("src_with_targets")

@@ -146,6 +146,7 @@ def test_answers_and_exceptions_come_back() -> None:
     [
         (ran("it", "==1==ERROR: AddressSanitizer: SEGV on", code=1), "With `half(3)`: the program follows"),
         (ran("it", code=None, signal=9, killed=True), "`half(3)` does not come to an end."),
+        (ran("it", code=None, signal=11), "With `half(3)` the program stops: it follows a pointer"),
         (ran("it", code=0), "`half(3)` ends the whole program."),
     ],
 )

@@ -28,7 +28,7 @@ def thrown(kind: str, what: str, *more: str, code: str = "") -> Feedback:
 @pytest.mark.parametrize(
     ("kind", "what", "words"),
     [
-        ("std::runtime_error", "failed to initialize rcl node: rclcpp::init() has not been called", "argv"),
+        ("rclcpp::exceptions::RCLInvalidArgument", "guard condition: context argument is null", "argv"),
         ("rclcpp::exceptions::RCLError", "the given context is not valid, either rcl_init()", "argv"),
         ("rclcpp::ContextAlreadyInitialized", "context is already initialized", "once only"),
         ("std::bad_weak_ptr", "bad_weak_ptr", "`shared_from_this()` works only"),

@@ -54,3 +54,11 @@ def test_others_are_told_on_rosout(room: Room) -> None:
             heard = peer.until("unthrottled 2")
     assert "20 logger info two 2.0 main True\n" in heard
     assert "50 logger.child fatal main True\n" in heard
+
+
+def test_the_level_is_set_by_a_service(room: Room) -> None:
+    with room.program("further", "levels") as node:
+        node.until("ready")
+        level = "{levels: [{name: levels, level: 10}]}"
+        room.ros2("service", "call", "/levels/set_logger_levels", "rcl_interfaces/srv/SetLoggerLevels", level)
+        assert "[DEBUG]" in node.until("now heard")

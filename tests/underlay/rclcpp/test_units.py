@@ -26,3 +26,10 @@ def test_unit(case: str, room: Room) -> None:
 def test_executors(case: str, room: Room) -> None:
     ended = room.run("executors", case)
     assert ended.code == 0, ended.text
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", cases("further"))
+def test_further(case: str, room: Room) -> None:
+    ended = room.run("further", case)
+    assert ended.code == 0, ended.text

@@ -8,8 +8,11 @@ import time
 from collections.abc import Callable
 from functools import partial
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
+import rclpy
+from rclpy.impl.implementation_singleton import rclpy_implementation
 from sas_common import rclcpp_init, rclcpp_Node, rclcpp_ok, rclcpp_shutdown, rclcpp_spin_some
 from sas_core import RobotDriver
 from sas_robot_driver import RobotDriverClient, RobotDriverServer
@@ -97,6 +100,21 @@ def main() -> None:
     rclcpp_spin_some(program)
     client.send_target_joint_positions([1.0, 2.0])
     tell("ok", rclcpp_ok())
+    rclcpp_init()
+    for shutdown in (failing, beaten_by_ctrl_c):
+        with patch.object(rclpy, "try_shutdown", shutdown):
+            tell("shutdown", error_of(rclcpp_shutdown))
+
+
+def beaten_by_ctrl_c() -> None:
+    """rclpy's own, when the handler of a signal comes between its look and its deed."""
+    context = rclpy.get_default_context().handle
+    context.shutdown()
+    context.shutdown()
+
+
+def failing() -> None:
+    raise rclpy_implementation.RCLError("no")
 
 
 if __name__ == "__main__":

@@ -74,6 +74,7 @@ def test_it_goes_where_it_is_told(well: dict[str, Any]) -> None:
 def test_an_interrupt_ends_it_in_order(well: dict[str, Any]) -> None:
     assert (calls(well), errors(well), well["code"]) == (LIFE, [], 0)
     assert well["stdout"].splitlines()[-1] == "returned 0"
+    assert well["stderr"].splitlines()[-1].endswith("complaints after this line do no harm.")
 
 
 def test_a_target_of_five_elements_ends_it_in_order() -> None:

@@ -61,6 +61,10 @@ def test_after_the_end_nothing_happens(facts: dict[str, list[Any]]) -> None:
     assert facts["ok"] == [False, False]
 
 
+def test_a_shutdown_that_ctrl_c_was_quicker_with_is_quiet(facts: dict[str, list[Any]]) -> None:
+    assert facts["shutdown"] == ["RCLError: no", "nothing"]
+
+
 def test_a_program_in_python_commands_a_driver_in_cpp() -> None:
     waiting, positions, counted = beside(driver(), *python("program.py")).splitlines()
     assert waiting == "waiting"

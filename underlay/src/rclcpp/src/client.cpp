@@ -1,5 +1,7 @@
 #include "rclcpp/client.hpp"
 
+#include <utility>
+
 #include "graph_wait.hpp"
 #include "names.hpp"
 #include "qos_actual.hpp"
@@ -38,7 +40,8 @@ std::shared_ptr<rcl_client_t> make_client(
 ClientBase::ClientBase(
   const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & service_name,
   const rosidl_service_type_support_t & type_support, const QoS & qos)
-: node_handle_(node->get_shared_rcl_node_handle()), context_(node->get_context()),
+: type_support_(type_support), node_handle_(node->get_shared_rcl_node_handle()),
+  context_(node->get_context()),
   handle_(make_client(node_handle_, service_name, type_support, qos))
 {
 }
@@ -85,6 +88,20 @@ std::int64_t ClientBase::send_untyped(const void * request, Answered answered)
   detail::check(rcl_send_request(handle_.get(), request, &id), "failed to send request");
   pending_.emplace(id, Pending{std::chrono::system_clock::now(), std::move(answered)});
   return id;
+}
+
+void ClientBase::configure_introspection(
+  Clock::SharedPtr clock, const QoS & qos_service_event_pub,
+  rcl_service_introspection_state_t introspection_state)
+{
+  rcl_publisher_options_t options = rcl_publisher_get_default_options();
+  options.qos = qos_service_event_pub.get_rmw_qos_profile();
+  detail::check(
+    rcl_client_configure_service_introspection(
+      handle_.get(), node_handle_.get(), clock->get_clock_handle(), &type_support_, options,
+      introspection_state),
+    "failed to configure client introspection");
+  clock_ = std::move(clock);
 }
 
 void ClientBase::execute()

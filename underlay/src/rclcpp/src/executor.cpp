@@ -149,6 +149,20 @@ void Executor::remove_callback_group(CallbackGroup::SharedPtr group_ptr, bool no
 
 std::vector<CallbackGroup::WeakPtr> Executor::get_all_callback_groups()
 {
+  auto all = get_automatically_added_callback_groups_from_nodes();
+  const auto others = get_manually_added_callback_groups();
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
+std::vector<CallbackGroup::WeakPtr> Executor::get_manually_added_callback_groups()
+{
+  const std::lock_guard lock(members_mutex_);
+  return groups_;
+}
+
+std::vector<CallbackGroup::WeakPtr> Executor::get_automatically_added_callback_groups_from_nodes()
+{
   const std::lock_guard lock(members_mutex_);
   std::vector<CallbackGroup::WeakPtr> all;
   const auto add = [&](const CallbackGroup::SharedPtr & group) {
@@ -162,7 +176,6 @@ std::vector<CallbackGroup::WeakPtr> Executor::get_all_callback_groups()
       node->for_each_callback_group(add);
     }
   }
-  all.insert(all.end(), groups_.begin(), groups_.end());
   return all;
 }
 
@@ -228,6 +241,21 @@ void Executor::spin_node_all(
 {
   const detail::Visit visit(*this, std::move(node));
   spin_all(max_duration);
+}
+
+void Executor::spin_node_once(const std::shared_ptr<Node> & node, nanoseconds timeout)
+{
+  spin_node_once(node->get_node_base_interface(), timeout);
+}
+
+void Executor::spin_node_some(const std::shared_ptr<Node> & node)
+{
+  spin_node_some(node->get_node_base_interface());
+}
+
+void Executor::spin_node_all(const std::shared_ptr<Node> & node, nanoseconds max_duration)
+{
+  spin_node_all(node->get_node_base_interface(), max_duration);
 }
 
 FutureReturnCode Executor::spin_until(

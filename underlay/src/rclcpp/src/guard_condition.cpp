@@ -11,8 +11,8 @@ GuardCondition::GuardCondition(const Context::SharedPtr & context)
 : context_(context ? context->get_rcl_context() : nullptr),
   guard_condition_(rcl_get_zero_initialized_guard_condition())
 {
-  if (!context_) {
-    throw std::invalid_argument("context is null, or rclcpp::init() has not been called for it");
+  if (!context) {
+    throw std::invalid_argument("context argument unexpectedly nullptr");
   }
   detail::check(
     rcl_guard_condition_init(

@@ -53,6 +53,15 @@ Logger get_logger(const std::string & name)
   return Logger(name);
 }
 
+Logger get_node_logger(const rcl_node_t * node)
+{
+  const char * name = rcl_node_get_logger_name(node);
+  if (!name) {
+    rcl_reset_error();
+  }
+  return get_logger(name ? name : "rclcpp");
+}
+
 Logger::Logger(const std::string & name)
 : name_(std::make_shared<const std::string>(name))
 {

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "graph_wait.hpp"
+#include "logger_services.hpp"
+#include "names.hpp"
 #include "parameter_overrides.hpp"
 #include "parameter_services.hpp"
 #include "qos_parameters.hpp"
@@ -57,7 +59,7 @@ QosOverridingOptions all_usual_policies()
 struct Node::Services
 {
   Publisher<ParameterEvent>::SharedPtr events;
-  std::vector<ServiceBase::SharedPtr> parameters;
+  std::vector<ServiceBase::SharedPtr> parameters, loggers;
   std::shared_ptr<void> type_descriptions, sim_time;
 };
 
@@ -72,6 +74,11 @@ Node::Node(
   base_(std::make_shared<NodeBaseInterface>(node_name, namespace_, options)),
   graph_(std::make_shared<node_interfaces::NodeGraphInterface>(base_)),
   clock_(std::make_shared<Clock>(options.clock_type())),
+  clock_interface_(std::make_shared<node_interfaces::NodeClockInterface>(clock_)),
+  logging_(std::make_shared<node_interfaces::NodeLoggingInterface>(base_)),
+  services_interface_(std::make_shared<node_interfaces::NodeServicesInterface>(base_)),
+  timers_(std::make_shared<node_interfaces::NodeTimersInterface>(base_)),
+  topics_(std::make_shared<node_interfaces::NodeTopicsInterface>(base_, timers_)),
   services_(std::make_shared<Services>()),
   effective_namespace_(base_->get_namespace())
 {
@@ -99,6 +106,9 @@ Node::Node(
   if (options.automatically_declare_parameters_from_overrides()) {
     declare_all_overrides(*parameters_);
   }
+  if (options.enable_logger_service()) {
+    services_->loggers = detail::logger_services(base_);
+  }
   if (options.start_parameter_services()) {
     services_->parameters = detail::parameter_services(base_, parameters_);
   }
@@ -106,16 +116,21 @@ Node::Node(
 
 Node::Node(const Node & other, const std::string & sub_namespace)
 : options_(other.options_), base_(other.base_), graph_(other.graph_), clock_(other.clock_),
+  clock_interface_(other.clock_interface_), logging_(other.logging_),
+  services_interface_(other.services_interface_), timers_(other.timers_), topics_(other.topics_),
   parameters_(other.parameters_), services_(other.services_),
   sub_namespace_(
     other.sub_namespace_.empty() ? sub_namespace : other.sub_namespace_ + "/" + sub_namespace)
 {
   if (sub_namespace.empty() || sub_namespace.front() == '/') {
     throw exceptions::NameValidationError(
-            "sub_namespace", sub_namespace.c_str(), "a sub-namespace should not have a leading /", 0);
+            "sub_namespace", sub_namespace.c_str(), sub_namespace.empty() ?
+            "sub-nodes should not extend nodes by an empty sub-namespace" :
+            "a sub-namespace should not have a leading /", 0);
   }
   const std::string own = base_->get_namespace();
   effective_namespace_ = own.back() == '/' ? own + sub_namespace_ : own + "/" + sub_namespace_;
+  detail::check_namespace(effective_namespace_);
 }
 
 Node::~Node() = default;

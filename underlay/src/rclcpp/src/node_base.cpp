@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "logging_lock.hpp"
@@ -76,12 +75,8 @@ NodeBaseInterface::NodeBaseInterface(
   const std::string & node_name, const std::string & node_namespace, const NodeOptions & options)
 : context_(options.context())
 {
-  const auto rcl_context = context_->get_rcl_context();
-  if (!rcl_context) {
-    throw std::runtime_error(
-            "failed to initialize rcl node: rclcpp::init() has not been called for its context");
-  }
-  handle_ = make_node(node_name, node_namespace, options, rcl_context);
+  const GuardCondition tried(context_);  // it says in the usual words when rclcpp::init() was not called
+  handle_ = make_node(node_name, node_namespace, options, context_->get_rcl_context());
   default_group_ = create_callback_group(CallbackGroupType::MutuallyExclusive);
 }
 

@@ -83,6 +83,12 @@ NodeOptions & NodeOptions::enable_rosout(bool enable_rosout)
   return *this;
 }
 
+NodeOptions & NodeOptions::enable_logger_service(bool enable_logger_service)
+{
+  enable_logger_service_ = enable_logger_service;
+  return *this;
+}
+
 NodeOptions & NodeOptions::use_intra_process_comms(bool use_intra_process_comms)
 {
   use_intra_process_comms_ = use_intra_process_comms;

@@ -6,6 +6,7 @@
 #include "qos_actual.hpp"
 #include "qos_events.hpp"
 #include "rclcpp/detail/check.hpp"
+#include "rclcpp/logging.hpp"
 #include "rmw/rmw.h"
 
 namespace rclcpp
@@ -111,14 +112,34 @@ bool PublisherBase::wait_for_all_acked(std::chrono::nanoseconds timeout) const
   return true;
 }
 
-void PublisherBase::publish_untyped(const void * message)
+void PublisherBase::tell_of_loans() const
 {
-  const rcl_ret_t ret = rcl_publish(handle_.get(), message, nullptr);
+  if (!can_loan_messages()) {
+    RCLCPP_INFO_ONCE(
+      get_logger("rclcpp"),
+      "Currently used middleware can't loan messages. Local allocator will be used.");
+  }
+}
+
+void PublisherBase::check_published(rcl_ret_t ret, const char * doing) const
+{
   if (ret == RCL_RET_PUBLISHER_INVALID && !context_->is_valid()) {
     rcl_reset_error();  // after a shutdown nobody is left to hear it
     return;
   }
-  detail::check(ret, "failed to publish message");
+  detail::check(ret, doing);
+}
+
+void PublisherBase::publish_untyped(const void * message)
+{
+  check_published(rcl_publish(handle_.get(), message, nullptr), "failed to publish message");
+}
+
+void PublisherBase::publish_serialized(const rcl_serialized_message_t & message)
+{
+  check_published(
+    rcl_publish_serialized_message(handle_.get(), &message, nullptr),
+    "failed to publish serialized message");
 }
 
 }  // namespace rclcpp

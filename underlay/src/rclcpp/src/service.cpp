@@ -1,5 +1,7 @@
 #include "rclcpp/service.hpp"
 
+#include <utility>
+
 #include "names.hpp"
 #include "qos_actual.hpp"
 #include "rclcpp/detail/check.hpp"
@@ -36,7 +38,8 @@ std::shared_ptr<rcl_service_t> make_service(
 ServiceBase::ServiceBase(
   const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & service_name,
   const rosidl_service_type_support_t & type_support, const QoS & qos)
-: handle_(make_service(node->get_shared_rcl_node_handle(), service_name, type_support, qos))
+: type_support_(type_support), node_handle_(node->get_shared_rcl_node_handle()),
+  handle_(make_service(node_handle_, service_name, type_support, qos))
 {
 }
 
@@ -55,6 +58,20 @@ QoS ServiceBase::get_request_subscription_actual_qos() const
 QoS ServiceBase::get_response_publisher_actual_qos() const
 {
   return detail::actual_qos(rcl_service_response_publisher_get_actual_qos(handle_.get()));
+}
+
+void ServiceBase::configure_introspection(
+  Clock::SharedPtr clock, const QoS & qos_service_event_pub,
+  rcl_service_introspection_state_t introspection_state)
+{
+  rcl_publisher_options_t options = rcl_publisher_get_default_options();
+  options.qos = qos_service_event_pub.get_rmw_qos_profile();
+  detail::check(
+    rcl_service_configure_service_introspection(
+      handle_.get(), node_handle_.get(), clock->get_clock_handle(), &type_support_, options,
+      introspection_state),
+    "failed to configure service introspection");
+  clock_ = std::move(clock);
 }
 
 void ServiceBase::execute()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import rclpy
+from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 
 
@@ -25,4 +26,9 @@ def rclcpp_ok() -> bool:
 
 def rclcpp_shutdown() -> None:
     """End ROS for this program; does nothing if that was done already."""
-    rclpy.try_shutdown()
+    try:
+        rclpy.try_shutdown()
+    except rclpy_implementation.RCLError:
+        # Ctrl+C did it meanwhile, in another thread.
+        if rclpy.ok():
+            raise

@@ -274,8 +274,8 @@ void contexts()
   rclcpp::NodeOptions options;
   options.context(context);
   EXPECT(
-    THROWN(std::runtime_error, rclcpp::Node("node", options)).find("rclcpp::init()") !=
-    std::string::npos);
+    THROWN(exceptions::RCLInvalidArgument, rclcpp::Node("node", options)).find(
+      "failed to create guard condition: context argument is null") == 0);
   const char * unknown[] = {"program", "--ros-args", "--no-such-thing"};
   EXPECT(
     THROWN(exceptions::UnknownROSArgsError, context->init(3, unknown)) ==

@@ -6,12 +6,15 @@
 #include <utility>
 
 #include "rclcpp/message_info.hpp"
+#include "rclcpp/serialized_message.hpp"
 
 namespace rclcpp::detail
 {
 
 template<typename MessageT>
 using MessageHandler = std::function<void(std::shared_ptr<MessageT> &&, const MessageInfo &)>;
+
+using SerializedHandler = MessageHandler<SerializedMessage>;
 
 template<typename>
 inline constexpr bool always_false = false;
@@ -39,6 +42,21 @@ inline constexpr bool takes = std::disjunction_v<
   std::is_invocable<CallbackT &, std::shared_ptr<MessageT>, const Info &...>,
   std::is_invocable<CallbackT &, std::unique_ptr<MessageT>, const Info &...>>;
 
+/// Whether the callback takes messages as bytes, and not as messages. Step by step, as above.
+template<typename CallbackT, typename MessageT>
+constexpr bool may_take_serialized()
+{
+  if constexpr (takes<MessageT, CallbackT>) {
+    return false;
+  } else if constexpr (takes<MessageT, CallbackT, MessageInfo>) {
+    return false;
+  } else if constexpr (takes<SerializedMessage, CallbackT>) {
+    return true;
+  } else {
+    return takes<SerializedMessage, CallbackT, MessageInfo>;
+  }
+}
+
 /// One form for callbacks of all forms.
 template<typename MessageT, typename CallbackT>
 MessageHandler<MessageT> message_handler(CallbackT && callback)
@@ -58,6 +76,17 @@ MessageHandler<MessageT> message_handler(CallbackT && callback)
     static_assert(
       always_false<Given>,
       "the callback of a subscription takes a const reference, a shared or a unique pointer to the message");
+  }
+}
+
+/// The same, and for callbacks that take the bytes.
+template<typename MessageT, typename CallbackT>
+auto subscription_handler(CallbackT && callback)
+{
+  if constexpr (may_take_serialized<std::decay_t<CallbackT>, MessageT>()) {
+    return message_handler<SerializedMessage>(std::forward<CallbackT>(callback));
+  } else {
+    return message_handler<MessageT>(std::forward<CallbackT>(callback));
   }
 }
 

@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "rcl/client.h"
+#include "rcl/service_introspection.h"
 #include "rclcpp/any_subscription_callback.hpp"
+#include "rclcpp/clock.hpp"
 #include "rclcpp/detail/entity.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
@@ -89,6 +91,11 @@ public:
   std::size_t prune_requests_older_than_time(
     std::chrono::system_clock::time_point time_point, std::vector<std::int64_t> * pruned_requests);
 
+  /// Whether requests and answers are told on the topic `<service>/_service_event`, and what of them.
+  void configure_introspection(
+    Clock::SharedPtr clock, const QoS & qos_service_event_pub,
+    rcl_service_introspection_state_t introspection_state);
+
   virtual std::shared_ptr<void> create_response() = 0;
 
   detail::EntityKind kind() const noexcept override {return detail::EntityKind::client;}
@@ -109,8 +116,10 @@ private:
     Answered answered;
   };
 
+  const rosidl_service_type_support_t & type_support_;
   std::shared_ptr<rcl_node_t> node_handle_;
   Context::SharedPtr context_;
+  Clock::SharedPtr clock_;
   std::shared_ptr<rcl_client_t> handle_;
   std::mutex pending_mutex_;
   std::map<std::int64_t, Pending> pending_;

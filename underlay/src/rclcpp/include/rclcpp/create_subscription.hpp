@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "rclcpp/detail/node_of.hpp"
@@ -15,8 +16,18 @@ std::shared_ptr<Subscription<MessageT, AllocatorT>> create_subscription(
   const SubscriptionOptionsWithAllocator<AllocatorT> & options =
   SubscriptionOptionsWithAllocator<AllocatorT>())
 {
-  return detail::node_of(node).template create_subscription<MessageT>(
-    topic_name, qos, std::forward<CallbackT>(callback), options);
+  auto & given = detail::node_of(node);
+  if constexpr (std::is_same_v<std::decay_t<decltype(given)>, node_interfaces::NodeTopicsInterface>) {
+    const auto base = given.get_node_base_interface();
+    auto subscription = std::make_shared<Subscription<MessageT, AllocatorT>>(
+      base, topic_name, qos,
+      detail::subscription_handler<MessageT>(std::forward<CallbackT>(callback)), options);
+    base->add(subscription, options.callback_group);
+    return subscription;
+  } else {
+    return given.template create_subscription<MessageT>(
+      topic_name, qos, std::forward<CallbackT>(callback), options);
+  }
 }
 
 }  // namespace rclcpp

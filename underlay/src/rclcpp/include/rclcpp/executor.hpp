@@ -43,20 +43,26 @@ public:
     bool notify = true);
   virtual void remove_callback_group(CallbackGroup::SharedPtr group_ptr, bool notify = true);
   virtual std::vector<CallbackGroup::WeakPtr> get_all_callback_groups();
+  virtual std::vector<CallbackGroup::WeakPtr> get_manually_added_callback_groups();
+  virtual std::vector<CallbackGroup::WeakPtr> get_automatically_added_callback_groups_from_nodes();
 
   /// One callback; waits for it no longer than `timeout`, or for ever when that is negative.
   virtual void spin_once(std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
   void spin_node_once(
     node_interfaces::NodeBaseInterface::SharedPtr node,
     std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
+  void spin_node_once(
+    const std::shared_ptr<Node> & node, std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
 
   /// What is ready now, each once; no new callback begins after `max_duration`, if that is not zero.
   virtual void spin_some(std::chrono::nanoseconds max_duration = std::chrono::nanoseconds(0));
   /// What is ready, again and again until nothing is.
   virtual void spin_all(std::chrono::nanoseconds max_duration);
   void spin_node_some(node_interfaces::NodeBaseInterface::SharedPtr node);
+  void spin_node_some(const std::shared_ptr<Node> & node);
   void spin_node_all(
     node_interfaces::NodeBaseInterface::SharedPtr node, std::chrono::nanoseconds max_duration);
+  void spin_node_all(const std::shared_ptr<Node> & node, std::chrono::nanoseconds max_duration);
 
   /// Works until `future` is ready; SUCCESS, or why not.
   template<typename FutureT, typename RepT = std::int64_t, typename PeriodT = std::milli>

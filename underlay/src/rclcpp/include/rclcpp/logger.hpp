@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "rcl/node.h"
 #include "rcutils/logging.h"
 
 namespace rclcpp
@@ -11,6 +12,9 @@ namespace rclcpp
 class Logger;
 
 Logger get_logger(const std::string & name);
+
+/// The logger of a node, by its handle at rcl; `rclcpp` when there is none.
+Logger get_node_logger(const rcl_node_t * node);
 
 /// A name under which messages are logged. Cheap to copy.
 class Logger

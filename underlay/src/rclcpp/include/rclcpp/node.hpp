@@ -19,11 +19,18 @@
 #include "rclcpp/context.hpp"
 #include "rclcpp/create_timer.hpp"
 #include "rclcpp/event.hpp"
+#include "rclcpp/generic_publisher.hpp"
+#include "rclcpp/generic_subscription.hpp"
 #include "rclcpp/logger.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/node_interfaces/node_clock_interface.hpp"
 #include "rclcpp/node_interfaces/node_graph_interface.hpp"
+#include "rclcpp/node_interfaces/node_logging_interface.hpp"
 #include "rclcpp/node_interfaces/node_parameters_interface.hpp"
+#include "rclcpp/node_interfaces/node_services_interface.hpp"
+#include "rclcpp/node_interfaces/node_timers_interface.hpp"
+#include "rclcpp/node_interfaces/node_topics_interface.hpp"
 #include "rclcpp/node_options.hpp"
 #include "rclcpp/publisher.hpp"
 #include "rclcpp/qos.hpp"
@@ -102,7 +109,34 @@ public:
     const std::string topic = extended(topic_name);
     auto subscription = std::make_shared<SubscriptionT>(
       base_, topic, overridden(topic, qos, options),
-      detail::message_handler<MessageT>(std::forward<CallbackT>(callback)), options);
+      detail::subscription_handler<MessageT>(std::forward<CallbackT>(callback)), options);
+    base_->add(subscription, options.callback_group);
+    return subscription;
+  }
+
+  /// `topic_type` as std_msgs/msg/String. Throws std::runtime_error for a type that is not there.
+  template<typename AllocatorT = std::allocator<void>>
+  GenericPublisher::SharedPtr create_generic_publisher(
+    const std::string & topic_name, const std::string & topic_type, const QoS & qos,
+    const PublisherOptionsWithAllocator<AllocatorT> & options =
+    PublisherOptionsWithAllocator<AllocatorT>())
+  {
+    const std::string topic = extended(topic_name);
+    return std::make_shared<GenericPublisher>(
+      base_, topic, topic_type, overridden(topic, qos, options), options);
+  }
+
+  /// `callback` takes an rclcpp::SerializedMessage as others take a message.
+  template<typename CallbackT, typename AllocatorT = std::allocator<void>>
+  GenericSubscription::SharedPtr create_generic_subscription(
+    const std::string & topic_name, const std::string & topic_type, const QoS & qos, CallbackT && callback,
+    const SubscriptionOptionsWithAllocator<AllocatorT> & options =
+    SubscriptionOptionsWithAllocator<AllocatorT>())
+  {
+    const std::string topic = extended(topic_name);
+    auto subscription = std::make_shared<GenericSubscription>(
+      base_, topic, topic_type, overridden(topic, qos, options),
+      detail::message_handler<SerializedMessage>(std::forward<CallbackT>(callback)), options);
     base_->add(subscription, options.callback_group);
     return subscription;
   }
@@ -332,6 +366,14 @@ public:
   node_interfaces::NodeBaseInterface::SharedPtr get_node_base_interface() {return base_;}
   node_interfaces::NodeParametersInterface::SharedPtr get_node_parameters_interface() {return parameters_;}
   node_interfaces::NodeGraphInterface::SharedPtr get_node_graph_interface() {return graph_;}
+  node_interfaces::NodeClockInterface::SharedPtr get_node_clock_interface() {return clock_interface_;}
+  node_interfaces::NodeLoggingInterface::SharedPtr get_node_logging_interface() {return logging_;}
+  node_interfaces::NodeServicesInterface::SharedPtr get_node_services_interface()
+  {
+    return services_interface_;
+  }
+  node_interfaces::NodeTimersInterface::SharedPtr get_node_timers_interface() {return timers_;}
+  node_interfaces::NodeTopicsInterface::SharedPtr get_node_topics_interface() {return topics_;}
 
 protected:
   Node(const Node & other, const std::string & sub_namespace);
@@ -347,6 +389,11 @@ private:
   node_interfaces::NodeBaseInterface::SharedPtr base_;
   node_interfaces::NodeGraphInterface::SharedPtr graph_;
   Clock::SharedPtr clock_;
+  node_interfaces::NodeClockInterface::SharedPtr clock_interface_;
+  node_interfaces::NodeLoggingInterface::SharedPtr logging_;
+  node_interfaces::NodeServicesInterface::SharedPtr services_interface_;
+  node_interfaces::NodeTimersInterface::SharedPtr timers_;
+  node_interfaces::NodeTopicsInterface::SharedPtr topics_;
   node_interfaces::NodeParametersInterface::SharedPtr parameters_;
   // What serves in the background; it uses all that stands above.
   std::shared_ptr<Services> services_;

@@ -45,6 +45,10 @@ public:
   bool enable_rosout() const {return enable_rosout_;}
   NodeOptions & enable_rosout(bool enable_rosout);
 
+  /// Whether others may read and set levels of loggers, by the services get_ and set_logger_levels.
+  bool enable_logger_service() const {return enable_logger_service_;}
+  NodeOptions & enable_logger_service(bool enable_logger_service);
+
   /// Messages take the same way in every case: nothing depends on it.
   bool use_intra_process_comms() const {return use_intra_process_comms_;}
   NodeOptions & use_intra_process_comms(bool use_intra_process_comms);
@@ -90,6 +94,7 @@ private:
   std::vector<Parameter> parameter_overrides_;
   bool use_global_arguments_ = true;
   bool enable_rosout_ = true;
+  bool enable_logger_service_ = false;
   bool use_intra_process_comms_ = false;
   bool enable_topic_statistics_ = false;
   bool start_parameter_services_ = true;

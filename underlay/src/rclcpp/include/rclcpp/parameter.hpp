@@ -4,6 +4,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,12 +35,17 @@ public:
   rcl_interfaces::msg::ParameterValue get_value_message() const {return value_.to_value_msg();}
   const ParameterValue & get_parameter_value() const {return value_;}
 
-  /// The value as a T, or of a type by its number. Throws InvalidParameterTypeException.
+  /// The value as a T, or of a type by its number; a T that is Parameter gives all of it. Throws
+  /// InvalidParameterTypeException.
   template<typename T>
   decltype(auto) get_value() const
   {
     try {
-      return value_.get<T>();
+      if constexpr (std::is_same_v<T, Parameter>) {
+        return static_cast<const Parameter &>(*this);
+      } else {
+        return value_.get<T>();
+      }
     } catch (const ParameterTypeException & error) {
       throw exceptions::InvalidParameterTypeException(name_, error.what());
     }

@@ -38,6 +38,9 @@ public:
   bool assert_liveliness() const;
   QoS get_actual_qos() const;
   bool can_loan_messages() const;
+
+  /// Logs once when the middleware cannot loan messages.
+  void tell_of_loans() const;
   std::shared_ptr<rcl_publisher_t> get_publisher_handle() {return handle_;}
 
   /// Waits until every reliable subscription has what was published; a negative time waits for ever.
@@ -51,8 +54,11 @@ public:
 
 protected:
   void publish_untyped(const void * message);
+  void publish_serialized(const rcl_serialized_message_t & message);
 
 private:
+  void check_published(rcl_ret_t ret, const char * doing) const;
+
   Context::SharedPtr context_;
   std::shared_ptr<rcl_publisher_t> handle_;
   std::vector<std::shared_ptr<detail::Entity>> events_;

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "rcl/service.h"
+#include "rcl/service_introspection.h"
 #include "rclcpp/any_subscription_callback.hpp"
+#include "rclcpp/clock.hpp"
 #include "rclcpp/detail/entity.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
@@ -36,6 +38,11 @@ public:
   QoS get_request_subscription_actual_qos() const;
   QoS get_response_publisher_actual_qos() const;
 
+  /// Whether requests and answers are told on the topic `<service>/_service_event`, and what of them.
+  void configure_introspection(
+    Clock::SharedPtr clock, const QoS & qos_service_event_pub,
+    rcl_service_introspection_state_t introspection_state);
+
   virtual std::shared_ptr<void> create_request() = 0;
   virtual void handle_request(
     std::shared_ptr<rmw_request_id_t> request_header, std::shared_ptr<void> request) = 0;
@@ -48,6 +55,9 @@ protected:
   void send_untyped(rmw_request_id_t & request_id, void * response);
 
 private:
+  const rosidl_service_type_support_t & type_support_;
+  std::shared_ptr<rcl_node_t> node_handle_;
+  Clock::SharedPtr clock_;
   std::shared_ptr<rcl_service_t> handle_;
 };
 

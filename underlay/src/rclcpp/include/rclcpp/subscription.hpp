@@ -29,6 +29,16 @@ public:
   {
   }
 
+  /// With a callback that takes the bytes.
+  Subscription(
+    const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic, const QoS & qos,
+    detail::SerializedHandler handler, const SubscriptionOptionsWithAllocator<AllocatorT> & options)
+  : SubscriptionBase(
+      node, topic, *rosidl_typesupport_cpp::get_message_type_support_handle<MessageT>(), qos, options, true),
+    serialized_handler_(std::move(handler))
+  {
+  }
+
   /// Takes the next message without an executor; false when there is none.
   bool take(MessageT & message_out, MessageInfo & message_info_out)
   {
@@ -42,8 +52,15 @@ public:
     handler_(std::static_pointer_cast<MessageT>(std::move(message)), message_info);
   }
 
+  void handle_serialized_message(
+    const std::shared_ptr<SerializedMessage> & message, const MessageInfo & message_info) override
+  {
+    serialized_handler_(std::shared_ptr<SerializedMessage>(message), message_info);
+  }
+
 private:
   detail::MessageHandler<MessageT> handler_;
+  detail::SerializedHandler serialized_handler_;
 };
 
 }  // namespace rclcpp

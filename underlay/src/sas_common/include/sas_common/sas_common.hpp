@@ -1,4 +1,4 @@
-// Parameters that a program cannot do without.
+// Parameters that a program cannot do without, and a word at its end.
 
 #pragma once
 
@@ -41,6 +41,13 @@ void get_ros_optional_parameter(
     node->declare_parameter<T>(parameter_name, default_value);
   }
   get_ros_parameter(node, parameter_name, value);
+}
+
+/// For the end of a `main` that started ROS without signal handlers: what ROS may say after that is no fault.
+inline void display_signal_handler_none_bug_info(const std::shared_ptr<rclcpp::Node> & node)
+{
+  RCLCPP_INFO(
+    node->get_logger(), "ROS was started without signal handlers: complaints after this line do no harm.");
 }
 
 }  // namespace sas

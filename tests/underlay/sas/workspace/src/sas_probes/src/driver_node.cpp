@@ -52,5 +52,6 @@ int main(int argc, char ** argv)
   } catch (const std::exception & e) {
     RCLCPP_ERROR_STREAM_ONCE(node->get_logger(), std::string("::Exception::") + e.what());
   }
+  sas::display_signal_handler_none_bug_info(node);
   return 0;
 }
