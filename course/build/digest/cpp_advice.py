@@ -24,7 +24,7 @@ _ADVICE = (
      "`RCLCPP_INFO_STREAM` puts texts together with `<<`. `RCLCPP_INFO` takes one text, with `%d` in it."),
     (r"invalid operands of types '(?:const )?char.*'operator\+'",
      "C++ does not put texts in quotes together with `+`. `RCLCPP_INFO_STREAM` does so with `<<`."),
-    (r"invalid use of non-static member function|Wrong number of arguments for pointer-to-member",
+    (r"use of non-static member function|Wrong number of arguments for pointer-to-member",
      "A function of a class is called on an object: `std::bind(&Class::function, this)`, or "
      "`[this]() { function(); }`."),
     (r"static assertion failed: (?:THIS|YOU)_[A-Z_]+",
@@ -40,9 +40,9 @@ _ADVICE = (
     (r"'(?:override|const|noexcept)' (?:has not been declared|was not declared)",
      "The `)` before it is missing: first come what the function takes and the `)`, then such words."),
     (r"forbids declaration of .* with no type",
-     "A function begins with the type of what it returns. Only a constructor has none: it is called like its "
-     "class."),
-    (r"invalid use of incomplete type|incomplete type .* used in|has incomplete type",
+     "A function begins with the type of what it returns. Only the one that makes an object has none: it is "
+     "called like its class."),
+    (r"use of incomplete type|incomplete type .* used in|has incomplete type",
      "Here the compiler knows no more than its name. Include its header, or move what uses it to the .cpp "
      "file, below its `class ... { };`."),
     (r"expected .*;", "A semicolon is missing, most often at the end of the line before."),
@@ -57,8 +57,7 @@ _ADVICE = (
     (r"does not override", "Compare it with the base class: name, arguments and `const` must be the same."),
     (r"discards qualifiers", "Write `const` after the brackets of functions that change nothing."),
     (r"redefinition of", "Is a header read twice? Begin it with `#pragma once`."),
-    (r"no matching function|no match for|could not convert|cannot convert|conversion from|"
-     "invalid initialization",
+    (r"no matching function|no match for|could not convert|cannot convert|conversion from| initialization of",
      "Compare the types in this line, and their order, with those that are asked for."),
     (r"has no member named", "Is the name spelt right, and is it a member of just this type?"),
     (r"is private within|is protected within", "Only its own class may use it: ask for it with a function."),
@@ -100,9 +99,8 @@ def _destroyed(found: re.Match[str]) -> str:
     if outer is None:
         return f"Include the header of `{name}`: whoever deletes an object has to know all of it."
     return (
-        f"Whoever deletes an object of `{name}` has to know all of it. Announce the destructor in the "
-        f"header, `~{outer}();`, and write `{outer}::~{outer}() = default;` in the .cpp file, below "
-        f"`class {outer}::{name}`."
+        f"Whoever deletes a `{name}` has to know all of it. Announce `~{outer}();` in the header, and write "
+        f"`{outer}::~{outer}() = default;` in the .cpp file, below `class {outer}::{name}`."
     )
 
 
@@ -121,7 +119,7 @@ def _eigen(found: re.Match[str]) -> str:
 def _made_of_nothing(found: re.Match[str]) -> str:
     return (
         f"A `{found[1]}` is not made without arguments. A class that derives from it hands them on, behind "
-        f"the brackets of its constructor: `: {found[1]}(...)`."
+        f"the brackets of its own: `: {found[1]}(...)`."
     )
 
 
