@@ -11,6 +11,7 @@ from course.evidence.recording import Recording
 from course.evidence.topic_view import LogLine, expect_period
 from course.feedback import Failure, Feedback
 from course.grading.author import Grader
+from course.grading.expect.counts import expect_counting
 from course.grading.expect.graph import expect_node
 from course.grading.expect.logs import expect_logged
 from course.grading.expect.manifests import expect_dependency
@@ -74,28 +75,15 @@ def logs(recording: Recording) -> None:
 @print_forever.check("counts", "the count goes up by one, from 0", needs="logs")
 def counts(recording: Recording) -> None:
     lines = counted(recording)
-    numbers = [int(found[1]) for found in (LINE.search(line.text) for line in lines) if found]
-    if numbers[0] != 0:
-        raise Failure(
-            Feedback(
-                summary=f"The first message is `{lines[0].text}`, not `{FIRST}`.",
-                expected=FIRST,
-                seen=lines[0].text,
-                advice="Begin with a count of 0, and add one after the message is logged, not before.",
-            )
-        )
+    expect_counting(
+        lines,
+        LINE,
+        first=FIRST,
+        begin="Begin with a count of 0, and add one after the message is logged, not before.",
+        step="Keep the count in the node (`self.count`) and add one each time the timer calls.",
+    )
     if len(lines) < ENOUGH:
         raise Failure(too_few(recording, lines))
-    if numbers != list(range(len(numbers))):
-        raise Failure(
-            Feedback(
-                summary=f"The count does not go up by one: {', '.join(map(str, numbers[:ENOUGH]))}.",
-                expected="0, 1, 2, 3, 4",
-                seen=", ".join(map(str, numbers[:ENOUGH])),
-                advice="Keep the count in the node (`self.count`) and add one each time the timer calls.",
-                details=tuple(line.text for line in lines[:3]),
-            )
-        )
 
 
 def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:

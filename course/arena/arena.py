@@ -7,16 +7,19 @@ is closed, every process that was started in it, or by one of them, has ended.
 from __future__ import annotations
 
 import contextlib
+import sys
+import time
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, cast
 
 from course.arena.executables import command_for
-from course.arena.home_programs import HomePrograms
+from course.arena.lateness import noted_lateness
 from course.arena.leftovers import end_descendants
 from course.arena.no_ros import NoRos
-from course.arena.play_here import play_here
+from course.arena.own_programs import OwnPrograms
+from course.arena.play_here import our_environment, play_here
 from course.arena.process import Process
 from course.arena.ros_args import ParameterValue, ros_args
 from course.arena.starting import Starter, start_here
@@ -47,7 +50,7 @@ TYPE_PROBE = "type probe"
 _TYPE_PROBE = Path(__file__).with_name("type_probe.py")
 
 
-class Arena(HomePrograms):
+class Arena(OwnPrograms):
     """Where the learner's nodes run while they are watched.
 
     packages: what was built. environment: for the learner's programs. python: the
@@ -147,6 +150,12 @@ class Arena(HomePrograms):
         """Start a program of the course's own, which the learner's programs neither see nor reach."""
         return self._launch(name, command, {**self._programs(), **env}, self._ours, start=start_here)
 
+    def play_along(self, file: Path, *args: str, name: str) -> Process:
+        """Start a Python file of the course's own that makes nodes for the learner's to talk to."""
+        # Where we have made a log, programs that run as somebody else cannot write.
+        env = {**our_environment(), "ROS_LOG_DIR": str(self._ours / "log")}
+        return self.start_ours(sys.executable, str(file), *args, name=name, env=env)
+
     def until(
         self,
         condition: Callable[[], Any],
@@ -215,6 +224,18 @@ class Arena(HomePrograms):
         """Name this moment in the recording."""
         self.timeline.add(Marked(self.timeline.now(), name, detail))
 
+    def ticks(self, period: float, count: int) -> Iterator[int]:
+        """0, 1, 2, ... so many, one every `period` seconds by our clock: for a stimulus that keeps time."""
+        began = time.monotonic()
+        for number in range(count):
+            due = began + number * period
+            time.sleep(max(0.0, due - time.monotonic()))  # noqa: TID251 - it is time itself that is kept
+            yield number
+
+    def lateness(self) -> contextlib.AbstractContextManager[None]:
+        """Within it is noted how late this machine lets programs go on: see `expect.streams`."""
+        return noted_lateness(self.timeline)
+
     @property
     def seed(self) -> int | None:
         """What the exercise's mystery is drawn from; None without one."""
@@ -229,6 +250,7 @@ class Arena(HomePrograms):
         for process in self._processes:
             process.close()
         end_descendants()
+        self._domains.close()
 
 
 def _beginning(file: Path) -> str:

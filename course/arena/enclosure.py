@@ -52,7 +52,7 @@ def enclosure(*, namespaces: bool = True) -> Iterator[Enclosure]:
     if obstacle is None:
         yield Enclosure("namespaces", (bwrap(), *_BWRAP))
         return
-    with _free_domain() as domain:
+    with free_domain() as domain:
         environment = {"ROS_DOMAIN_ID": str(domain), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
         yield Enclosure("domain", (), environment, obstacle if namespaces else None)
 
@@ -85,11 +85,11 @@ def bwrap() -> str:
 
 
 @contextlib.contextmanager
-def _free_domain() -> Iterator[int]:
+def free_domain() -> Iterator[int]:
     """A domain that no other check on this machine holds and no ROS program listens in.
 
     The claim is an abstract socket: the kernel keeps it unique for all users and frees it
-    when this process ends, however it ends.
+    when this process ends, however it ends. Raises MissingHere when all are taken.
     """
     for domain in _DOMAINS:
         with contextlib.ExitStack() as stack:

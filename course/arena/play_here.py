@@ -24,12 +24,17 @@ def play_here(arena: Arena, file: Path) -> Process:
     """Raises OurFault when there is no seed to draw from, and when the nodes do not come up."""
     if arena.seed is None:
         raise OurFault(f"no seed was given to draw {file.stem} from")
-    own = {name: value for name, value in os.environ.items() if name not in _ARENAS}
+    own = our_environment()
     process = arena.start_ours(*player_command(), name=MYSTERY, env={**own, "PYTHONPATH": own_path(own)})
     process.type(job_line(file, file.stem, arena.seed, None))
     if not arena.until(lambda: READY in _printed(arena), timeout=START_TIME, while_running=process):
         raise OurFault(f"the mystery's nodes did not come up: {' | '.join(_printed(arena)[-5:])}")
     return process
+
+
+def our_environment() -> dict[str, str]:
+    """Of this process, for programs of the course's own that run beside the learner's."""
+    return {name: value for name, value in os.environ.items() if name not in _ARENAS}
 
 
 def _printed(arena: Arena) -> list[str]:

@@ -35,22 +35,36 @@ def run_probe(
     launch: Launch, python: str, code: Path, home: Path, timeline: Timeline, name: str, timeout: float
 ) -> None:
     """Run the probe in the file `code`, and record its answers when it has ended or its time is up."""
+
+    def start(writing: int) -> Process:
+        return launch((python, str(_PROGRAM), str(writing), str(code), str(home)), (writing,))
+
+    if not collect_answers(start, timeline, name, timeout, START_TIME):
+        raise OurFault(f"the probe {name} did not start")
+
+
+def collect_answers(
+    start: Callable[[int], Process], timeline: Timeline, name: str, timeout: float, start_time: float
+) -> bool:
+    """Start a program with the descriptor to write answers to, and record them at its end; whether any came.
+
+    start_time: seconds until the first one; then it has `timeout` s for all others.
+    """
     reading, writing = os.pipe()
     try:
         try:
-            process = launch((python, str(_PROGRAM), str(writing), str(code), str(home)), (writing,))
+            process = start(writing)
         finally:
             os.close(writing)
-        data = _read(reading, START_TIME, timeout)
+        data = _read(reading, start_time, timeout)
     finally:
         os.close(reading)
     process.wait(_GRACE)  # what it printed last; a thread that their code left behind is not waited for
     process.close()
-    if not data:
-        raise OurFault(f"the probe {name} did not start")
     *lines, _ = data.decode("utf-8", errors="replace").split("\n")
     answers = tuple(line for line in lines if _is_answer(line))
     timeline.add(Probed(timeline.now(), name, answers, json.dumps(_DONE) in lines))
+    return bool(data)
 
 
 def _read(descriptor: int, start_time: float, timeout: float) -> bytes:

@@ -8,6 +8,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Protocol
 
+from course.arena.containment import SCRATCH
+
+# What programs need may lie in there.
+_KEPT = f"--bind-try {SCRATCH} {SCRATCH}"
+_OWN_MEMORY = f"bwrap --die-with-parent --dev-bind / / --perms 1777 --tmpfs /dev/shm {_KEPT} --".split()
+
 
 class Started(Protocol):
     """A program that leads a session of its own on its terminal. Its pid is its own until it is reaped."""
@@ -31,8 +37,12 @@ class Starter(Protocol):
         environment: Mapping[str, str],
         folder: Path,
         descriptors: Sequence[int],
+        own_memory: bool = False,
     ) -> Started:
-        """terminal: becomes its controlling one. descriptors: of ours, which it inherits."""
+        """terminal: becomes its controlling one. descriptors: of ours, which it inherits.
+
+        own_memory: with a /dev/shm that it shares with nobody.
+        """
 
 
 class Child:
@@ -55,8 +65,11 @@ def start_here(
     environment: Mapping[str, str],
     folder: Path,
     descriptors: Sequence[int],
+    own_memory: bool = False,
 ) -> Child:
     """As our own child, with all that we may do and see."""
+    if own_memory:
+        command = (*_OWN_MEMORY, *command)
     # setsid runs in the child itself: no Python between fork and exec, although this process has threads.
     return Child(
         subprocess.Popen(

@@ -12,16 +12,12 @@ from course.content import open_course
 from course.errors import CourseError
 from course.feedback import Feedback
 from course.grading.check import Judge, check_exercise
+from course.grading.disturbed import is_doubtful
 from course.grading.load import runs_programs
 from course.grading.outcome import our_error
-from course.grading.result import Result, Timing, Verdict
+from course.grading.result import Result, Verdict
 from course.home.model import is_home, read_marker
 from course.rosenv import cache_dir, find_ros
-
-# A recorder that had to wait longer than this cannot tell how regularly messages come.
-MOST_LAG = 0.1
-# Of one core: a submission that keeps more of them busy has itself to blame for what it misses.
-_BUSY = 0.5
 
 
 def grade(task: Task, home: Path, judge: Judge | None = None) -> Result:
@@ -38,17 +34,7 @@ def grade(task: Task, home: Path, judge: Judge | None = None) -> Result:
     if task.contained and result.containment not in ("contained", ""):
         # Nothing of it may count, but it has been run: `grade` looks before it starts the first one.
         return _fault(task, Feedback(summary=f"It was not contained: {'; '.join(result.notes)}."))
-    return _too_loaded(result) if is_lagging(result) else result
-
-
-def is_lagging(result: Result) -> bool:
-    """Whether something was marked as wrong while the machine was too busy to know."""
-    return result.verdict is Verdict.NOT_PASSED and was_disturbed(result.timing)
-
-
-def was_disturbed(timing: Timing) -> bool:
-    """Whether the machine was too busy to measure, and not with the submission's own programs."""
-    return timing.lag > MOST_LAG and timing.cpu < _BUSY * max(timing.evidence, 1.0)
+    return _too_loaded(result) if is_doubtful(result) else result
 
 
 def _checked(task: Task, home: Path, judge: Judge | None) -> Result:

@@ -8,12 +8,13 @@ from pathlib import Path
 
 import course as package
 from course.batch.model import Graded, Unit
-from course.batch.one import is_lagging, seed_of
+from course.batch.one import seed_of
 from course.batch.results import Results, Stored
 from course.batch.run import ANSWERS
 from course.content import Course, Exercise
 from course.errors import OurFault, UsageError
 from course.grading import rejudge
+from course.grading.disturbed import is_doubtful
 from course.grading.load import runs_programs
 from course.grading.rejudge import Move, Problem, Rejudged, Trouble
 from course.grading.result import Result, Verdict
@@ -112,7 +113,7 @@ class _Regrading:
         seed = seed_of(person, answers)
         after = rejudge.regraded(stored.result, self._exercises[exercise], judgement, answers, seed)
         why = rejudge.lacks(stored.result, after, judged) if judged else None
-        if is_lagging(after):
+        if is_doubtful(after):
             why = "The machine was too busy when it was recorded."
         if why is not None:
             self._lacking.append(Lacking(person, exercise, why))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from course.build.builder import Progress, build
@@ -11,12 +12,15 @@ from course.build.store import Store, storage
 from course.build.workspace import Package, Workspace
 from course.errors import OurFault
 from course.rosenv import Ros, add_to_underlay, missing_of_underlay, underlay_builds
-from course.rosenv.underlay import source_root
+from course.rosenv.underlay import UnderlayPackage, source_root
 
 # Seconds for a package. They are our own, and end; a busy machine takes its time.
 _TIME_LIMIT = 1800.0
 # Files in which a package's interfaces are named by those who use them.
 _TEXTS = (".py", ".cpp", ".hpp", ".h", ".msg", ".srv", ".action", ".txt", ".xml")
+_LISTS = ("CMakeLists.txt",)
+_TESTS, _END = re.compile(rb"\s*if\s*\(\s*BUILD_TESTING\b"), re.compile(rb"\s*endif\b")
+_FIND = re.compile(rb"\s*find_package\s*\(\s*(?P<name>\w+)")
 
 
 def provide(
@@ -29,7 +33,8 @@ def provide(
 ) -> None:
     """Have in place whatever of the underlay the packages `names` of the workspace may need.
 
-    Installed ROS packages can be used without declaring them, so a mention in a source file counts, too.
+    Installed ROS packages can be used without declaring them, so what CMake is told to find counts, too, and
+    interfaces that a source file mentions.
     Costs next to nothing when all is there. Raises what `build_underlay` raises.
     """
     missing = missing_of_underlay(ros)
@@ -39,7 +44,7 @@ def provide(
     needed = [
         candidate.name
         for candidate in missing
-        if any(_needs(package, workspace, candidate.name, bool(candidate.interfaces)) for package in packages)
+        if any(_needs(package, workspace, candidate) for package in packages)
     ]
     build_underlay(needed, ros, on_progress=on_progress, interrupt=interrupt)
 
@@ -79,14 +84,30 @@ def build_underlay(
         add_to_underlay(ros, package.prefix)
 
 
-def _needs(package: Package, workspace: Workspace, name: str, mentioned: bool) -> bool:
-    return package.depends_on(name) or (mentioned and _mentions(package, workspace, name.encode()))
+def _needs(package: Package, workspace: Workspace, candidate: UnderlayPackage) -> bool:
+    name = candidate.name.encode()
+    return (
+        package.depends_on(candidate.name)
+        or any(_finds(text, name) for text in _texts(package, workspace, _LISTS))
+        or (bool(candidate.interfaces) and any(name in text for text in _texts(package, workspace, _TEXTS)))
+    )
 
 
-def _mentions(package: Package, workspace: Workspace, name: bytes) -> bool:
+def _texts(package: Package, workspace: Workspace, endings: tuple[str, ...]) -> list[bytes]:
     try:
         with storage(package.folder):
-            files = [f for f in source_files(package.folder, workspace.home) if f.name.endswith(_TEXTS)]
-            return any(file.link is None and name in file.path.read_bytes() for file in files)
+            files = [f for f in source_files(package.folder, workspace.home) if f.name.endswith(endings)]
+            return [file.path.read_bytes() for file in files if file.link is None]
     except TooMuch:
-        return False  # the build says so
+        return []  # the build says so
+
+
+def _finds(text: bytes, name: bytes) -> bool:
+    """Whether CMake is told to find `name`; what is for tests only does not count, they are not built."""
+    for_tests = False
+    for line in text.splitlines():
+        for_tests = bool(_TESTS.match(line)) or (for_tests and not _END.match(line))
+        found = _FIND.match(line)
+        if found and found["name"] == name and not for_tests:
+            return True
+    return False

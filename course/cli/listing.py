@@ -9,7 +9,7 @@ import typer
 from course.cli.words import examples
 
 if TYPE_CHECKING:
-    from course.content import Exercise
+    from course.content import Chapter, ChapterRef, Exercise
     from course.progress import Progress
     from course.report.overview import Row
 
@@ -23,8 +23,13 @@ def list_(ctx: typer.Context) -> None:
     from course.report.overview import render_list
 
     with open_desk(ctx) as desk:
-        rows = [row_of(exercise, desk.progress) for exercise in desk.course.exercises()]
-        render_list(open_console(), rows)
+        chapters = desk.course.chapters()
+        rows = [row_of(one, desk.progress) for chapter in chapters for one in chapter.exercises]
+        render_list(open_console(), rows, map(heading_of, chapters))
+
+
+def heading_of(chapter: Chapter | ChapterRef) -> str:
+    return f"{chapter.number} {chapter.title}"
 
 
 def row_of(exercise: Exercise, progress: Progress) -> Row:
@@ -32,7 +37,7 @@ def row_of(exercise: Exercise, progress: Progress) -> Row:
 
     last = progress.last_result(exercise.id)
     return Row(
-        chapter=f"{exercise.chapter.number} {exercise.chapter.title}",
+        chapter=heading_of(exercise.chapter),
         exercise=exercise.id,
         title=f"{exercise.title} (bonus)" if exercise.bonus else exercise.title,
         state=progress.state(exercise.id),

@@ -54,23 +54,23 @@ def next_(
     with open_desk(ctx, home_or_new(console, options_of(ctx))) as desk:
         chosen = desk.course.exercise(exercise) if exercise else next_exercise(desk)
         if chosen is None:
-            _congratulate(console)
+            _congratulate(console, desk)
         else:
             with paged(console) if pager else nullcontext():
                 _begin(console, desk, chosen, lesson=lesson)
 
 
 def _begin(console: Console, desk: Desk, exercise: Exercise, *, lesson: bool) -> None:
-    from course.cli.reading import chapter_text, not_passed_yet
+    from course.cli.reading import not_passed_yet, unread
     from course.home import begin
     from course.report.console import put_steps
     from course.report.lesson import put_requires, render_exercise, render_lesson, render_new_files
 
     new = begin(desk.home, exercise)
     desk.progress.set_current(exercise.id)
-    if lesson or not desk.progress.chapter_shown(exercise.chapter.slug):
-        render_lesson(console, exercise.chapter, chapter_text(exercise))
-        desk.progress.mark_chapter_shown(exercise.chapter.slug)
+    lessons = desk.course.lessons(exercise)
+    for shown in lessons if lesson else unread(desk, lessons):
+        render_lesson(console, shown.chapter, shown.text)
     render_exercise(console, exercise, desk.home.path, desk.progress.state(exercise.id))
     render_new_files(console, desk.home.path, new)
     put_requires(console, not_passed_yet(desk, exercise))
@@ -96,9 +96,13 @@ def _questions(exercise: Exercise) -> str:
     return "its question" if count == 1 else f"its {count} questions"
 
 
-def _congratulate(console: Console) -> None:
+def _congratulate(console: Console, desk: Desk) -> None:
+    from course.cli.reading import unread
     from course.report.console import put, put_steps
+    from course.report.lesson import render_lesson
 
+    for shown in unread(desk, desk.course.last_lessons()):
+        render_lesson(console, shown.chapter, shown.text)
     put(console, "You have passed every exercise of this course. Well done!", "bold green")
     put(console)
     put_steps(console, [(typed("list"), "to look back"), (typed("next ID"), "to do one of them again")])

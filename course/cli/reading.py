@@ -1,13 +1,12 @@
-"""Which exercise comes next, and the chapter's text that goes with it."""
+"""Which exercise comes next, and what is to be read with it."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from course.cli.desk import Desk
-from course.content import Exercise, answers_file
-from course.content.chapter import read_text
-from course.content.layout import LESSON_TEXT
+from course.content import Exercise, Lesson, answers_file
 from course.errors import UsageError
 
 if TYPE_CHECKING:
@@ -34,9 +33,12 @@ def not_passed_yet(desk: Desk, exercise: Exercise) -> tuple[str, ...]:
     return tuple(needed for needed in exercise.requires if needed not in passed)
 
 
-def chapter_text(exercise: Exercise) -> str:
-    """The lesson of the exercise's chapter; no other chapter is read for it."""
-    return read_text(exercise.folder / LESSON_TEXT)
+def unread(desk: Desk, lessons: Iterable[Lesson]) -> Iterator[Lesson]:
+    """Those that were not shown yet; each counts as shown once the next one is asked for."""
+    for lesson in lessons:
+        if not desk.progress.chapter_shown(lesson.chapter.slug):
+            yield lesson
+            desk.progress.mark_chapter_shown(lesson.chapter.slug)
 
 
 def put_questions(console: Console, desk: Desk, exercise: Exercise) -> None:

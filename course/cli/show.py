@@ -25,7 +25,7 @@ def show(
 ) -> None:
     """Show the text of an exercise. Changes nothing."""
     from course.cli.desk import open_desk
-    from course.cli.reading import chapter_text, put_questions
+    from course.cli.reading import put_questions
     from course.report.console import open_console, paged
     from course.report.lesson import render_exercise, render_lesson
 
@@ -34,7 +34,7 @@ def show(
         shown = desk.exercise(exercise)
         state = desk.progress.state(shown.id)
         with paged(console) if pager else nullcontext():
-            if lesson:
-                render_lesson(console, shown.chapter, chapter_text(shown))
+            for read in desk.course.lessons(shown) if lesson else ():
+                render_lesson(console, read.chapter, read.text)
             render_exercise(console, shown, desk.home.path, state)
             put_questions(console, desk, shown)

@@ -68,22 +68,19 @@ class AtDesk:
         return None if chosen is None else self.begin(chosen)
 
     def begin(self, exercise: Exercise) -> Begun:
+        from course.cli.reading import unread
         from course.home import begin
         from course.watch.model import Begun
 
         new = begin(self._desk.home, exercise)
-        progress, chapter = self._desk.progress, exercise.chapter.slug
-        progress.set_current(exercise.id)
-        is_first = not progress.chapter_shown(chapter)
-        if is_first:
-            progress.mark_chapter_shown(chapter)
-        return Begun(exercise, new, is_first)
+        self._desk.progress.set_current(exercise.id)
+        news = list(unread(self._desk, self._desk.course.lessons(exercise)))
+        return Begun(exercise, new, bool(news))
 
     def lesson(self, exercise: Exercise) -> LessonText:
-        from course.cli.reading import chapter_text
         from course.watch.model import LessonText
 
-        return LessonText(exercise, chapter_text(exercise))
+        return LessonText(exercise, self._desk.course.lessons(exercise))
 
     def task(self, begun: Begun) -> TaskText:
         from course.cli.reading import not_passed_yet, questions_of
@@ -109,11 +106,13 @@ class AtDesk:
         return HintText(exercise, index + 1, total, exercise.hints[index])
 
     def listing(self) -> Listing:
-        from course.cli.listing import row_of
+        from course.cli.listing import heading_of, row_of
         from course.watch.model import Listing
 
-        exercises = self._desk.course.exercises()
-        return Listing(tuple(row_of(exercise, self._desk.progress) for exercise in exercises))
+        chapters = self._desk.course.chapters()
+        exercises = (one for chapter in chapters for one in chapter.exercises)
+        rows = tuple(row_of(exercise, self._desk.progress) for exercise in exercises)
+        return Listing(rows, tuple(heading_of(chapter) for chapter in chapters))
 
     def is_passed(self, exercise: Exercise) -> bool:
         return self._desk.is_passed(exercise.id)

@@ -5,7 +5,7 @@ Importing this is quick; YAML and pydantic are imported when a file is read that
 
 from course.content.course import Course, open_course, problems, shared_files
 from course.content.layout import answers_file
-from course.content.model import Alternative, Chapter, ChapterRef, Edit, Exercise, Mistake
+from course.content.model import Alternative, Chapter, ChapterRef, Edit, Exercise, Lesson, Mistake
 from course.content.question import Choice, Known, Question
 
 __all__ = [
@@ -17,6 +17,7 @@ __all__ = [
     "Edit",
     "Exercise",
     "Known",
+    "Lesson",
     "Mistake",
     "Question",
     "answers_file",

@@ -7,7 +7,7 @@ from typing import Any
 
 from course.content import layout
 from course.content.cache import LessonCache
-from course.content.model import Chapter, ChapterRef, Exercise
+from course.content.model import Chapter, ChapterRef, Exercise, Lesson
 from course.content.question import question_of
 from course.errors import ContentError
 
@@ -25,6 +25,10 @@ def load_chapter(folder: Path, cache: LessonCache | None = None) -> Chapter:
         exercises=tuple(_exercise(folder, ref, item) for item in data["exercises"]),
         folder=folder,
     )
+
+
+def lesson_of(chapter: Chapter) -> Lesson:
+    return Lesson(ChapterRef(chapter.number, chapter.title, chapter.slug), chapter.text)
 
 
 def read_text(file: Path) -> str:
@@ -62,6 +66,7 @@ def _exercise(folder: Path, ref: ChapterRef, data: dict[str, Any]) -> Exercise:
         after=data["after"],
         files=_files(data),
         packages=tuple(data["packages"]),
+        workspace=data["workspace"],
         grader_packages=tuple(data["grader_packages"]),
         requires=tuple(data["requires"]),
         time_limit=float(data["time_limit"]),

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator
+from itertools import takewhile
 from pathlib import Path
 
 from course.content import layout, lookup
 from course.content.cache import LessonCache
-from course.content.chapter import load_chapter
-from course.content.model import Chapter, Exercise
+from course.content.chapter import lesson_of, load_chapter, read_text
+from course.content.model import Chapter, Exercise, Lesson
 from course.errors import ContentError
 
 
@@ -45,6 +46,20 @@ class Course:
         if found is None:
             raise lookup.unknown(name, exercises)
         return exercises[found]
+
+    def lessons(self, exercise: Exercise) -> tuple[Lesson, ...]:
+        """The lesson of its chapter, behind those of chapters right before that have no exercises."""
+        own = Lesson(exercise.chapter, read_text(exercise.folder / layout.LESSON_TEXT))
+        return (*self._without_exercises(self._folders.index(exercise.folder)), own)
+
+    def last_lessons(self) -> tuple[Lesson, ...]:
+        """Those of the chapters after the last exercise."""
+        return self._without_exercises(len(self._folders))
+
+    def _without_exercises(self, end: int) -> tuple[Lesson, ...]:
+        """Read upwards from there, no further than to the first chapter with exercises."""
+        upwards = (self._load(folder) for folder in reversed(self._folders[:end]))
+        return tuple(map(lesson_of, takewhile(lambda chapter: not chapter.exercises, upwards)))[::-1]
 
     def readable_exercises(self) -> Iterator[Exercise]:
         """All exercises but those of broken chapters, which must not keep a learner from the others."""

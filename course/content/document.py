@@ -52,7 +52,7 @@ def key_text(place: Place) -> str:
 def read_document(file: Path) -> Document:
     """Parse a file. Raises ContentError when it cannot be read or is not YAML."""
     try:
-        return _parse(file, file.read_text(encoding="utf-8"))
+        text = file.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise ContentError("the file is missing", f"create {file.name}", file=file) from None
     except UnicodeDecodeError as error:
@@ -60,6 +60,13 @@ def read_document(file: Path) -> Document:
         raise ContentError("this is not UTF-8 text", "save it as UTF-8", file=file, line=line) from None
     except OSError as error:
         raise ContentError(f"cannot be read: {error.strerror}", file=file) from error
+    return parse_document(file, text)
+
+
+def parse_document(file: Path, text: str) -> Document:
+    """As `read_document`, for the text of a file that was read already."""
+    try:
+        return _parse(file, text)
     except yaml.MarkedYAMLError as error:
         raise _syntax_error(file, error) from None
     except (yaml.YAMLError, ValueError) as error:  # ValueError: a date like 2026-13-40

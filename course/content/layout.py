@@ -11,8 +11,11 @@ LESSON = "lesson.yaml"
 LESSON_TEXT = "lesson.md"
 MISTAKES = "mistakes.yaml"
 ALTERNATIVE = "alternative.yaml"
+# What must have been built in a solution is said here, a line each: the folder of a workspace, and options of
+# colcon; or that of a CMake project, which is installed, and options of cmake.
+BUILT = "built.txt"
 PARTS = ("chapters", "graders", "solutions")
-# In every course home and solution: where the packages of exercises lie, and are built.
+# In every course home and solution: where an exercise's packages lie, and are built, if it names no other.
 WORKSPACE = "ros2_tutorial_workspace"
 CHAPTER_FOLDER = re.compile(r"(\d\d)-[a-z0-9]+(-[a-z0-9]+)*")
 

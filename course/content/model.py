@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from course.content.layout import WORKSPACE
 from course.content.question import Question
 
 # What stands in an answers file for one question.
@@ -25,12 +26,21 @@ class ChapterRef:
 
 
 @dataclass(frozen=True)
+class Lesson:
+    """What is read of a chapter before its exercises; text: Markdown."""
+
+    chapter: ChapterRef
+    text: str
+
+
+@dataclass(frozen=True)
 class Edit:
     """One change of a solution's file; exactly one of the other fields is set.
 
     file, rename: relative to the course home. replace: a text that occurs in the file; all its
-    occurrences become `with_`. content: the whole new file. mode: octal, like "755".
-    answers: question ids with the answers that take the place of the right ones in an answers file.
+    occurrences become `with_`. content: the whole new file. mode: octal, like "755". delete and rename
+    take a whole folder, too. answers: question ids with the answers that take the place of the right
+    ones in an answers file.
     """
 
     file: str
@@ -81,7 +91,8 @@ class Alternative:
 class Exercise:
     """One exercise of a chapter.
 
-    files: the learner's files, relative to the course home. packages: ROS packages built for it.
+    files: the learner's files, relative to the course home. packages: ROS packages built for it,
+    which lie in `workspace`/src.
     grader_packages: packages whose reference build the grader itself needs. requires: ids of the
     exercises whose work it stands on. text, hints, after: Markdown. time_limit: seconds.
     starter, grader, solution: paths that may not exist (a quiz has no solution). questions: asked
@@ -111,6 +122,7 @@ class Exercise:
     looks_at: tuple[str, ...] = ()
     bonus: bool = False
     local_only: bool = False
+    workspace: str = WORKSPACE
 
     def mistakes(self) -> tuple[Mistake, ...]:
         """The mistakes listed for this exercise; read from the chapter's mistakes.yaml now."""

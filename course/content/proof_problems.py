@@ -17,8 +17,12 @@ from course.errors import ContentError
 Ids = tuple[str, ...]
 
 # The right answers to questions, and the acts in a mystery, are computed where no file of them is stored;
-# and a workspace that is built in the trial home is in none.
+# and a workspace that is built in the trial home is in none. (What is installed there: see `_is_made`.)
 _MADE = re.compile(r"answers/|\.ros2course/acts/|[^/]+_workspace/(build|install|log|src$)")
+
+
+# Where a line of built.txt installs a CMake project to.
+_INSTALLED = re.compile(r"-DCMAKE_INSTALL_PREFIX=~/(\S+)")
 
 
 def proof_problems(chapter: Path, ids: Ids) -> Iterator[ContentError]:
@@ -67,7 +71,9 @@ def _edit_problem(document: Document, edit: Edit, place: Place, edited: Edited) 
     if edit.answers is not None:
         yield from _answers_problem(document, edit, place)
         return
-    if edit.content is not None or _MADE.match(edit.file):
+    if edit.content is not None or _is_made(edit.file, edited.solution):
+        return
+    if (edit.delete or edit.rename is not None) and (edited.solution / edit.file).is_dir():
         return
     text = edited.text(edit.file)
     if text is None and (edited.solution / edit.file).is_file():
@@ -81,6 +87,14 @@ def _edit_problem(document: Document, edit: Edit, place: Place, edited: Edited) 
         if text != Edited(edited.solution).text(edit.file):
             advice += "; an edit before this one has changed the file"
         yield document.error(what, advice, place=(*place, "replace"))
+
+
+def _is_made(file: str, solution: Path) -> bool:
+    """Whether the file is in no solution: it is made when a trial home is laid."""
+    built = solution / layout.BUILT
+    text = built.read_text(encoding="utf-8") if built.is_file() else ""
+    prefixes = _INSTALLED.findall(text)
+    return bool(_MADE.match(file)) or any(f"{file}/".startswith(f"{prefix}/") for prefix in prefixes)
 
 
 def _answers_problem(document: Document, edit: Edit, place: Place) -> Iterator[ContentError]:

@@ -19,6 +19,7 @@ from pydantic import (
 )
 from typing_extensions import Self
 
+from course.content.layout import WORKSPACE
 from course.content.question_schema import QuestionSchema
 from course.content.schema_parts import (
     ExerciseId,
@@ -30,6 +31,7 @@ from course.content.schema_parts import (
     Slug,
     Strict,
     Text,
+    Workspace,
     one_of,
     unempty,
     wrong,
@@ -59,6 +61,9 @@ class ExerciseSchema(Strict):
     title: Line = Field(description="one line, shown as the exercise's heading")
     summary: Line = Field(description="one line that says what the learner will do")
     packages: list[Package] = Field(default=[], description="a list of ROS packages that are built for it")
+    workspace: Workspace = Field(
+        default=WORKSPACE, description=f"the workspace that these lie in; `{WORKSPACE}` if left out"
+    )
     grader_packages: list[Package] = Field(
         default=[], description="a list of packages whose reference build the grader itself needs"
     )

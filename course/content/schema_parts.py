@@ -14,6 +14,7 @@ from pydantic_core import PydanticCustomError
 _EXERCISE_ID = r"\d\d-[a-z0-9]+(-[a-z0-9]+)*"
 _SLUG = r"[a-z0-9]+([-_][a-z0-9]+)*"
 _PACKAGE = r"[a-z][a-z0-9_-]*"
+_WORKSPACE = r"[a-z][a-z0-9_]*_workspace"
 _OCTAL = r"0?[0-7]{3}"
 
 
@@ -50,6 +51,12 @@ def _slug(text: str) -> str:
 def _package(text: str) -> str:
     if not re.fullmatch(_PACKAGE, text):
         raise wrong(f"must be the name of a ROS package (small letters, digits, underscores), not `{text}`")
+    return text
+
+
+def _workspace(text: str) -> str:
+    if not re.fullmatch(_WORKSPACE, text):
+        raise wrong(f"must be a folder whose name ends with `_workspace`, not `{text}`")
     return text
 
 
@@ -95,6 +102,7 @@ Line = Annotated[str, AfterValidator(_one_line), _like(r"^\s*\S[^\n]*\s*$")]
 ExerciseId = Annotated[str, AfterValidator(_exercise_id), _like(f"^{_EXERCISE_ID}$")]
 Slug = Annotated[str, AfterValidator(_slug), _like(f"^{_SLUG}$")]
 Package = Annotated[str, AfterValidator(_package), _like(f"^{_PACKAGE}$")]
+Workspace = Annotated[str, AfterValidator(_workspace), _like(f"^{_WORKSPACE}$")]
 HomePath = Annotated[str, AfterValidator(_home_path), _like(r"^(?!/|~|\./)[^\\]+$")]
 Mode = Annotated[str, AfterValidator(_octal), _like(f"^{_OCTAL}$")]
 Seconds = Annotated[

@@ -187,6 +187,25 @@ class Marked(Event):
 
 
 @dataclass(frozen=True)
+class Watched(Event):
+    """From this moment on (`on`), or up to it, it was noted how late the machine lets a program go on.
+
+    waited: at the end, the seconds for which a program's thread was kept from running, the longest of all;
+    0 where the kernel does not tell.
+    """
+
+    on: bool
+    waited: float = 0.0
+
+
+@dataclass(frozen=True)
+class Late(Event):
+    """A thread of ours got the CPU `seconds` later than it wanted: the machine has too much to do."""
+
+    seconds: float
+
+
+@dataclass(frozen=True)
 class ProgramMissing(Event):
     """The arena was to start a file of the course home that is not there."""
 

@@ -119,11 +119,15 @@ class Home:
 
     def near_folder(self, path: str) -> str | None:
         """A folder whose name is much like this one's, or that lies elsewhere."""
+        return next(iter(self.near_folders(path)), None)
+
+    def near_folders(self, path: str) -> tuple[str, ...]:
+        """Folders that were probably meant to be this one, likeliest first."""
         wanted = PurePosixPath(path)
         folders = [PurePosixPath(p) for p, e in self.entries.items() if p != path and e.kind == "folder"]
         here = [folder for folder in folders if folder.parent == wanted.parent]
         found = (*_alike(wanted.name, here), *(folder for folder in folders if folder.name == wanted.name))
-        return str(found[0]) if found else None
+        return tuple(dict.fromkeys(map(str, found)))
 
 
 def _alike(name: str, candidates: Iterable[PurePosixPath], cutoff: float = _ALIKE) -> list[PurePosixPath]:

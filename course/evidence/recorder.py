@@ -7,6 +7,7 @@ which the middleware received them here.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import secrets
 import threading
@@ -19,12 +20,14 @@ from typing import Any
 import rclpy
 from rclpy.context import Context
 from rclpy.event_handler import SubscriptionEventCallbacks
+from rclpy.exceptions import InvalidHandle
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import serialize_message
 from rclpy.signals import SignalHandlerOptions
+from rclpy.subscription import Subscription
 
 from course.errors import OurFault
 from course.evidence.events import (
@@ -52,6 +55,8 @@ MAX_BYTES = 64 * 1024 * 1024
 # Each change is kept with the whole graph, which a program that makes topics without end must not fill.
 MAX_ENDPOINTS = 200_000
 GRAPH_PERIOD = 0.02
+# Of one topic, before others have their turn.
+AT_ONCE = 100
 
 
 class Recorder:
@@ -224,6 +229,7 @@ class Listener:
         self._recorder = recorder
         self._wanted = (reliability, durability)
         self._round = 0
+        self._subscription: Subscription[Any] | None = None
         self._open()
 
     def _open(self) -> None:
@@ -234,10 +240,29 @@ class Listener:
         def receive(data: bytes, info: Mapping[str, Any]) -> None:
             if this_round == self._round:  # an earlier, stricter subscription is deaf from then on
                 self._receive(data, info)
+                self._receive_waiting()
 
-        self._recorder.node.create_subscription(
+        self._subscription = self._recorder.node.create_subscription(
             load_type(self.type), self.topic, receive, profile, raw=True, event_callbacks=self._events()
         )
+
+    def close(self) -> None:
+        """Hear no more; what was heard stays. For topics that say the same again and again."""
+        self._round += 1
+        if self._subscription is not None:
+            self._recorder.node.destroy_subscription(self._subscription)
+
+    def _receive_waiting(self) -> None:
+        """Take what else has come in: rclpy would set up its whole wait anew for each."""
+        subscription = self._subscription
+        if subscription is None:  # it hears before it has been handed to us
+            return
+        with contextlib.suppress(InvalidHandle), subscription.handle:  # closed meanwhile
+            for _ in range(AT_ONCE):
+                taken = subscription.handle.take_message(subscription.msg_type, True)
+                if taken is None:
+                    return
+                self._receive(*taken)
 
     def _events(self) -> SubscriptionEventCallbacks:
         return SubscriptionEventCallbacks(

@@ -28,6 +28,7 @@ from course.evidence.events import (
 )
 from course.evidence.graph import Endpoint, Graph
 from course.evidence.home_files import Home, HomeEntry
+from course.evidence.lateness import is_overloaded
 from course.evidence.launch_view import LaunchView
 from course.evidence.messages import Decoder
 from course.evidence.packages import BuiltPackages
@@ -37,6 +38,7 @@ from course.evidence.process_view import ProcessView
 from course.evidence.service_view import ServiceView
 from course.evidence.shell_view import ShellView
 from course.evidence.sources import Sources
+from course.evidence.stream import Stream
 from course.evidence.topic_view import LogLine, Message, TopicView
 from course.feedback import Pace
 
@@ -106,6 +108,18 @@ class Recording:
         missed = [event for event in self._of(MessagesLost) if event.topic == topic]
         times = [event.t for event in self._of(MessageSeen) if event.topic == topic] if missed else []
         return sum(event.count for event in missed if not _is_flood(event, times))
+
+    def stream(self, topic: str, field: str) -> Stream:
+        """The numbers in the list `field` of each message received on `topic`, with their times."""
+        return Stream.of(topic, field, self.messages(topic), self.lost(topic))
+
+    def sent_stream(self, topic: str, field: str) -> Stream:
+        """The same of what the arena itself published on `topic`."""
+        return Stream.of(topic, field, self.sent(topic))
+
+    def is_overloaded(self, begin: float, end: float) -> bool:
+        """Whether this machine held programs up from `begin` to `end`, as `arena.lateness()` noted it."""
+        return is_overloaded(self.events, begin, end)
 
     def service(self, name: str) -> ServiceView:
         """Calls of a service, by its full name: the arena's own, and those that reached its own server."""

@@ -53,11 +53,16 @@ class Grader:
     builds: points of the check that the packages build, which comes first and which every
     other check needs unless it says otherwise; None for an exercise without packages.
     ros: False when its scenario has nothing to do with ROS, which then is not started.
+    sanitizers: True when its scenario compiles programs with the address sanitizer (`arena.compile`), which
+    takes more addresses than programs of a submission have otherwise.
     """
 
-    def __init__(self, exercise: str, *, builds: float | None = 1, ros: bool = True) -> None:
+    def __init__(
+        self, exercise: str, *, builds: float | None = 1, ros: bool = True, sanitizers: bool = False
+    ) -> None:
         self.exercise = exercise
         self.ros = ros
+        self.sanitizers = sanitizers
         self.scenario_function: Scenario | None = None
         self.checks: dict[str, CheckSpec] = {}
         self.functions: dict[str, Callable[..., Any]] = {}

@@ -17,6 +17,7 @@ class Judgement:
 
     lag: seconds that the process had to wait for a CPU at worst meanwhile. cpu: seconds of it that the
     submission's programs used. judged: False where the recording was kept for somebody else to judge.
+    missing: True when `fault` is something that this machine lacks, with what installs it as its advice.
     """
 
     checks: tuple[CheckResult, ...]
@@ -25,6 +26,7 @@ class Judgement:
     lag: float = 0.0
     cpu: float = 0.0
     judged: bool = True
+    missing: bool = False
 
 
 class Channel:
@@ -53,6 +55,7 @@ def read_message(line: str) -> str | Judgement:
             return str(data["text"])
         checks = tuple(check_from_dict(item) for item in data["checks"])
         fault = feedback_from_dict(data["fault"])
-        return Judgement(checks, data["evidence"], fault, data["lag"], data["cpu"], data["judged"])
+        rest = (data[name] for name in ("lag", "cpu", "judged", "missing"))
+        return Judgement(checks, data["evidence"], fault, *rest)
     except (KeyError, TypeError) as error:
         raise ValueError(f"this is no message of the grading process: {error}") from error

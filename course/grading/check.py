@@ -24,8 +24,7 @@ from course.arena.sandbox.view import hidden, shown
 from course.build import BuildOutcome, Interrupt, Store, Workspace, build
 from course.build.underlay import provide
 from course.content import Exercise
-from course.content.layout import WORKSPACE
-from course.errors import OurFault
+from course.errors import MissingHere, OurFault
 from course.grading.channel import Judgement
 from course.grading.job import Job
 from course.grading.load import runs_programs
@@ -91,6 +90,8 @@ def check_exercise(
             job = _job(exercise, home, ros, outcome, where, evidence, local, seed)
             job = replace(job, judge=judge is None)
             recorded = supervisor.grade(job, exercise.time_limit, on_progress)
+        if recorded.missing and recorded.fault is not None:
+            raise MissingHere(recorded.fault.summary, recorded.fault.advice)
         judgement = _judged(recorded, judge, exercise, evidence)
         if is_spoilt(judgement.checks):
             on_progress("watching your program once more")
@@ -124,7 +125,7 @@ def _build(
     stop: Interrupt,
     local: bool,
 ) -> BuildOutcome:
-    workspace = Workspace.scan(home / WORKSPACE, home, trusted=local)
+    workspace = Workspace.scan(home / exercise.workspace, home, trusted=local)
     provide(workspace, exercise.packages, ros, on_progress=on_progress, interrupt=stop)
     return build(workspace, exercise.packages, ros, store, on_progress=on_progress, interrupt=stop)
 
@@ -155,17 +156,22 @@ def _job(
         looks_at=(*exercise.files, *exercise.looks_at),
         plain={**plain_environment(ros), **extra},
         local=local,
-        sandbox=_sandbox(where, ros, environment, home, local),
+        sandbox=_sandbox(where, ros, environment, exercise, home, local),
         **_mystery(exercise, home, seed),
     )
 
 
 def _sandbox(
-    where: Containment, ros: Ros, environment: Mapping[str, str], home: Path, local: bool
+    where: Containment,
+    ros: Ros,
+    environment: Mapping[str, str],
+    exercise: Exercise,
+    home: Path,
+    local: bool,
 ) -> Plan | None:
     # A virtual environment and what `colcon build` installed work in their own place only. Of a submission
     # neither is looked at.
-    own = [*(file.parent for file in home.glob("*/pyvenv.cfg")), home / WORKSPACE] if local else []
+    own = [*(file.parent for file in home.glob("*/pyvenv.cfg")), home / exercise.workspace] if local else []
     visible = shown(ros, environment, own)
     return where.plan(visible, hidden(visible))
 

@@ -25,18 +25,20 @@ from course.arena.containment import PROGRAMS
 from course.arena.leftovers import adopt_orphans, end_descendants
 from course.arena.sandbox.control_groups import cpu_seconds
 from course.arena.sandbox.launcher import fork_launcher
+from course.arena.sandbox.limits import for_sanitizers
 from course.arena.sandbox.linux import PR_SET_DUMPABLE, process_control
 from course.arena.sandbox.sandbox import open_sandbox
 from course.arena.sandbox.watchdog import most_of
 from course.arena.scratch_home import lay_home
 from course.arena.starting import Starter, start_here
-from course.errors import StorageError
+from course.errors import MissingHere, StorageError
 from course.evidence.events import Acted, Drawn, Event, LimitReached
 from course.evidence.home_files import read_entries
 from course.evidence.mcap_file import save
 from course.evidence.recording import Recording
 from course.evidence.sources import read_sources
 from course.evidence.timeline import Timeline
+from course.feedback import Feedback
 from course.grading.channel import Channel, Judgement
 from course.grading.job import Job, from_line
 from course.grading.lag import measured_lag
@@ -93,6 +95,8 @@ def _grade(job: Job, channel: Channel, folder: Path, launcher: socket) -> Judgem
     try:
         with measured_lag() as lag:
             recording = _record(job, channel, folder, launcher)
+    except MissingHere as error:
+        return Judgement((), 0.0, Feedback(error.what, advice=error.next_step), missing=True)
     except Exception as error:  # noqa: BLE001 - whatever a scenario runs into is our error, kept and shown
         return Judgement((), 0.0, our_error(error))
     used = cpu_seconds([Path(group) for group in job.sandbox.control_groups]) if job.sandbox else 0.0
@@ -141,7 +145,7 @@ def _record(job: Job, channel: Channel, folder: Path, launcher: socket) -> Recor
         channel.progress("watching your program")
         lay_home(home, (*looked_at, *read_entries(home, (".bashrc",))), folder / PROGRAMS / "home")
         with (
-            _confined(job, folder, launcher, timeline) as confined,
+            _confined(job, grader.sanitizers, folder, launcher, timeline) as confined,
             open_arena(
                 timeline,
                 job.packages,
@@ -179,12 +183,15 @@ def _ours(folder: Path) -> Path:
 
 
 @contextlib.contextmanager
-def _confined(job: Job, folder: Path, launcher: socket, timeline: Timeline) -> Iterator[Starter]:
+def _confined(
+    job: Job, sanitizers: bool, folder: Path, launcher: socket, timeline: Timeline
+) -> Iterator[Starter]:
     """What starts the learner's programs."""
     if job.sandbox is None:
         yield start_here
         return
-    plan = replace(job.sandbox, shown=(*job.sandbox.shown, str(_ours(folder))))
+    limits = for_sanitizers(job.sandbox.limits) if sanitizers else job.sandbox.limits
+    plan = replace(job.sandbox, shown=(*job.sandbox.shown, str(_ours(folder))), limits=limits)
 
     def note(limit: str) -> None:
         timeline.add(LimitReached(timeline.now(), limit, most_of(plan.limits, limit)))

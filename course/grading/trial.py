@@ -11,22 +11,22 @@ from pathlib import Path
 
 from course.content import Alternative, Course, Edit, Exercise, Mistake
 from course.content.additions import ADDED_TO, with_addition
-from course.content.layout import ALTERNATIVE
+from course.content.layout import ALTERNATIVE, BUILT
 from course.errors import ContentError
 from course.grading.trial_answers import change_answers, lay_answers
 from course.grading.trial_build import build_in_place
 from course.rosenv import on_this_machine
 
-# A solution with a workspace that must have been built says so here: its folder, and options of colcon.
-BUILT = "built.txt"
 _NOT_LAID = frozenset({"alternatives", "alternative.yaml", BUILT})
 
 
 def lay_solution(course: Course, exercise: Exercise, home: Path) -> None:
     """The reference solutions of this exercise's chapter and of all that it stands on."""
-    for needed in _standing_on(course, exercise):
-        _lay(needed.solution, home)
-        lay_answers(needed, home)
+    needed = _standing_on(course, exercise)
+    for solution in dict.fromkeys(one.solution for one in needed):
+        _lay(solution, home)
+    for one in needed:
+        lay_answers(one, home)
 
 
 def lay_starter(course: Course, exercise: Exercise, home: Path) -> None:
@@ -96,7 +96,7 @@ def _lay(tree: Path, home: Path) -> None:
     if (tree / BUILT).is_file():
         for line in (tree / BUILT).read_text(encoding="utf-8").splitlines():
             folder, *options = line.split()
-            build_in_place(home / folder, options)
+            build_in_place(home / folder, [option.replace("~", str(home)) for option in options])
 
 
 def _add_to(file: Path, addition: Path) -> None:
@@ -110,7 +110,7 @@ def _apply(edit: Edit, mistake: Mistake, home: Path, where: Path) -> None:
     if not file.exists() and edit.content is None:
         raise ContentError(f"{mistake.id} edits {edit.file}, which the solution does not have", file=where)
     if edit.delete:
-        file.unlink()
+        shutil.rmtree(file) if file.is_dir() else file.unlink()
     elif edit.rename is not None:
         target = home / edit.rename
         target.parent.mkdir(parents=True, exist_ok=True)

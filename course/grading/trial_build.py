@@ -1,35 +1,55 @@
-"""Builds a workspace of a trial home as its learner would: where it lies, and with nothing kept."""
+"""Builds what lies in a trial home as its learner would: where it lies, and with nothing kept."""
 
 from __future__ import annotations
 
 import shutil
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from course.errors import MissingHere, OurFault
-from course.rosenv import find_ros, node_environment
+from course.rosenv import find_ros, node_environment, plain_environment
 
 _TIME = 120.0
+_PREFIX = "-DCMAKE_INSTALL_PREFIX="
+_CMAKE_TOOLS = ("cmake", "make", "g++")
 
 
-def build_in_place(workspace: Path, options: Sequence[str] = ()) -> None:
-    """`colcon build` with these options, anew. Raises OurFault with what it says if it fails."""
-    (workspace / "src").mkdir(parents=True, exist_ok=True)  # empty folders are in no solution
+def build_in_place(folder: Path, options: Sequence[str] = ()) -> None:
+    """`colcon build` with these options in a workspace, anew; a CMake project is built and installed.
+
+    Raises OurFault with what it says if it fails.
+    """
+    if (folder / "CMakeLists.txt").is_file():
+        _install(folder, options)
+        return
+    (folder / "src").mkdir(parents=True, exist_ok=True)  # empty folders are in no solution
     for name in ("build", "install", "log"):
-        shutil.rmtree(workspace / name, ignore_errors=True)
-    environment = {**node_environment(find_ros()), "HOME": str(workspace.parent)}
+        shutil.rmtree(folder / name, ignore_errors=True)
+    environment = {**node_environment(find_ros()), "HOME": str(folder.parent)}
     command = shutil.which("colcon", path=environment["PATH"])
     if command is None:
         raise MissingHere("The program colcon is missing.", "Install it: `sudo apt install ros-dev-tools`.")
+    _run([command, "build", *options], folder, environment)
+
+
+def _install(project: Path, options: Sequence[str]) -> None:
+    environment = plain_environment(find_ros())
+    missing = [tool for tool in _CMAKE_TOOLS if shutil.which(tool, path=environment["PATH"]) is None]
+    if missing:
+        what = f"Building {project.name} needs {' and '.join(missing)}, which this machine lacks."
+        raise MissingHere(what, f"sudo apt install {' '.join(missing)}")
+    prefixes = (option.removeprefix(_PREFIX) for option in options if option.startswith(_PREFIX))
+    for folder in (project / "build", *map(Path, prefixes)):
+        shutil.rmtree(folder, ignore_errors=True)
+    _run(["cmake", "-S", ".", "-B", "build", *options], project, environment)
+    _run(["cmake", "--build", "build"], project, environment)
+    _run(["cmake", "--install", "build"], project, environment)
+
+
+def _run(command: Sequence[str], folder: Path, environment: Mapping[str, str]) -> None:
     done = subprocess.run(
-        [command, "build", *options],
-        cwd=workspace,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=_TIME,
-        check=False,
+        command, cwd=folder, env=environment, capture_output=True, text=True, timeout=_TIME, check=False
     )
     if done.returncode != 0:
-        raise OurFault(f"the workspace of a solution does not build: {done.stdout}{done.stderr}"[-2000:])
+        raise OurFault(f"{folder.name} of a solution does not build: {done.stdout}{done.stderr}"[-2000:])

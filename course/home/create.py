@@ -16,7 +16,7 @@ from course.home.storage import inside, storing, sweep, write_new
 FOLDERS = (
     f"{WORKSPACE}/src",
     "ros2_tutorials_preamble/python",
-    "sas_tutorial_workspace/src",
+    "sas_tutorial_workspace",
     "cmake_tutorial",
 )
 BASHRC = """\

@@ -13,6 +13,7 @@ from course.report import safe
 from course.report.console import number, put
 
 MARKS = {"passed": ("ok", "green"), "tried": ("no", "red"), "begun": ("..", "yellow"), "new": ("  ", "")}
+TO_READ = "to read only: it is shown on the way"
 LEGEND = "ok passed   no not passed yet   .. begun   > where you are"
 
 
@@ -29,14 +30,20 @@ class Row:
     most: float | None = None
 
 
-def render_list(console: Console, rows: Iterable[Row]) -> None:
-    """Chapters with their exercises, one line each, and the sum at the end."""
+def render_list(console: Console, rows: Iterable[Row], chapters: Iterable[str] = ()) -> None:
+    """Chapters with their exercises, one line each, and the sum at the end.
+
+    chapters: all of them, in their order, also those without exercises; those of the rows if left out.
+    """
     every = list(rows)
     width = max((len(row.exercise) for row in every), default=0)
-    for chapter, members in groupby(every, key=lambda row: row.chapter):
+    members = {name: list(those) for name, those in groupby(every, key=lambda row: row.chapter)}
+    for chapter in tuple(chapters) or members:
         put(console, Text(safe.one_line(chapter), "bold"))
-        for row in members:
+        for row in members.get(chapter, ()):
             put(console, _line(console, row, width))
+        if chapter not in members:
+            put(console, f"      {TO_READ}", "dim")
     passed = sum(row.state == "passed" for row in every)
     put(console)
     put(console, f"{passed} of {len(every)} passed.", "bold")

@@ -12,6 +12,7 @@ from typing import Protocol
 from rich.console import Console
 from rich.text import Text
 
+from course.grading.disturbed import is_doubtful
 from course.grading.result import CheckResult, Feedback, Outcome, Result, Verdict
 from course.report import safe
 from course.report.console import number, put, put_prose, with_code
@@ -33,6 +34,10 @@ HEADLINES = {
 INDENT = " " * 6
 LABEL_WIDTH = 10
 PLACES = 5
+_BUSY = (
+    "This computer was busy: what watches your program once had to wait {:.1f} s for a processor. What did "
+    "not pass may be due to that. Close what else is running, and check again."
+)
 
 
 class Titled(Protocol):
@@ -53,8 +58,15 @@ def render_result(console: Console, result: Result, exercise: Titled, previous: 
     if result.checks:
         put(console)
     put(console, headline(result, previous))
+    render_remarks(console, result)
+
+
+def render_remarks(console: Console, result: Result) -> None:
+    """What there is to say beside the checks: a fault of ours, and what to know of this machine."""
     if result.fault:
         put_feedback(console, result.fault)
+    if is_doubtful(result):
+        put_prose(console, Text(_BUSY.format(result.timing.lag), "yellow"), first="  Note: ")
     for note in result.notes:
         put_prose(console, with_code(console, safe.paragraph(note), "dim"), first="  Note: ")
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from course.batch.one import was_disturbed
 from course.content import Exercise
+from course.grading.disturbed import was_disturbed
 from course.grading.result import Verdict
 from course.validate.judge import does_not_pass, earns_all, is_caught
 from course.validate.plan import Kind, starter_builds

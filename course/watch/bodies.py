@@ -11,7 +11,7 @@ from rich.text import Text
 from course.grading.result import CheckResult, Outcome
 from course.grading.result import Verdict as Ending
 from course.report import safe
-from course.report.console import number, put, put_prose, with_code
+from course.report.console import number, put, put_prose
 from course.report.lesson import (
     put_requires,
     render_after,
@@ -23,7 +23,7 @@ from course.report.lesson import (
 from course.report.overview import render_list
 from course.report.problem import render_our_fault, render_problem
 from course.report.questions import render_questions
-from course.report.terminal import headline, put_feedback, render_checks
+from course.report.terminal import headline, render_checks, render_remarks
 from course.watch.changes import Change
 from course.watch.model import AllPassed, Body, HintText, LessonText, Listing, Problem, TaskText, Verdict
 
@@ -41,7 +41,8 @@ def render(body: Body, console: Console, typed: Typed) -> None:
 
 @render.register
 def _lesson(body: LessonText, console: Console, typed: Typed) -> None:
-    render_lesson(console, body.exercise.chapter, body.text)
+    for lesson in body.lessons:
+        render_lesson(console, lesson.chapter, lesson.text)
     put(console, "Press t for the task.", "bold")
 
 
@@ -64,10 +65,7 @@ def _verdict(body: Verdict, console: Console, typed: Typed) -> None:
         _put_change(console, body.change)
     put(console)
     render_checks(console, _most_urgent_first(result.checks), body.previous)
-    if result.fault:
-        put_feedback(console, result.fault)
-    for note in result.notes:
-        put_prose(console, with_code(console, safe.paragraph(note), "dim"), first="  Note: ")
+    render_remarks(console, result)
     if result.verdict is Ending.OUR_ERROR:
         render_our_fault(console, body.log)
     if result.verdict is Ending.PASSED and body.exercise.after:
@@ -93,7 +91,7 @@ def _hint(body: HintText, console: Console, typed: Typed) -> None:
 
 @render.register
 def _list(body: Listing, console: Console, typed: Typed) -> None:
-    render_list(console, body.rows)
+    render_list(console, body.rows, body.chapters)
 
 
 @render.register

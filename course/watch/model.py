@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from course.content import Exercise
+from course.content import Exercise, Lesson
 from course.content.question import Question
 from course.grading.result import Result
 from course.report.overview import Row
@@ -86,10 +86,10 @@ Event = Said | Checked | Stuck | Saved | Key | Signal | Tick
 
 @dataclass(frozen=True)
 class LessonText:
-    """A chapter's lesson."""
+    """What is read before an exercise: its chapter's lesson, and any before that without exercises."""
 
     exercise: Exercise
-    text: str
+    lessons: tuple[Lesson, ...]
 
 
 @dataclass(frozen=True)
@@ -141,6 +141,7 @@ class Listing:
     """All exercises."""
 
     rows: tuple[Row, ...]
+    chapters: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

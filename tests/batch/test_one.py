@@ -9,7 +9,7 @@ import pytest
 from course.batch import one
 from course.batch.model import Task, Unit
 from course.errors import MissingHere
-from course.grading.result import CheckResult, Outcome, Result, Timing, Verdict
+from course.grading.result import Outcome, Result, Verdict
 from course.home import create_home
 from course.home.model import read_marker
 from tests.batch.samples import FAILED, PASSED, QUIZ, lagging
@@ -50,12 +50,6 @@ def test_a_loaded_machine_marks_nothing_as_wrong(
     if result.fault:
         assert "too busy to judge" in result.fault.summary
         assert result.timing.lag == lag
-
-
-def test_a_short_scenario_needs_half_a_second_to_count_as_busy() -> None:
-    dark = CheckResult("shines", "It shines", 2, Outcome.FAILED)
-    short = Result("04-light", Verdict.NOT_PASSED, (dark,), Timing(evidence=0.1, lag=0.3, cpu=0.2))
-    assert one.is_lagging(short)
 
 
 def test_what_this_machine_lacks_is_our_error(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -255,9 +255,9 @@ def test_a_package_that_ros_would_not_find_has_failed(
 @pytest.mark.parametrize(
     ("program", "kind", "summary", "advice", "place"),
     [
-        ("int main() { return 0 }", "compiler", "main.cpp does not compile: expected ", "None", "main.cpp:1"),
+        ("int main() { return 0 }", "compiler", "main.cpp does not compile: exp", "semicolon", "main.cpp:1"),
         (
-            "#include <rclcpp_/rclcpp.hpp>",
+            "#include <doors/doors.hpp>",
             "compiler",
             "No such file or directory",
             "name right",

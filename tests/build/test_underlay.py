@@ -28,7 +28,7 @@ def asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return names
 
 
-def workspace(tmp_path: Path, tags: str = "", code: str = "") -> Workspace:
+def workspace(tmp_path: Path, tags: str = "", code: str = "", cmake: str = "") -> Workspace:
     folder = tmp_path / "home/ws/src/mine"
     head = '<package format="3"><name>mine</name>'
     write(
@@ -36,6 +36,7 @@ def workspace(tmp_path: Path, tags: str = "", code: str = "") -> Workspace:
         f"{head}{tags}<export><build_type>ament_python</build_type></export></package>",
     )
     write(folder / "mine/node.py", code)
+    write(folder / "CMakeLists.txt", cmake)
     write(folder / "notes.bin", "interfaces")
     return Workspace.scan(tmp_path / "home/ws")
 
@@ -55,6 +56,24 @@ def test_what_is_declared_or_mentioned_is_needed(
     tmp_path: Path, asked: list[str], tags: str, code: str, needed: list[str]
 ) -> None:
     provide(workspace(tmp_path, tags, code), ["mine"], find_ros())
+    assert asked == needed
+
+
+@pytest.mark.parametrize(
+    ("cmake", "needed"),
+    [
+        ("find_package(hooks REQUIRED)\n", ["hooks"]),
+        ("  find_package ( hooks)\n", ["hooks"]),
+        ("# find_package(hooks)\n", []),
+        ("find_package(hooks_of_others)\n", []),
+        ("if(BUILD_TESTING)\n  find_package(hooks)\nendif()\n", []),
+        ("if(BUILD_TESTING)\nendif()\nfind_package(hooks)\n", ["hooks"]),
+    ],
+)
+def test_what_cmake_finds_is_needed_though_it_was_not_declared(
+    tmp_path: Path, asked: list[str], cmake: str, needed: list[str]
+) -> None:
+    provide(workspace(tmp_path, cmake=cmake), ["mine"], find_ros())
     assert asked == needed
 
 

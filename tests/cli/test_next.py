@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -39,6 +40,53 @@ def test_the_lesson_is_shown_once_or_when_asked(ros2course: Ros2course, home: Pa
     assert "brightness from 0 to 100" in ros2course("next", "--lesson").out
 
 
+@pytest.fixture
+def read(small_course: Path) -> Callable[[int], None]:
+    """Adds a chapter of that number to the course, whose text can be read and that has no exercise."""
+
+    def add(number: int) -> None:
+        folder = small_course / f"chapters/{number:02d}-read"
+        folder.mkdir()
+        (folder / "lesson.md").write_text(f"Text of chapter {number}.")
+        yaml = f"chapter: {number}\ntitle: Reading\nsummary: Nothing to do.\nexercises: []\n"
+        (folder / "lesson.yaml").write_text(yaml)
+
+    return add
+
+
+def test_chapters_without_exercises_are_read_in_passing(
+    ros2course: Ros2course, home: Path, read: Callable[[int], None]
+) -> None:
+    for number in (2, 3, 5):
+        read(number)
+    told = ros2course("next").out
+    assert told.index("Text of chapter 2") < told.index("Text of chapter 3") < told.index("brightness from")
+    assert "Text of chapter 5" not in told
+    assert "Text of chapter" not in ros2course("next").out
+    for command in ("next", "show"):
+        again = ros2course(command, "--lesson").out
+        assert "Text of chapter 2" in again and "Text of chapter 3" in again
+
+
+def test_one_that_is_read_later_is_not_taken_for_read(
+    ros2course: Ros2course, home: Path, read: Callable[[int], None]
+) -> None:
+    ros2course("next")
+    read(3)
+    told = ros2course("next").out
+    assert "Text of chapter 3" in told and "brightness from" not in told
+
+
+def test_the_last_chapters_are_read_when_all_is_passed(
+    ros2course: Ros2course, home: Path, read: Callable[[int], None], checker: Checker
+) -> None:
+    read(5)
+    pass_all(ros2course, checker)
+    told = ros2course("next").out
+    assert told.index("Text of chapter 5") < told.index("You have passed every exercise")
+    assert "Text of chapter 5" not in ros2course("next").out
+
+
 def test_nothing_of_the_learner_is_overwritten(ros2course: Ros2course, home: Path) -> None:
     ros2course("next")
     (home / LIGHT).write_text("mine")
@@ -62,7 +110,7 @@ def test_going_to_an_exercise_names_what_it_stands_on(ros2course: Ros2course, ho
     assert "== 04-dim: Dim it" in ros2course("next").out
 
 
-def test_at_the_end_it_congratulates(ros2course: Ros2course, home: Path, checker: Checker) -> None:
+def pass_all(ros2course: Ros2course, checker: Checker) -> None:
     from dataclasses import replace
 
     from tests.cli.conftest import PASSED
@@ -71,6 +119,10 @@ def test_at_the_end_it_congratulates(ros2course: Ros2course, home: Path, checker
         ros2course("next", exercise)
         checker.answer = replace(PASSED, exercise=exercise)
         assert ros2course("check").code == 0
+
+
+def test_at_the_end_it_congratulates(ros2course: Ros2course, home: Path, checker: Checker) -> None:
+    pass_all(ros2course, checker)
     run = ros2course("next")
     assert run.code == 0
     assert "passed every exercise" in run.out

@@ -23,6 +23,16 @@ def only(small_course: Path) -> ContentError:
     (problem,) = found(small_course)
     return problem
 
+FOLDER = """
+  - id: no-shelf
+    exercise: 04-light
+    summary: Has no shelf
+    edits:
+      - file: shelf
+        WHAT
+    caught_by: told
+    says: [shelf]"""
+
 
 def test_the_small_course_is_right(small_course: Path) -> None:
     assert found(small_course) == ()
@@ -122,6 +132,26 @@ def test_an_edit_of_a_file_that_is_not_there(small_course: Path, mistakes: Edit)
     problem = only(small_course)
     assert (problem.line, problem.key) == (6, "mistakes[0].edits[0].file")
     assert "lanterns/light.py`?" in problem.what
+
+
+def test_a_folder_may_be_taken_but_not_changed(small_course: Path, mistakes: Edit) -> None:
+    (folder,) = small_course.glob("solutions/04-*")
+    (folder / "shelf").mkdir()
+    mistakes("mistakes:", f"mistakes:{FOLDER.replace('WHAT', 'delete: true')}")
+    assert found(small_course) == ()
+    mistakes("delete: true", "mode: '755'")
+    assert only(small_course).key == "mistakes[0].edits[0].file"
+
+
+@pytest.mark.parametrize(("file", "is_made"), [("shelf", True), ("shelf/lib/x.so", True), ("shelves", False)])
+def test_what_is_installed_when_a_home_is_laid_is_in_no_solution(
+    small_course: Path, mistakes: Edit, file: str, is_made: bool
+) -> None:
+    (folder,) = small_course.glob("solutions/04-*")
+    (folder / "built.txt").write_text("project -DCMAKE_INSTALL_PREFIX=~/shelf -DX=1\n")
+    edit = FOLDER.replace("WHAT", "rename: other").replace("file: shelf", f"file: {file}")
+    mistakes("mistakes:", f"mistakes:{edit}")
+    assert (found(small_course) == ()) is is_made
 
 
 def test_an_edit_of_a_file_that_an_earlier_one_made(small_course: Path, mistakes: Edit) -> None:

@@ -33,7 +33,11 @@ def test_from_init_to_the_last_exercise(terminal: Type, course_home: Path) -> No
         assert "Passed: " in shown, f"{exercise.id}\n{shown}"
     count = len(course.exercises())
     assert f"{count} of {count} passed" in terminal("list")
-    assert "== " not in terminal("next"), "there is nothing left to do"
+    shown = terminal("next")
+    for lesson in course.last_lessons():
+        assert f"== Chapter {lesson.chapter.number}: {lesson.chapter.title}" in shown, shown
+    assert "You have passed every exercise" in shown
+    assert "== " not in terminal("next"), "there is nothing left to do, nor to read"
 
 
 def set_seed(home: CourseHome) -> None:

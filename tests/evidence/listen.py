@@ -90,6 +90,27 @@ with Recorder(timeline) as recorder:
 
     found["joined"] = [(event.topic, event.end) for event in timeline.of(Joined)]
 
+    module.MAX_MESSAGES, most = 1000, module.MAX_MESSAGES
+    burst, again = recorder.subscribe("/burst", STRING), recorder.subscribe("/again", STRING)
+    bursting, saying = (
+        talker.create_publisher(String, name, QoSProfile(depth=200)) for name in ("/burst", "/again")
+    )
+    for publisher in (bursting, saying):
+        for _ in range(400):
+            if publisher.get_subscription_count():
+                break
+            timeline.wait_until(lambda: False, 0.05)
+    for number in range(150):
+        bursting.publish(String(data=str(number)))
+    timeline.wait_until(lambda: burst.count >= 150, WAIT)
+    saying.publish(String(data="before"))
+    timeline.wait_until(lambda: again.count >= 1, WAIT)
+    again.close()
+    saying.publish(String(data="after"))
+    bursting.publish(String(data="last"))
+    timeline.wait_until(lambda: burst.count > 150, WAIT)
+    module.MAX_MESSAGES = most
+
     timeline.wait_until(lambda: "/robot/talker" in recorder.graph.nodes, WAIT)
     found["nodes"] = recorder.graph.nodes
     for name in ("no_such_package/msg/String", "std_msgs/msg/Strin"):
@@ -108,6 +129,8 @@ with Recorder(timeline) as recorder:
 
 found["log"] = [(line.node, line.level, line.text) for line in recording.log]
 found["first"] = recording.messages("/reliable")[0].data.data.startswith("/reliable ")
+found["burst"] = [message.data.data for message in recording.messages("/burst")]
+found["after it was closed"] = [message.data.data for message in recording.messages("/again")]
 found["in time"] = all(0.0 <= event.t <= timeline.now() for event in recording.events)
 talker.destroy_node()
 context.try_shutdown()

@@ -35,6 +35,14 @@ def test_a_flood_is_cut(found: dict[str, Any]) -> None:
     assert found["kept of the flood"] == 5
 
 
+def test_what_comes_at_once_is_all_taken_in_its_order(found: dict[str, Any]) -> None:
+    assert found["burst"] == [*map(str, range(150)), "last"]
+
+
+def test_a_closed_listener_hears_no_more(found: dict[str, Any]) -> None:
+    assert found["after it was closed"] == ["before"]
+
+
 def test_the_log_is_recorded(found: dict[str, Any]) -> None:
     assert found["logged"]
     assert ["robot.talker", "INFO", "häufig"] in found["log"]

@@ -36,7 +36,7 @@ def through_a_pipe(write: Callable[[Channel], None]) -> list[str | Judgement]:
 
 @pytest.mark.parametrize("fault", [None, FEEDBACK])
 def test_a_judgement_comes_out_as_it_went_in(fault: Feedback | None) -> None:
-    judgement = Judgement((CHECK, CheckResult("x", "y", 1, Outcome.PASSED)), 1.25, fault)
+    judgement = Judgement((CHECK, CheckResult("x", "y", 1, Outcome.PASSED)), 1.25, fault, missing=bool(fault))
     assert through_a_pipe(lambda channel: channel.judgement(judgement)) == [judgement]
 
 

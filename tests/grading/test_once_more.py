@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from course.content import Exercise, open_course
-from course.feedback import Spoilt
+from course.errors import MissingHere
+from course.feedback import Feedback, Spoilt
 from course.grading import check as module
 from course.grading.author import CheckSpec
 from course.grading.channel import Judgement
@@ -29,6 +30,33 @@ def exercise() -> Exercise:
     return replace(open_course().exercise("02-script"), packages=(), grader_packages=())
 
 
+def given_by_supervisor(monkeypatch: pytest.MonkeyPatch, judgements: list[Judgement]) -> list[Judgement]:
+    """These judgements in place of grading processes' own; returns those that were asked for by now."""
+    given: list[Judgement] = []
+
+    class Made:
+        def grade(self, *_: object) -> Judgement:
+            given.append(judgements[len(given)])
+            return given[-1]
+
+    @contextlib.contextmanager
+    def supervisor(*_: object) -> Iterator[Made]:
+        yield Made()
+
+    monkeypatch.setattr(module, "Supervisor", supervisor)
+    return given
+
+
+def test_what_this_machine_lacks_is_said_with_its_remedy(
+    exercise: Exercise, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lacking = Judgement((), 0.0, Feedback("no g++", advice="install it"), missing=True)
+    given_by_supervisor(monkeypatch, [lacking])
+    with pytest.raises(MissingHere) as caught:
+        check_exercise(exercise, tmp_path, ros=find_ros(), namespaces=False)
+    assert (caught.value.what, caught.value.next_step) == ("no g++", "install it")
+
+
 @pytest.mark.parametrize(
     ("judgements", "verdict", "tries"),
     [
@@ -45,17 +73,6 @@ def test_once_more(
     verdict: Verdict,
     tries: int,
 ) -> None:
-    given: list[Judgement] = []
-
-    class Made:
-        def grade(self, *_: object) -> Judgement:
-            given.append(judgements[len(given)])
-            return given[-1]
-
-    @contextlib.contextmanager
-    def supervisor(*_: object) -> Iterator[Made]:
-        yield Made()
-
-    monkeypatch.setattr(module, "Supervisor", supervisor)
+    given = given_by_supervisor(monkeypatch, judgements)
     result = check_exercise(exercise, tmp_path, ros=find_ros(), namespaces=False)
     assert (result.verdict, len(given)) == (verdict, tries)

@@ -9,6 +9,7 @@ import pytest
 
 from course.arena.enclosure import enclosure
 from course.errors import StorageError
+from course.feedback import Feedback
 from course.grading.result import Outcome
 from course.grading.supervisor import Supervisor
 from course.rosenv import find_ros, node_environment
@@ -32,6 +33,13 @@ def test_a_scenario_that_raises(grade: Grade) -> None:
     assert judgement.fault is not None
     assert "unheard_of" in judgement.fault.summary
     assert judgement.checks == ()
+
+
+def test_what_this_machine_lacks_is_no_error(grade: Grade) -> None:
+    lacking = "\n    from course.errors import MissingHere\n    raise MissingHere('no g++', 'install it')"
+    judgement = grade(LOOP, GRADER.replace("def run_it(arena):", f"def run_it(arena):{lacking}"))
+    assert judgement.missing and judgement.checks == ()
+    assert judgement.fault == Feedback("no g++", advice="install it")
 
 
 def test_a_check_that_raises(grade: Grade) -> None:

@@ -68,3 +68,10 @@ def test_mistakes_change_modes_and_the_bashrc(course: Course, exercise: Exercise
     trial.lay_mistake(course, exercise, Mistake("m", exercise.id, "m", edits, "c", ("w",)), home)
     assert stat.S_IMODE((home / "run.sh").stat().st_mode) == 0o777
     assert (home / ".bashrc").read_text() == f"{INIT}\nalias a = b\n"
+
+
+def test_mistakes_take_and_rename_whole_folders(course: Course, exercise: Exercise, home: Path) -> None:
+    for edit, left in ((Edit("folder", delete=True), False), (Edit("folder", rename="a/other"), True)):
+        trial.lay_mistake(course, exercise, Mistake("m", exercise.id, "m", (edit,), "c", ("w",)), home)
+        assert not (home / "folder").exists()
+        assert (home / "a/other/x.txt").exists() is left

@@ -21,7 +21,7 @@ ALL = {
     "cmake_tutorial",
     "ros2_tutorial_workspace/src",
     "ros2_tutorials_preamble/python",
-    "sas_tutorial_workspace/src",
+    "sas_tutorial_workspace",
 }
 
 
@@ -140,8 +140,8 @@ def test_a_folder_where_a_file_stands_is_told(tmp_path: Path) -> None:
 def test_a_link_that_leads_out_is_not_followed(tmp_path: Path) -> None:
     (tmp_path / "elsewhere").mkdir()
     (tmp_path / "home").mkdir()
-    (tmp_path / "home/sas_tutorial_workspace").symlink_to(tmp_path / "elsewhere")
-    with pytest.raises(UsageError, match="sas_tutorial_workspace is a link that leads out"):
+    (tmp_path / "home/ros2_tutorials_preamble").symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(UsageError, match="ros2_tutorials_preamble is a link that leads out"):
         create_home(tmp_path / "home")
     assert not list((tmp_path / "elsewhere").iterdir())
 

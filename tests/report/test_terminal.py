@@ -6,6 +6,8 @@ import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+import pytest
+
 from course.grading.result import (
     CheckResult,
     Feedback,
@@ -51,6 +53,12 @@ RATE = CheckResult("rate", "Twice per second", 2, Outcome.SKIPPED, skipped_becau
 EXTRA = CheckResult("extra", "Stops when told", 0.5, Outcome.PASSED, bonus=True)
 FAILED = Result("18-publisher", Verdict.NOT_PASSED, (BUILDS, TOPIC, RATE, EXTRA), Timing(0.1, 2.4, 3.0))
 HOSTILE = "\x1b[31m\x1b]0;owned\x07[red]markup[/red] :smile: \u202eabc\x07\rgone" + "y" * 100_000
+
+
+@pytest.mark.parametrize(("lag", "said"), [(0.34, True), (0.02, False)])
+def test_a_busy_machine_may_be_why(page: Page, lag: float, said: bool) -> None:
+    render_result(page.console, replace(FAILED, timing=Timing(evidence=2.4, lag=lag)), Named())
+    assert ("had to wait 0.3 s for a processor" in " ".join(page.text.split())) is said
 
 
 def test_every_check_has_a_mark_its_title_and_its_points(page: Page) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from rich.text import Text
 
-from course.content import Exercise
+from course.content import Exercise, Lesson
 from course.feedback import Feedback
 from course.grading.result import CheckResult, Outcome, Result, Verdict
 from course.report.overview import Row
@@ -45,13 +45,15 @@ def plain(frame: Frame) -> list[str]:
     return [Text.from_ansi(line).plain.rstrip() for line in frame.lines]
 
 
+def lesson(exercise: Exercise, text: str) -> model.LessonText:
+    return model.LessonText(exercise, (Lesson(exercise.chapter, text),))
+
+
 def bodies(exercise: Exercise) -> list[Body]:
     rows = tuple(Row("4 Lanterns", f"{n:02}-light", "Light " * 30, "new", current=n == 40) for n in range(80))
     change = what_changed(result("dark"), result("half"))
     return [
-        model.LessonText(
-            exercise, "# Lanterns\n\n" + "word " * 2000 + "\n\n```python\n" + "x" * 300 + "\n```"
-        ),
+        lesson(exercise, "# Lanterns\n\n" + "word " * 2000 + "\n\n```python\n" + "x" * 300 + "\n```"),
         model.TaskText(exercise, Path("/a" * 90), "begun", (Path("/a" * 90) / "new.py",), ("03-oil",)),
         model.Verdict(exercise, result("half"), result("dark"), change),
         model.Verdict(exercise, result("flood"), None, None),
@@ -101,7 +103,7 @@ def test_a_result_names_what_changed_and_what_is_to_be_done_first(light: Exercis
 
 def test_reading_on_shows_every_line_once_and_begins_again(light: Exercise) -> None:
     text = "\n\n".join(f"line{n}." for n in range(60))
-    screen, look = Screen(typed), Look(light, model.LessonText(light, text))
+    screen, look = Screen(typed), Look(light, lesson(light, text))
     seen: list[str] = []
     while True:
         frame = drawn(look, screen=screen)

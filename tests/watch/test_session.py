@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from course.content import Exercise, open_course
+from course.content import Exercise, Lesson, open_course
 from course.grading.result import Result, Verdict
 from course.watch import model
 from course.watch.model import Begun, Checked, Key, Look, Said, Saved, Stuck
@@ -28,7 +28,7 @@ class Desk:
         return self.coming.pop(0) if self.coming else None
 
     def lesson(self, exercise: Exercise) -> model.LessonText:
-        return model.LessonText(exercise, "A lantern.")
+        return model.LessonText(exercise, (Lesson(exercise.chapter, "A lantern."),))
 
     def task(self, begun: Begun) -> model.TaskText:
         return model.TaskText(begun.exercise, self.home, "begun", begun.new)

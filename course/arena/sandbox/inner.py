@@ -20,7 +20,7 @@ _ETC = (
     "python3 python3.10 python3.11 python3.12 python3.13 services shells skel ssl/certs ssl/openssl.cnf "
     "terminfo timezone"
 ).split()
-_TEMPORARY = 64 * 1024 * 1024
+TEMPORARY = 64 * 1024 * 1024
 
 
 def arguments(plan: Plan, writable: Sequence[Path], texts: Sequence[tuple[int, str]] = ()) -> tuple[str, ...]:
@@ -32,8 +32,8 @@ def arguments(plan: Plan, writable: Sequence[Path], texts: Sequence[tuple[int, s
         *_NAMESPACES,
         *(() if plan.user is not None else _USER),
         *("--proc", "/proc", "--dev", "/dev"),
-        *("--perms", "1777", "--size", str(_TEMPORARY), "--tmpfs", "/tmp"),
-        *("--perms", "1777", "--size", str(_TEMPORARY), "--tmpfs", "/dev/shm"),
+        *("--perms", "1777", "--size", str(TEMPORARY), "--tmpfs", "/tmp"),
+        *("--perms", "1777", "--size", str(TEMPORARY), "--tmpfs", "/dev/shm"),
         *_system(),
         *_mounts("--ro-bind-try", (path for path in plan.shown if not _within(path, plan.hidden))),
         *(word for path in plan.hidden for word in ("--tmpfs", path)),

@@ -23,6 +23,7 @@ from typing import Any, NoReturn
 
 from course.arena.sandbox import linux
 from course.arena.sandbox.control_groups import join
+from course.arena.sandbox.inner import TEMPORARY
 from course.arena.sandbox.limits import rlimits
 from course.arena.sandbox.plan import Plan, plan_from_dict
 from course.arena.sandbox.system_calls import refusing
@@ -30,18 +31,23 @@ from course.arena.sandbox.system_calls import refusing
 # A command line and an environment; the kernel takes less than that for both.
 PACKET = 4 * 1024 * 1024
 MOST_DESCRIPTORS = 8
+MEMORY = "/dev/shm"
 _OOM_SCORE = Path("/proc/self/oom_score_adj")
 _PER_PROCESS = ("mnt", "ipc", "uts")
 
 
 @dataclass(frozen=True)
 class Order:
-    """A program to start. descriptors: the numbers that those sent along are to have, after the terminal."""
+    """A program to start. descriptors: the numbers that those sent along are to have, after the terminal.
+
+    own_memory: folders in /dev/shm that it sees, when it gets one of its own; None when it does not.
+    """
 
     command: tuple[str, ...]
     environment: Mapping[str, str]
     folder: str
     descriptors: tuple[int, ...] = ()
+    own_memory: tuple[str, ...] | None = None
 
 
 def serve(link: socket.socket) -> None:
@@ -120,7 +126,7 @@ class _Launcher:
             trouble = fcntl.fcntl(trouble, fcntl.F_DUPFD_CLOEXEC, 1 + max(3, *order.descriptors, 3))
             os.setsid()
             fcntl.ioctl(descriptors[0], termios.TIOCSCTTY, 0)
-            self._confine()
+            self._confine(order.own_memory)
             os.chdir(order.folder)
             _hand_on(descriptors, (0, *order.descriptors), keep=trouble)
         except BaseException as error:  # noqa: BLE001 - the other side of the fork raises it
@@ -129,12 +135,14 @@ class _Launcher:
             os._exit(1)  # noqa: TID251 - a forked child must not run our cleanups
         _execute(order)
 
-    def _confine(self) -> None:
+    def _confine(self, own_memory: Sequence[str] | None) -> None:
         plan = self._plan
         with contextlib.suppress(OSError):
             _OOM_SCORE.write_text("0", encoding="ascii")
         for name in _PER_PROCESS:
             linux.enter_namespace(self._namespaces[name])
+        if own_memory is not None:
+            linux.mount_memory(MEMORY, TEMPORARY, own_memory)
         for number, value in rlimits(plan.limits):
             hard = resource.getrlimit(number)[1]
             most = value if hard == resource.RLIM_INFINITY else min(value, hard)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import resource
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 _MB = 1024 * 1024
 
@@ -22,6 +22,15 @@ class Limits:
     files: int = 1024
     cpu: float = 120.0
     address_space: int = 16 * 1024 * _MB
+
+
+# The address sanitizer marks each byte of all addresses there are: it takes 20 TB of them, and no memory.
+_FOR_SANITIZERS = 64 * 1024 * 1024 * _MB
+
+
+def for_sanitizers(limits: Limits) -> Limits:
+    """The same, for programs that are compiled with the address sanitizer."""
+    return replace(limits, address_space=max(limits.address_space, _FOR_SANITIZERS))
 
 
 BUILD = Limits(memory=3072 * _MB, scratch=1024 * _MB, processes=256, file=512 * _MB, cpu=900.0)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from course.arena.sandbox.holder import holder
-from course.arena.sandbox.launcher import PACKET, Order, as_message, start_message
+from course.arena.sandbox.launcher import MEMORY, PACKET, Order, as_message, start_message
 from course.arena.sandbox.limits import bound_ourselves
 from course.arena.sandbox.plan import Plan
 from course.arena.sandbox.watchdog import Watchdog, filesystem, watching
@@ -48,8 +48,10 @@ class Confined:
 class Sandbox:
     """A starter of programs (see `course.arena.starting`), while the namespaces are held."""
 
-    def __init__(self, link: socket.socket) -> None:
+    def __init__(self, link: socket.socket, places: Sequence[str] = ()) -> None:
+        """places: folders that programs need, at any place."""
         self._link = link
+        self._in_memory = tuple(place for place in places if Path(place).is_relative_to(MEMORY))
         self._one_at_a_time = threading.Lock()
         self.over = False
         self.look: Callable[[], None] = lambda: None
@@ -61,10 +63,12 @@ class Sandbox:
         environment: Mapping[str, str],
         folder: Path,
         descriptors: Sequence[int],
+        own_memory: bool = False,
     ) -> Confined:
         if self.over:
             raise SandboxOver
-        order = Order(tuple(command), dict(environment), str(folder), tuple(descriptors))
+        kept = self._in_memory if own_memory else None
+        order = Order(tuple(command), dict(environment), str(folder), tuple(descriptors), kept)
         try:
             started = self.ask(start_message(order), (terminal, *descriptors))
         except OSError as error:
@@ -107,7 +111,7 @@ def open_sandbox(
     bound_ourselves()
     hand_over(scratch, plan.user)
     groups = [Path(group) for group in plan.control_groups]
-    sandbox = Sandbox(link)
+    sandbox = Sandbox(link, (str(scratch), *plan.shown))
     sandbox.send(as_message("prepare", plan=dataclasses.asdict(plan)))
     with holder(plan, (scratch,)) as pid:
         sandbox.receive()

@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from xml.etree import ElementTree
 
 from course.batch.intake.model import Kind, Place
-from course.batch.intake.recognise import SRC, Packages, Root, and_above, loose, recognise
+from course.batch.intake.recognise import (
+    SRC,
+    Packages,
+    Root,
+    and_above,
+    loose,
+    recognise,
+    sources_of_packages,
+)
 from course.batch.intake.tree import Entry, Tree
 from course.build.manifest import guessed_name
 from course.content.layout import WORKSPACE
@@ -40,7 +48,7 @@ def plan(tree: Tree, known: Iterable[str]) -> Plan:
     """known: files of exercises, relative to a course home."""
     known = tuple(known)
     roots = recognise(tree, known)
-    planned = _Planning(tree, roots).plan() if roots else _NOTHING
+    planned = _Planning(tree, roots, sources_of_packages(known)).plan() if roots else _NOTHING
     if planned.kind is Kind.HOME:
         return planned  # what is misplaced in a home is the learner's to put right
     tops = {root.path for root in roots}
@@ -75,8 +83,9 @@ def made_of(tree: Tree, places: Iterable[Place]) -> Iterable[tuple[str, Entry]]:
 class _Planning:
     """The best root is laid as it is; of the others, packages that it lacks are added."""
 
-    def __init__(self, tree: Tree, roots: tuple[Root, ...]) -> None:
+    def __init__(self, tree: Tree, roots: tuple[Root, ...], sources: Mapping[str, str]) -> None:
         self._tree = tree
+        self._sources = sources
         self._roots = roots
         self._found = Packages(tree)
         self._places: list[Place] = []
@@ -88,7 +97,14 @@ class _Planning:
         whole = [root for root in self._whole() if root.kind is not Kind.PACKAGES]
         for root in whole:
             self._places.append(Place(root.path, "" if root.kind is Kind.HOME else WORKSPACE))
-            self._packages.update(_package_name(self._tree, folder) for folder in self._packages_in(root))
+            names = {folder: _package_name(self._tree, folder) for folder in self._packages_in(root)}
+            self._packages.update(names.values())
+            if root.kind is Kind.WORKSPACE:
+                self._places += [
+                    Place(folder, f"{self._sources[name]}/{name}")
+                    for folder, name in names.items()
+                    if name in self._sources
+                ]
         self._add(folder for root in self._roots if root not in whole for folder in self._packages_in(root))
         homes = [root for root in self._roots if root.kind is Kind.HOME]
         if len(homes) > 1:
@@ -110,7 +126,10 @@ class _Planning:
     def _packages_in(self, root: Root) -> list[str]:
         if root.kind is Kind.PACKAGES:
             return [root.path]
-        return self._found.below(f"{root.path}/{SRC if root.kind is Kind.HOME else 'src'}".lstrip("/"))
+        sources = (SRC, *sorted(set(self._sources.values()))) if root.kind is Kind.HOME else ("src",)
+        return [
+            folder for source in sources for folder in self._found.below(f"{root.path}/{source}".lstrip("/"))
+        ]
 
     def _add(self, folders: Iterable[str]) -> None:
         twice = []
@@ -120,7 +139,7 @@ class _Planning:
                 twice.append(folder)
             else:
                 self._packages.add(name)
-                self._places.append(Place(folder, f"{SRC}/{name}"))
+                self._places.append(Place(folder, f"{self._sources.get(name, SRC)}/{name}"))
         if twice:
             where = ", ".join(visible(folder) for folder in twice[:3])
             self._findings.append(Finding(TWICE, "Left out are the ones named here.", where))

@@ -36,6 +36,13 @@ def recognise(tree: Tree, known: Iterable[str]) -> tuple[Root, ...]:
     return tuple(sorted(_Names(tree, known).roots(), key=lambda root: root.order))
 
 
+def sources_of_packages(known: Iterable[str]) -> Mapping[str, str]:
+    """Where exercises have the packages that lie in no ordinary place: by name, the folder above."""
+    parts = (PurePosixPath(path).parts for path in known)
+    deep = [each for each in parts if len(each) > 3 and each[1] == "src" and each[0] != WORKSPACE]
+    return {package: f"{workspace}/{src}" for workspace, src, package, *_ in deep}
+
+
 def loose(paths: Iterable[str], known: Iterable[str]) -> tuple[tuple[Place, ...], tuple[str, ...]]:
     """Places for files that were handed in by themselves, and those that could belong to several.
 

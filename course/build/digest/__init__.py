@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from course.build.digest import cmake, compiler, python, rosidl
+from course.build.digest import cmake, compiler, python, rosidl, targets
 from course.build.digest.case import Case, log_text, readable
 from course.build.outcome import BuildFailure
 from course.build.refusal import manifest_place
@@ -24,7 +24,7 @@ _TELLING = re.compile(r"(?i)\berror\b|\bfailed\b|exception|cannot|not found|no s
 
 def explain(case: Case) -> BuildFailure:
     """Why the build failed; at worst the last lines of its log that look like a reason."""
-    for digest in (python.digest, rosidl.digest, cmake.digest, compiler.digest):
+    for digest in (python.digest, rosidl.digest, targets.digest, cmake.digest, compiler.digest):
         if failure := digest(case):
             return failure
     return _last_lines(case)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 from course.build.digest.case import Case
 from course.build.outcome import BuildFailure
@@ -53,6 +54,15 @@ class CMakeError:
     command: str | None
 
 
+class Printed(Protocol):
+    """What CMake printed, and which of the files that it names are the learner's."""
+
+    @property
+    def lines(self) -> Sequence[str]: ...
+
+    def own_file(self, shown: str) -> str | None: ...
+
+
 Explain = Callable[[Case, CMakeError, re.Match[str]], BuildFailure | None]
 
 
@@ -72,13 +82,13 @@ def explained(
     return None
 
 
-def cmake_errors(case: Case) -> list[CMakeError]:
+def cmake_errors(case: Printed) -> list[CMakeError]:
     """The errors in the log, in their order."""
     heads = [number for number, line in enumerate(case.lines) if _HEAD.match(line)][:_MOST_ERRORS]
     return [_read(case, case.lines[start : start + _MOST_LINES]) for start in heads]
 
 
-def _read(case: Case, lines: Sequence[str]) -> CMakeError:
+def _read(case: Printed, lines: Sequence[str]) -> CMakeError:
     head = _HEAD.match(lines[0])
     assert head is not None
     body = _indented(lines[1:])

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from course.build.store import disk_full
 from course.errors import CourseError, MissingHere
+from course.rosenv.libraries import SYSTEM, lacks_library, missing_library
 
 _FULL = re.compile(r"No space left on device|Disk quota exceeded")
 _MEMORY = re.compile(r"Killed signal terminated program|Cannot allocate memory|out of memory allocating")
@@ -22,6 +23,7 @@ _PYTHON_HEADERS = re.compile(
     r"Could NOT find Python3.*missing:.*(Development|Include|INCLUDE)|Python\.h: No such file"
 )
 _NO_COMPILER = re.compile(r"No CMAKE_C(XX)?_COMPILER could be found")
+_NO_LIBRARY = re.compile(r"^\s+(?P<name>Eigen3|Qt5\w*)Config\.cmake$")
 
 _ROOM = 64 * 1024 * 1024
 _SECONDS = 30.0
@@ -53,6 +55,7 @@ class Machine:
     store: Path
     python: Path
     killed: Killed
+    system: tuple[Path, ...] = SYSTEM
 
     def is_full(self) -> bool:
         return shutil.disk_usage(self.store).free < _ROOM
@@ -88,6 +91,8 @@ def _fault(line: str, machine: Machine) -> CourseError | None:
         return MissingHere(what, "sudo apt install python3-dev")
     if _NO_COMPILER.search(line) and machine.lacks_compiler():
         return MissingHere("This machine has no C++ compiler that works.", "sudo apt install g++")
+    if (found := _NO_LIBRARY.search(line)) and lacks_library(found["name"], machine.system):
+        return missing_library(found["name"])
     return None
 
 

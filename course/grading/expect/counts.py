@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from course.evidence.recording import Recording
 from course.evidence.topic_view import LogLine
@@ -10,6 +11,7 @@ from course.feedback import Failure, Feedback
 from course.grading.explain.python_code import calls
 
 _SHOWN = 3
+_NUMBERS = 5
 
 
 def expect_counted(recording: Recording, process: str, total: int, *, what: str) -> None:
@@ -24,6 +26,32 @@ def expect_counted(recording: Recording, process: str, total: int, *, what: str)
     if not recording.log and printed:
         raise Failure(_printed(recording, printed[0]))
     raise Failure(_wrong(recording, reached, total, what))
+
+
+def expect_counting(
+    lines: Sequence[LogLine], pattern: re.Pattern[str], *, first: str, begin: str, step: str
+) -> None:
+    """The numbers in these lines, group 1 of `pattern`, are 0, 1, 2 and so on.
+
+    first: the words of the first line. begin, step: advice where the first number, or a later one, is off.
+    """
+    numbers = [int(found[1]) for found in (pattern.search(line.text) for line in lines) if found]
+    if numbers == list(range(len(numbers))):
+        return
+    if numbers[0] != 0:
+        said = lines[0].text
+        summary = f"The first message is `{said[:60]}`, not `{first}`."
+        raise Failure(Feedback(summary=summary, expected=first, seen=said, advice=begin))
+    seen = ", ".join(map(str, numbers[:_NUMBERS]))
+    raise Failure(
+        Feedback(
+            summary=f"The count does not go up by one: {seen}.",
+            expected=", ".join(map(str, range(_NUMBERS))),
+            seen=seen,
+            advice=step,
+            details=tuple(line.text for line in lines[:_SHOWN]),
+        )
+    )
 
 
 def highest_count(lines: tuple[LogLine, ...]) -> int:

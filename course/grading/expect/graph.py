@@ -7,8 +7,9 @@ from math import inf
 from course.evidence.graph import Endpoint, Kind, Qos, mismatch
 from course.evidence.recording import Recording
 from course.feedback import Failure, Feedback, Location
+from course.grading.explain.languages import language_of
 from course.grading.explain.names import listed, nearest
-from course.grading.explain.python_code import calls, text_places
+from course.grading.explain.python_code import text_places
 
 _VERBS = {"publisher": "publishes on", "subscription": "subscribes to"}
 _MAKERS = {"publisher": "create_publisher", "subscription": "create_subscription"}
@@ -29,7 +30,26 @@ def expect_node(recording: Recording, name: str) -> None:
             expected=name,
             seen=listed(nodes, "no node at all"),
             where=_name_places(recording, close) if close else (),
-            advice=f"Give the node its name in `__init__` of its class: `super().__init__('{plain}')`.",
+            advice=language_of(recording.sources).to_name_a_node(plain),
+        )
+    )
+
+
+def expect_node_called(recording: Recording, part: str) -> str:
+    """A node whose name holds `part` was in the graph; its full name is returned."""
+    nodes = recording.seen_nodes()
+    if found := [name for name in nodes if part in name]:
+        return found[0]
+    close = nodes[0] if len(nodes) == 1 else None
+    raise Failure(
+        Feedback(
+            summary=f"The node is called `{close}`; its name should hold `{part}`."
+            if close
+            else f"There is no node whose name holds `{part}`.",
+            expected=f"a name with `{part}` in it",
+            seen=listed(nodes, "no node at all"),
+            where=_name_places(recording, close) if close else (),
+            advice=language_of(recording.sources).to_name_a_node(part),
         )
     )
 
@@ -40,7 +60,7 @@ def expect_endpoint(recording: Recording, kind: Kind, topic: str, *, remedy: str
         return
     topics = recording.seen_graph().topics_of(kind)
     close = nearest(topic, topics)
-    makers = tuple(call.where for call in calls(recording.sources, _MAKERS[kind]))
+    makers = language_of(recording.sources).places(recording.sources, _MAKERS[kind])
     if close:
         raise Failure(
             Feedback(
@@ -68,14 +88,14 @@ def expect_type(recording: Recording, kind: Kind, topic: str, type_name: str) ->
     if not wrong:
         return
     package, _, short = type_name.split("/")
+    language = language_of(recording.sources)
     raise Failure(
         Feedback(
             summary=f"The {kind} on `{topic}` has the type `{wrong[0].type}`, not `{type_name}`.",
             expected=type_name,
             seen=wrong[0].type,
-            where=tuple(call.where for call in calls(recording.sources, _MAKERS[kind]))[:2],
-            advice=f"Import it with `from {package}.msg import {short}` and name it first in "
-            f"`{_MAKERS[kind]}`.",
+            where=language.places(recording.sources, _MAKERS[kind])[:2],
+            advice=language.to_use_a_type(_MAKERS[kind], package, short),
         )
     )
 
@@ -99,6 +119,7 @@ def expect_same_definition(
 
 def expect_compatible_qos(recording: Recording, topic: str) -> None:
     """The subscriptions on `topic` match an ordinary publisher: reliable, volatile, no deadline."""
+    makers = language_of(recording.sources).places(recording.sources, _MAKERS["subscription"])
     for endpoint in _on(recording, "subscription", topic):
         policy = mismatch(Qos(), endpoint.qos)
         if policy:
@@ -109,7 +130,7 @@ def expect_compatible_qos(recording: Recording, topic: str) -> None:
                     "so no message arrives.",
                     expected=f"{policy}: {_policy_value(offered)}",
                     seen=f"{policy}: {_policy_value(asked)}",
-                    where=tuple(call.where for call in calls(recording.sources, "create_subscription"))[:2],
+                    where=makers[:2],
                     advice="Give `create_subscription` just the depth, `10`, or leave that "
                     "policy at its default.",
                 )

@@ -7,9 +7,8 @@ from math import inf
 from course.evidence.recording import Recording
 from course.evidence.topic_view import LogLine
 from course.feedback import Failure, Feedback
-from course.grading.explain.python_code import calls, text_places
-from course.grading.explain.spinning import never_spun
-from course.grading.explain.timers import timer_cause
+from course.grading.explain.languages import language_of
+from course.grading.explain.python_code import text_places
 
 _SHOWN = 3
 
@@ -37,58 +36,50 @@ def expect_logged(
 
 
 def _level(recording: Recording, line: LogLine, example: str) -> Feedback:
+    language = language_of(recording.sources)
     return Feedback(
         summary=f"The message is logged at level {line.level}, not INFO.",
         expected=f"[INFO] {example}",
         seen=f"[{line.level}] {line.text}",
-        where=tuple(call.where for name in _methods(line.level) for call in calls(recording.sources, name))[
-            :2
-        ],
-        advice="Log it with `self.get_logger().info(...)`.",
+        where=language.logged_at(recording.sources, line.level)[:2],
+        advice=f"Log it with `{language.log_info}`.",
     )
-
-
-def _methods(level: str) -> tuple[str, ...]:
-    return ("warn", "warning") if level == "WARN" else (level.lower(),)
 
 
 def _other_words(recording: Recording, line: LogLine, example: str) -> Feedback:
-    braces = "{" in line.text
-    advice = (
-        "The braces were logged as they are: put an `f` before the string, `f'...'`, and "
-        "Python fills them in."
-        if braces
-        else "Log exactly the words of the task, with its capitals and its full stop."
-    )
+    advice = language_of(recording.sources).other_words(line.text)
     return Feedback(
         summary=f"The node logs other words: `{line.text[:120]}`.",
         expected=example,
         seen=line.text[:200],
         where=text_places(recording.sources, line.text[:20])[:1] if line.text.strip() else (),
-        advice=advice,
+        advice=advice or "Log exactly the words of the task, with its capitals and its full stop.",
     )
 
 
 def _printed(recording: Recording, text: str) -> Feedback:
+    language = language_of(recording.sources)
+    name, places = language.printed(recording.sources)
     return Feedback(
-        summary="The text comes from `print`: it is on the terminal, but not in the node's log.",
+        summary=f"The text comes from `{name}`: it is on the terminal, but not in the node's log.",
         expected="a message in the node's log",
         seen=f"on the terminal only: {text[:120]}",
-        where=tuple(call.where for call in calls(recording.sources, "print"))[:_SHOWN],
-        advice="Use the node's logger in place of `print`: `self.get_logger().info(...)`.",
+        where=places[:_SHOWN],
+        advice=f"Use the node's logger in place of `{name}`: `{language.log_info}`.",
     )
 
 
 def _silent(recording: Recording, example: str) -> Feedback:
-    debug = calls(recording.sources, "debug")
+    language = language_of(recording.sources)
+    debug = language.logged_at(recording.sources, "DEBUG")
     if debug:
         return Feedback(
             summary="The message is logged at level DEBUG, which ROS does not show.",
             expected=f"[INFO] {example}",
-            where=(debug[0].where,),
-            advice="Log it at level INFO: `self.get_logger().info(...)`.",
+            where=debug[:1],
+            advice=f"Log it at level INFO: `{language.log_info}`.",
         )
-    cause = timer_cause(recording.sources) or never_spun(recording.sources)
+    cause = language.silent(recording.sources)
     return Feedback(
         summary="The node runs, but it logs nothing.",
         expected=example,
@@ -96,5 +87,5 @@ def _silent(recording: Recording, example: str) -> Feedback:
         where=cause.where if cause else (),
         advice=cause.text
         if cause
-        else "Check that something calls the callback, and that it comes to `self.get_logger().info(...)`.",
+        else f"Check that something calls the callback, and that it comes to `{language.log_info}`.",
     )

@@ -1,4 +1,4 @@
-"""Why `ros2 run` finds no executable, from what is installed and what setup.py declares."""
+"""Why `ros2 run` finds no executable: from what is installed, and what setup.py or CMakeLists.txt says."""
 
 from __future__ import annotations
 
@@ -6,18 +6,22 @@ from course.evidence.events import ExecutableMissing
 from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
 from course.feedback import Feedback, Location
+from course.grading.explain.cmake_install import not_installed
+from course.grading.explain.cmake_lists import LISTS
 from course.grading.explain.names import listed, nearest
 from course.grading.explain.setup_py import entry_points, joined_entry_points
 
 
 def no_executable(missing: ExecutableMissing, packages: BuiltPackages, sources: Sources) -> Feedback:
-    """`No executable found`, with the likely cause in the learner's setup.py."""
+    """`No executable found`, with the likely cause in what the learner's package is built with."""
     package = packages.get(missing.package)
     if package is None:
         return Feedback(
             summary=f"The package `{missing.package}` was not built, so there is nothing to run.",
             advice="See to it first that it builds: `colcon build` names the error.",
         )
+    if f"{package.source}/{LISTS}" in sources.files:
+        return not_installed(missing, package.source, sources)
     setup = Location(f"{package.source}/setup.py")
     declared = {entry.name: entry.where for entry in entry_points(sources, package.source)}
     joined = joined_entry_points(sources, package.source)

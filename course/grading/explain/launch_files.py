@@ -10,6 +10,7 @@ from pathlib import PurePosixPath
 from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
 from course.feedback import Feedback, Location
+from course.grading.explain.cmake_lists import LISTS
 from course.grading.explain.names import listed, nearest
 from course.grading.explain.python_code import Call, called_name, calls, parsed
 from course.grading.explain.timers import Cause
@@ -24,8 +25,10 @@ def not_installed(sources: Sources, folder: str, file: str) -> Feedback:
     path = next((name for name in there if PurePosixPath(name).name == file), None)
     if path is None:
         return _no_such_file(there, folder, file)
-    patterns = tuple(_patterns(sources, setup))
     relative = path.removeprefix(f"{folder}/")
+    if f"{folder}/{LISTS}" in sources.files:
+        return _not_by_cmake(relative, Location(f"{folder}/{LISTS}"))
+    patterns = tuple(_patterns(sources, setup))
     if not patterns:
         return Feedback(
             summary=f"`{file}` is there, but it is not installed: `data_files` in setup.py does not name it.",
@@ -37,6 +40,18 @@ def not_installed(sources: Sources, folder: str, file: str) -> Feedback:
     if any(fnmatch(relative, pattern) for pattern, _ in patterns):
         return _installed_elsewhere(file, patterns[0][1])
     return _no_match(path, folder, *patterns[0])
+
+
+def _not_by_cmake(relative: str, lists: Location) -> Feedback:
+    """Of a package that CMake builds; `relative` to its folder."""
+    file = PurePosixPath(relative)
+    what = f"DIRECTORY {file.parent}" if file.parent != PurePosixPath() else f"FILES {file}"
+    return Feedback(
+        summary=f"`{file.name}` is there, but {LISTS} does not install it where ROS looks for it.",
+        expected="installed into `share/<package>`",
+        where=(lists,),
+        advice=f"`install({what} DESTINATION share/${{PROJECT_NAME}})`",
+    )
 
 
 def _installed_elsewhere(file: str, where: Location) -> Feedback:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from statistics import median
 
 from rich.console import Console
@@ -12,7 +12,7 @@ from course.report import safe
 from course.report.console import put, put_prose
 from course.report.drawn.axis import axis, column
 from course.report.drawn.glyphs import CURVES, LETTERS, Glyphs, glyphs_for, row_of
-from course.report.pictures.signals import Signal
+from course.report.pictures.signals import Signal, window_of
 
 ROWS = 8
 _INDENT = "  "
@@ -25,15 +25,16 @@ _Cell = tuple[str, str]
 
 
 def render_plot(console: Console, signal: Signal, duration: float, band: Band | None = None) -> None:
-    """The signal, from the first to the last second of its recording. band: where its median was to lie."""
+    """The signal over the time of its recording, or its own: see `window_of`. band: for its median."""
     glyphs = glyphs_for(console)
     width = max(console.width - len(_INDENT) - _NUMBER - 5, _NARROWEST)
-    plot = _Plot(signal, duration, band, glyphs, width)
+    begin, end = window_of(signal, duration)
+    plot = _Plot(signal, column(end, width, begin), band, glyphs, width)
     unit = f" ({signal.unit})" if signal.unit else ""
     put_prose(console, Text(f"{signal.title}{unit}: {safe.one_line(signal.topic, _NAME)}", "bold"))
     for row in range(ROWS):
         put(console, plot.row(row))
-    ticks, numbers = axis(duration, width, glyphs)
+    ticks, numbers = axis(end, width, glyphs, begin)
     margin = " " * (len(_INDENT) + _NUMBER + 2)
     put(console, f"{margin[:-1]}{glyphs.corner}{ticks}", "dim")
     put(console, f"{margin}{numbers}", "dim")
@@ -45,12 +46,11 @@ class _Plot:
     """Points by row and column, row 0 on top."""
 
     def __init__(
-        self, signal: Signal, duration: float, band: Band | None, glyphs: Glyphs, width: int
+        self, signal: Signal, at: Callable[[float], int], band: Band | None, glyphs: Glyphs, width: int
     ) -> None:
         self._signal, self._band, self._glyphs, self._width = signal, band, glyphs, width
         self._lowest, self._highest = _range(signal, band)
         self._cells: dict[tuple[int, int], _Cell] = {}
-        at = column(duration, width)
         for place, curve in enumerate(signal.curves):
             for t, value in curve.points:
                 self._cells[self._row_of(value), at(t)] = self._point(place, value)

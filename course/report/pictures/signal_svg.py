@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain
 from statistics import median
 
-from course.report.pictures.signals import Curve, Points, Signal
+from course.report.pictures.signals import Curve, Points, Signal, window_of
 from course.report.pictures.svg import (
     LEFT,
     RIGHT,
@@ -28,7 +28,8 @@ _LABEL = 28
 COLOURS = ("#1d4ed8", "#b45309", "#0f766e", "#be185d", "#7c3aed", "#334155")
 # So that curves are told apart without colours.
 _DASHES = ("", "6 3", "2 2", "8 2 2 2", "1 3", "12 4")
-_POINTS = (160, 80, 60, 40, 20)  # of a curve, less until the picture is small enough
+_POINTS = (320, 240, 160, 120, 80, 60, 40, 20)  # of a curve, less until the picture is small enough
+_STRAIGHT = 0.4  # how far a point may be off a straight line and be left out, in pixels
 _DOTS = 40  # fewer points than these are dots, too
 
 
@@ -45,15 +46,16 @@ def plot(signal: Signal, duration: float, *, key: str, clean: Clean) -> str:
 def _drawn(signal: Signal, duration: float, key: str, points: int) -> str:
     lowest, highest = _range(signal)
     bottom = _TOP + _HEIGHT
-    x = scale(duration)
+    begin, end = window_of(signal, duration)
+    x = scale(end, begin)
 
     def y(value: float) -> float:
         return bottom - (value - lowest) / (highest - lowest) * _HEIGHT
 
-    inner = [*time_axis(duration, _TOP, bottom), *_value_axis(signal, lowest, highest)]
+    inner = [*time_axis(end, _TOP, bottom, begin), *_value_axis(signal, lowest, highest)]
     for place, curve in enumerate(signal.curves):
         drawn = [(x(t), y(value)) for t, value in _thinned(curve.points, points)]
-        inner.append(_line(drawn, place))
+        inner.append(_line(drawn if len(drawn) <= _DOTS else _straightened(drawn), place))
     legend = list(_legend(signal.curves, bottom + _FOOT)) if len(signal.curves) > 1 else []
     only = signal.curves[0].label if len(signal.curves) == 1 and not signal.unit else ""
     what = f"{signal.topic}, {only}" if only else signal.topic
@@ -110,6 +112,24 @@ def _thinned(points: Points, most: int) -> Points:
     stretches = (points[at : at + size] for at in range(0, len(points), size))
     ends = ({min(part, key=_value), max(part, key=_value)} for part in stretches)
     return tuple(chain.from_iterable(sorted(each) for each in ends))
+
+
+def _straightened(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Without points on a straight way from one kept point to the next: what stands still takes two."""
+    kept, waiting = [points[0]], [points[0]]
+    for point in points[1:]:
+        if any(_off(each, kept[-1], point) > _STRAIGHT for each in waiting[1:]):
+            kept.append(waiting[-1])
+            waiting = [waiting[-1]]
+        waiting.append(point)
+    return [*kept, points[-1]]
+
+
+def _off(point: tuple[float, float], one: tuple[float, float], other: tuple[float, float]) -> float:
+    """How far up or down the point is off the line through both others, of which `other` is to the right."""
+    wide = other[0] - one[0]
+    share = (point[0] - one[0]) / wide if wide else 0.0
+    return abs(one[1] + share * (other[1] - one[1]) - point[1])
 
 
 def _value(point: tuple[float, float]) -> float:

@@ -15,7 +15,8 @@ from course.evidence.recording import ROSOUT, Recording
 
 FEWEST = 5  # messages, for a plot to tell something
 CURVES = 6
-_DECODED = 240  # messages of a topic, evenly chosen
+_DECODED = 3000  # messages of a topic, evenly chosen: six seconds of 500 Hz
+_SMALL, _MARGIN = 0.5, 0.02  # of a recording, and of a signal: see `window_of`
 _LARGEST = 64 * 1024
 _MOST = 1e15  # nothing is less than "not a number"
 _OF_NO_INTEREST = ("header", "stamp")
@@ -52,6 +53,16 @@ def signals_of(recording: Recording) -> Iterator[Signal]:
 def intervals_of(recording: Recording, topic: str) -> Signal | None:
     """The time between messages on that topic; None where there are too few."""
     return next((_intervals(one) for one in _enough(recording) if one[0].topic == topic), None)
+
+
+def window_of(signal: Signal, duration: float) -> tuple[float, float]:
+    """The seconds to draw: the whole recording, or the signal's own where it fills less than half of that."""
+    times = [t for curve in signal.curves for t, _ in curve.points]
+    first, last = min(times), max(times)
+    if not 0 < last - first < _SMALL * duration:
+        return 0.0, duration
+    room = _MARGIN * (last - first)
+    return max(first - room, 0.0), last + room
 
 
 def latencies_of(recording: Recording) -> Signal | None:
@@ -110,10 +121,11 @@ def _decoded(recording: Recording, message: MessageSeen) -> Any:
 
 
 def _numbers(message: Any) -> Iterator[tuple[str, float]]:
-    """Numbers among the fields, by name; of a list of joints, each joint's position by its name."""
+    """Numbers among the fields, by name; of a list of joints their positions, by the joints' names."""
     names, positions = getattr(message, "name", None), getattr(message, "position", None)
     if isinstance(names, list) and isinstance(positions, list | tuple):
-        yield from _plottable(zip(map(str, names), positions, strict=False))
+        given = map(str, names) if names else (f"joint {place + 1}" for place in range(len(positions)))
+        yield from _plottable(zip(given, positions, strict=False))
         return
     for field in getattr(message, "__slots__", ()):
         if field not in _OF_NO_INTEREST:

@@ -44,10 +44,10 @@ def text(x: float, y: float, words: str, *, cls: str = "label", anchor: str = ""
     return f'<text class="{cls}" {place} fill="{fill}" stroke="none">{escape(words)}</text>'
 
 
-def scale(duration: float) -> Callable[[float], float]:
-    """From seconds to x."""
+def scale(end: float, begin: float = 0.0) -> Callable[[float], float]:
+    """From seconds to x; from `begin` to `end` is the whole width."""
     room = WIDTH - LEFT - RIGHT
-    return lambda t: LEFT + min(max(t / duration, 0.0), 1.0) * room
+    return lambda t: LEFT + min(max((t - begin) / (end - begin), 0.0), 1.0) * room
 
 
 def steps(lowest: float, highest: float, most: int) -> Iterator[float]:
@@ -64,10 +64,10 @@ def steps(lowest: float, highest: float, most: int) -> Iterator[float]:
         place += 1
 
 
-def time_axis(duration: float, top: float, bottom: float) -> Iterator[str]:
+def time_axis(end: float, top: float, bottom: float, begin: float = 0.0) -> Iterator[str]:
     """Thin lines at round times, with the seconds below."""
-    x = scale(duration)
-    at = list(steps(0.0, duration, 6))
+    x = scale(end, begin)
+    at = list(steps(begin, end, 6))
     lines = "".join(f"M{number(x(t))} {number(top)}V{number(bottom)}" for t in at)
     yield f'<path class="grid" d="{lines}" stroke="#cbd5e1" fill="none"/>'
     for t in at:

@@ -54,10 +54,12 @@ def _fill(
         shared.mkdir(parents=True, exist_ok=True)
     for package in packages:
         _register(folder, package)
+        for module in package.modules:
+            link(site_packages(folder, ros) / module.name, module)
         if package.compiled:
             _stand_in(folder, package, ros, builder, prefix)
         else:
-            _offer_python(folder, package, ros)
+            _offer_scripts(folder, package, ros)
 
 
 def site_packages(prefix: Path, ros: Ros) -> Path:
@@ -75,9 +77,7 @@ def _register(folder: Path, package: UnderlayPackage) -> None:
         write_atomic(folder / _INDEX / "rosidl_interfaces" / package.name, "\n".join(package.interfaces))
 
 
-def _offer_python(folder: Path, package: UnderlayPackage, ros: Ros) -> None:
-    for module in package.modules:
-        link(site_packages(folder, ros) / module.name, module)
+def _offer_scripts(folder: Path, package: UnderlayPackage, ros: Ros) -> None:
     for name, source, function in package.scripts:
         script = folder / package.scripts_folder / name
         write_atomic(script, standins.script(ros.python, source, function))

@@ -16,7 +16,7 @@ INTERFACE_FOLDERS = ("msg", "srv", "action")
 
 @dataclass(frozen=True)
 class UnderlayPackage:
-    """One package: `compiled` says that it is of no use before it was built."""
+    """One package: `compiled` says that there is more to it than Python, which is to be built first."""
 
     name: str
     folder: Path
@@ -72,7 +72,8 @@ def _lines(package: UnderlayPackage) -> list[str]:
         fixed = [package.folder / name for name in ("package.xml", "setup.py", "setup.cfg")]
         return [*map(str, package.modules), *map(_content, fixed)]
     files = (file for file in sorted(package.folder.rglob("*")) if file.is_file())
-    return [str(package.folder), *map(_content, files)]
+    built = (file for file in files if not any(map(file.is_relative_to, package.modules)))
+    return [str(package.folder), *map(str, package.modules), *map(_content, built)]
 
 
 def _content(file: Path) -> str:

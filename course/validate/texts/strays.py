@@ -9,7 +9,6 @@ from pathlib import Path, PurePosixPath
 from course.content import Exercise, answers_file, layout
 from course.content.additions import ADDED_TO
 from course.content.names import did_you_mean
-from course.grading.trial import BUILT
 from course.home import starter_files
 from course.validate.model import Finding
 from course.validate.texts.links import linked_files
@@ -94,7 +93,7 @@ def _solution_files(subject: Subject, chapter: Path) -> Iterator[Finding]:
     solution = layout.solution_folder(chapter)
     for path in files_in(solution) if solution.is_dir() else ():
         file = path.relative_to(solution).as_posix()
-        is_ours = file.startswith("alternatives/") or file in (BUILT, _README)
+        is_ours = file.startswith("alternatives/") or file in (layout.BUILT, _README)
         if not is_ours and not _is_used(file, subject.exercises.values()):
             what = f"no exercise uses `{file}` of this solution"
             yield Finding(path, None, what, "name it in `files` or `looks_at` of lesson.yaml, or delete it")

@@ -1,6 +1,7 @@
 """Runs a program in both layers, as a grading does, and tells what came of it: a script, with two parts.
 
-`confine.py FILE` opens the outer layer and starts itself in it, with "inside" before the name.
+`confine.py FILE` opens the outer layer and starts itself in it, with "inside" before the name. With "apart"
+at first, the program gets a /dev/shm of its own; what it has there in memory when it prints "up" is told.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ import json
 import os
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 MOST_SECONDS = 60.0
@@ -21,11 +23,11 @@ def outside(file: Path) -> int:
         user = where.who.user if where.who else None
         told = {"kind": where.around.kind, "user": user, "missing": where.around.missing}
         print(json.dumps(told), flush=True)
-        command = [*where.around.prefix, sys.executable, __file__, "inside", str(file)]
+        command = [*where.around.prefix, sys.executable, __file__, "inside", *sys.argv[1:]]
         return subprocess.run(command, check=False).returncode
 
 
-def inside(file: Path) -> int:
+def inside(file: Path, apart: bool) -> int:
     from course.arena.sandbox.launcher import fork_launcher
 
     link = fork_launcher()
@@ -33,6 +35,7 @@ def inside(file: Path) -> int:
     from course.arena.process import Process
     from course.arena.sandbox.plan import Plan
     from course.arena.sandbox.sandbox import open_sandbox
+    from course.arena.shared_memory import files_in_memory
     from course.evidence.events import OutputLine
     from course.evidence.timeline import Timeline
 
@@ -43,8 +46,17 @@ def inside(file: Path) -> int:
     with open_sandbox(Plan(None, ()), link, scratch, limits.append) as sandbox:
         command = (sys.executable, str(copy))
         process = Process(
-            "program", command, env=environment, cwd=scratch, timeline=timeline, start=sandbox
+            "program",
+            command,
+            env=environment,
+            cwd=scratch,
+            timeline=timeline,
+            start=partial(sandbox, own_memory=apart),
         )
+        if apart:
+            timeline.wait_until(lambda: any(e.text == "up" for e in timeline.of(OutputLine)), MOST_SECONDS)
+            print(json.dumps({"memory": files_in_memory(process.pid)}), flush=True)
+            process.type("go on\n")
         ended = process.wait(MOST_SECONDS)
         process.close()
     printed = [event.text for event in timeline.events() if isinstance(event, OutputLine)]
@@ -53,5 +65,5 @@ def inside(file: Path) -> int:
 
 
 if __name__ == "__main__":
-    part = inside if sys.argv[1] == "inside" else outside
-    raise SystemExit(part(Path(sys.argv[-1])))
+    program = Path(sys.argv[-1])
+    raise SystemExit(inside(program, "apart" in sys.argv) if sys.argv[1] == "inside" else outside(program))

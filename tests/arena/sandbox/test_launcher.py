@@ -53,10 +53,9 @@ print(os.pread(terminal, 1000, 0).decode())
 
 
 def test_an_order_travels_whole() -> None:
-    order = Order(("run", "it"), {"A": "b"}, "/there", (5,))
-    assert start_message(order) == as_message(
-        "start", command=("run", "it"), environment={"A": "b"}, folder="/there", descriptors=(5,)
-    )
+    order = Order(("run", "it"), {"A": "b"}, "/there", (5,), own_memory=("/dev/shm/here",))
+    told = {"command": ("run", "it"), "environment": {"A": "b"}, "folder": "/there", "descriptors": (5,)}
+    assert start_message(order) == as_message("start", **told, own_memory=("/dev/shm/here",))
 
 
 @pytest.mark.parametrize("given", ["text\n", b"bytes\n"])

@@ -8,7 +8,7 @@ import resource
 import subprocess
 import sys
 
-from course.arena.sandbox.limits import Limits, most_processes, rlimits
+from course.arena.sandbox.limits import Limits, for_sanitizers, most_processes, rlimits
 from course.arena.sandbox.plan import Plan, plan_from_dict
 
 
@@ -19,6 +19,12 @@ def test_each_limit_is_the_kernels_too() -> None:
     assert values[resource.RLIMIT_CPU] == 7
     assert values[resource.RLIMIT_AS] == 8
     assert values[resource.RLIMIT_CORE] == 0
+
+
+def test_only_the_address_sanitizer_gets_more_addresses() -> None:
+    wide = for_sanitizers(Limits(memory=7))
+    assert wide.address_space > 20 * 1024**4 > Limits().address_space
+    assert dataclasses.replace(wide, address_space=Limits().address_space) == Limits(memory=7)
 
 
 def test_the_control_group_refuses_first() -> None:

@@ -32,6 +32,15 @@ for _ in range(700):
     os.wait()
 print('alive')
 """
+SHARES_MEMORY = """
+import mmap, os
+print(sorted(os.listdir("/dev/shm")), os.access(__file__, os.W_OK), os.statvfs("/dev/shm").f_files)
+with open("/dev/shm/segment", "w+b") as file:
+    file.truncate(4096)
+    kept = mmap.mmap(file.fileno(), 4096)
+print("up", flush=True)
+input()
+"""
 _IMPORTS = "import course.arena.containment, course.arena.sandbox.sandbox, course.arena.process"
 
 
@@ -53,12 +62,12 @@ class Machine:
         given = [*(rights if os.geteuid() == 0 else []), *command]
         return subprocess.run(given, env=environment, capture_output=True, text=True, timeout=120)
 
-    def confine(self, code: str) -> dict[str, Any]:
-        """What came of this program in the sandbox: `ended`, `limits` and `printed`."""
+    def confine(self, code: str, *how: str) -> dict[str, Any]:
+        """What came of this program in the sandbox: `ended`, `limits` and `printed`; how: see confine.py."""
         program = self.folder / "program.py"
         program.write_text((ATTACKS / "attempts.py").read_text() + code)
         program.chmod(0o644)
-        done = self.run(PYTHON, str(self.folder / "confine.py"), str(program))
+        done = self.run(PYTHON, str(self.folder / "confine.py"), *how, str(program))
         found: dict[str, Any] = {}
         for line in done.stdout.splitlines():
             found.update(json.loads(line))
@@ -140,3 +149,9 @@ def test_limits_hold_by_looking_alone(
     assert (found["ended"], found["limits"]) == (True, [limit])
 
 
+def test_memory_of_its_own_holds_nothing_but_what_it_needs(machine: Machine) -> None:
+    """That is the scratch folder, which lies there. What it has in memory is to be seen from outside."""
+    found = machine.confine(SHARES_MEMORY, "apart")
+    assert found["printed"] == ["['ros2course'] True 1024", "up"]
+    assert found["memory"] == ["segment"]
+    assert (found["ended"], found["limits"]) == (True, [])

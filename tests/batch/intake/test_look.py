@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from course.batch.intake import Found, Kind, Place, lay_out
+from course.batch.intake import Found, Kind, Person, Place, Source, lay_out, look
+from course.batch.intake.model import Part
+from course.content import Exercise
 from tests.batch.intake.trees import INTERFACES, MESSAGES, PUBLISHER, lay, manifest, package
 from tests.home.opening.archives import make_zip
 
@@ -55,6 +58,33 @@ def test_several_packages(tmp_path: Path, looked: Looked) -> None:
     found = looked(lay(tmp_path / "in", *package(INTERFACES), *package(MESSAGES, "more/")))
     assert (found.kind, found.packages) == (Kind.PACKAGES, (INTERFACES, MESSAGES))
     assert {place.target for place in found.places} == {f"{SRC}/{INTERFACES}", f"{SRC}/{MESSAGES}"}
+
+
+DRIVER = "sas_robot_driver_myrobot"
+
+
+@pytest.fixture
+def in_another_workspace(exercises: tuple[Exercise, ...], tmp_path: Path) -> Looked:
+    """`looked`, for a course with an exercise whose package lies in another workspace."""
+    files = (f"sas_tutorial_workspace/src/{DRIVER}/package.xml",)
+    every = (*exercises, replace(exercises[0], id="31-driver", files=files))
+
+    def of(path: Path) -> Found:
+        source = Source(Person("jane", "Jane"), "jane", (Part(path.name, path),))
+        return look(source, tmp_path / "opened", every)
+
+    return of
+
+
+def test_a_package_that_belongs_into_another_workspace(tmp_path: Path, in_another_workspace: Looked) -> None:
+    place = Place(DRIVER, f"sas_tutorial_workspace/src/{DRIVER}")
+    found = in_another_workspace(lay(tmp_path / "in", *package(DRIVER), *package(MESSAGES)))
+    assert found.places == (Place(MESSAGES, f"{SRC}/{MESSAGES}"), place)
+    found = in_another_workspace(lay(tmp_path / "ws", *package(DRIVER, "src/"), *package(MESSAGES, "src/")))
+    assert found.places == (Place("", "ros2_tutorial_workspace"), replace(place, source=f"src/{DRIVER}"))
+    assert "31-driver" in found.exercises
+    found = in_another_workspace(lay(tmp_path / "home", *package(DRIVER, "sas_tutorial_workspace/src/")))
+    assert found.kind is Kind.HOME and DRIVER in found.packages
 
 
 def test_a_package_of_another_folder_name(tmp_path: Path, looked: Looked) -> None:

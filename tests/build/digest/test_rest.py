@@ -54,3 +54,28 @@ def test_the_machines_faults_are_not_the_learners(
         raise_if_machine(["fine", line], Poor(tmp_path, tmp_path / "python3", Killed(-1)))
     assert words in str(caught.value)
     raise_if_machine(["fine", line], Machine(tmp_path, Path(sys.executable), Killed()))
+
+
+@pytest.mark.parametrize(
+    ("config", "package"), [("Eigen3Config.cmake", "libeigen3-dev"), ("Qt5CoreConfig.cmake", "qtbase5-dev")]
+)
+@pytest.mark.parametrize("folder", ["share/library/cmake", "lib/x86_64-linux-gnu/cmake/Library"])
+def test_a_library_of_the_system_is_missing_only_if_it_really_is(
+    tmp_path: Path, config: str, package: str, folder: str
+) -> None:
+    log = ["CMake Error at CMakeLists.txt:5 (find_package):", f"    {config}"]
+    machine = Machine(tmp_path, Path(sys.executable), Killed(), system=(tmp_path,))
+    with pytest.raises(MissingHere) as caught:
+        raise_if_machine(log, machine)
+    assert caught.value.next_step == f"sudo apt install {package}"
+    (tmp_path / folder).mkdir(parents=True)
+    (tmp_path / folder / config).touch()
+    raise_if_machine(log, machine)
+
+
+def test_a_misspelt_part_of_what_is_there_is_no_fault_of_the_machine(tmp_path: Path) -> None:
+    folder = tmp_path / "lib/x86_64-linux-gnu/cmake/Qt5Core"
+    folder.mkdir(parents=True)
+    (folder / "Qt5CoreConfig.cmake").touch()
+    machine = Machine(tmp_path, Path(sys.executable), Killed(), system=(tmp_path,))
+    raise_if_machine(["    Qt5coreConfig.cmake"], machine)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from course.evidence.events import OutputLine
 from course.evidence.recording import Recording
-from course.grading.expect.counts import expect_counted, has_number
+from course.grading.expect.counts import expect_counted, expect_counting, has_number
 
 from .conftest import log, record, said, told, where
 
@@ -65,3 +67,21 @@ def test_a_count_that_is_printed() -> None:
     )
     assert "`print`" in found.summary
     assert where(found) == ["talk/talker.py:1"]
+
+
+@pytest.mark.parametrize(
+    ("numbers", "summary", "advice"),
+    [
+        ((0, 1, 2, 3, 4, 5), None, None),
+        ((1, 2, 3), "The first message is `Said 1 times.`, not `Said 0 times.`.", "begin"),
+        ((0, 2, 4, 6, 8, 10), "The count does not go up by one: 0, 2, 4, 6, 8.", "step"),
+        ((0, 0), "The count does not go up by one: 0, 0.", "step"),
+    ],
+)
+def test_a_count_that_is_part_of_the_words(
+    numbers: tuple[int, ...], summary: str | None, advice: str | None
+) -> None:
+    lines = counted(*(f"Said {n} times." for n in numbers)).log
+    pattern = re.compile(r"Said (\d+) times")
+    found = said(expect_counting, lines, pattern, first="Said 0 times.", begin="begin", step="step")
+    assert (found and found.summary, found and found.advice) == (summary, advice)

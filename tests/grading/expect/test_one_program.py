@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import pytest
+
 from course.evidence.events import OutputLine
 from course.evidence.recording import Recording
 from course.grading.expect.one_program import about
+from course.grading.explain.in_cpp import Cpp
+from course.grading.explain.in_python import Python
+from course.grading.explain.languages import language_of
 
 from .conftest import FOLDER, log, record
 
@@ -54,3 +59,34 @@ def test_a_module_that_two_programs_share_stays() -> None:
 
 def test_all_files_stay_for_a_package_that_was_not_built() -> None:
     assert len(about(two_programs(), "walk", "walker", "walker").sources.files) == 4
+
+
+LISTS = """\
+add_executable(talker src/talker.cpp src/words.cpp)
+add_executable(listener src/listener.cpp src/words.cpp)
+install(PROGRAMS scripts/shouter.py DESTINATION lib/talk)
+"""
+
+
+@pytest.mark.parametrize(
+    ("executable", "kept"),
+    [
+        ("talker", ["scripts/shouter.py", "src/talker.cpp", "src/words.cpp"]),
+        ("listener", ["scripts/shouter.py", "src/listener.cpp", "src/words.cpp"]),
+        ("shouter.py", ["scripts/shouter.py"]),
+    ],
+)
+def test_sources_of_the_others_are_left_out(executable: str, kept: list[str]) -> None:
+    names = ("src/talker.cpp", "src/listener.cpp", "src/words.cpp", "scripts/shouter.py")
+    recording = record(files={"CMakeLists.txt": LISTS, **dict.fromkeys(names, "")})
+    sources = about(recording, "talk", executable, "node").sources
+    assert sorted(sources.files) == [
+        f"{FOLDER}/{name}" for name in ("CMakeLists.txt", *kept, "talk/talker.py")
+    ]
+
+
+def test_a_script_beside_programs_in_cpp_is_spoken_of_in_python() -> None:
+    recording = record(files={"CMakeLists.txt": LISTS, "src/talker.cpp": "", "scripts/shouter.py": ""})
+    assert isinstance(language_of(recording.sources), Cpp)
+    assert isinstance(language_of(about(recording, "talk", "talker", "talker").sources), Cpp)
+    assert isinstance(language_of(about(recording, "talk", "shouter.py", "shouter").sources), Python)

@@ -128,3 +128,12 @@ def test_packages_of_ros_itself_are_left_alone() -> None:
 def test_what_cannot_be_read(text: str) -> None:
     found = cause(text)
     assert found is None or "has none of that name" in found.text
+
+
+def test_a_package_that_cmake_builds_installs_the_folder() -> None:
+    files = {f"{FOLDER}/launch/{NAME}": "", f"{FOLDER}/CMakeLists.txt": ""}
+    found = not_installed(Sources(files), FOLDER, NAME)
+    assert found.advice == "`install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})`"
+    assert [str(place) for place in found.where] == [f"{FOLDER}/CMakeLists.txt"]
+    beside = {f"{FOLDER}/{NAME}": "", f"{FOLDER}/CMakeLists.txt": ""}
+    assert f"FILES {NAME}" in (not_installed(Sources(beside), FOLDER, NAME).advice or "")

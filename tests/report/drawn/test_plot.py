@@ -33,6 +33,13 @@ def test_what_lies_outside_the_band_has_another_mark(page: Page) -> None:
     assert "5 values drawn, 0.1 to 1 s, median 0.5 s" in page.text
 
 
+def test_a_short_signal_has_an_axis_of_its_own(page: Page) -> None:
+    render_plot(page.console, signal(0.5, 0.6, 0.7), 60.0)
+    assert "2 s" in page.text and "60 s" not in page.text
+    marks = [column for row in rows(page) for column, mark in enumerate(row) if mark == "●"]
+    assert max(marks) - min(marks) > 40
+
+
 def test_without_a_band_nothing_is_said_of_one(page: Page) -> None:
     render_plot(page.console, signal(0.5, 0.6), 6.0)
     assert "░" not in page.text and "expected" not in page.text and "✕" not in page.text

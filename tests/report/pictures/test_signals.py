@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from xml.etree import ElementTree
 
 import pytest
@@ -9,9 +10,9 @@ import pytest
 from course.evidence import events as kinds
 from course.report.pictures.album import pictures
 from course.report.pictures.signal_svg import plot
-from course.report.pictures.signals import Curve, Signal, signals_of
+from course.report.pictures.signals import Curve, Signal, signals_of, window_of
 from course.report.pictures.svg import MOST_BYTES
-from tests.report.pictures.recordings import COUNTER, NUMBER, joints, number, recording
+from tests.report.pictures.recordings import COUNTER, DEFINITIONS, JOINTS, NUMBER, joints, number, recording
 
 
 def test_numbers_and_intervals_of_the_topic_with_the_most_messages() -> None:
@@ -28,6 +29,53 @@ def test_a_joint_stream_has_a_curve_for_each_joint() -> None:
     values, _ = signals_of(recording(*stream))
     assert [curve.label for curve in values.curves] == ["elbow", "wrist"]
     assert values.curves[1].points[-1] == (pytest.approx(0.8), -8.0)
+
+
+def test_joints_without_names_are_numbered() -> None:
+    """As the SmartArmStack tells of them."""
+    layout = "string[] name\nfloat64[] position\n"
+    stream = [
+        kinds.MessageSeen(
+            place * 0.1, "/arm", JOINTS, b"\0\1\0\0" + struct.pack("<IIdd", 0, 2, place * 0.5, -place)
+        )
+        for place in range(1, 9)
+    ]
+    assert DEFINITIONS[JOINTS] == layout
+    values, _ = signals_of(recording(*stream))
+    assert [curve.label for curve in values.curves] == ["joint 1", "joint 2"]
+    assert values.curves[1].points[-1] == (pytest.approx(0.8), -8.0)
+
+
+def test_six_seconds_of_a_quick_stream_are_drawn_with_every_peak() -> None:
+    stream = [number(place * 0.002, 50 if place == 1777 else place % 2) for place in range(3000)]
+    values, _ = signals_of(recording(*stream))
+    assert max(values.curves[0].points, key=lambda point: point[1]) == (pytest.approx(3.554), 50)
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "window"),
+    [
+        (0.5, 5.8, (0.0, 6.0)),
+        (1.0, 4.0, (0.0, 6.0)),  # half of it
+        (4.0, 5.0, (3.98, 5.02)),
+        (0.01, 1.01, (0.0, 1.03)),
+        (3.0, 3.0, (0.0, 6.0)),  # all at once
+    ],
+)
+def test_a_short_signal_has_an_axis_of_its_own(
+    first: float, last: float, window: tuple[float, float]
+) -> None:
+    signal = Signal("Values", "/a", "", (Curve("a", ((first, 1.0), (last, 2.0))),))
+    assert window_of(signal, 6.0) == (pytest.approx(window[0]), pytest.approx(window[1]))
+
+
+def test_what_stands_still_takes_two_points() -> None:
+    points = tuple((place * 0.01, 0.0 if place < 300 else 1.0) for place in range(600))
+    source = plot(Signal("Values", "/a", "", (Curve("a", points),)), 6.0, key="k", clean=str)
+    (path,) = curves_of(ElementTree.fromstring(source))
+    heights = [float(pair.split()[1]) for pair in path[1:].split("L")]
+    assert len(heights) <= 6
+    assert max(heights) - min(heights) == pytest.approx(130 / 1.16, abs=0.2)
 
 
 @pytest.mark.parametrize(

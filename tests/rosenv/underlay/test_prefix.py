@@ -74,6 +74,15 @@ def test_python_packages_are_those_of_the_source_folder(prefix: Path, root: Path
     assert run(prefix / "lib/demo/talker", path=prefix / SITE).stdout == "edited\n"
 
 
+def test_the_python_of_a_package_that_must_be_built_is_there_before(
+    tmp_path: Path, root: Path, ros: Ros
+) -> None:
+    write(root / "src/words/words_helpers/__init__.py", "print('here')\n")
+    prefix = offer(tmp_path / "another place" / "underlay", root, ros)
+    assert run(ros.python, "-c", "import words_helpers", path=prefix / SITE).stdout == "here\n"
+    assert not is_built(prefix, "words")
+
+
 def test_the_index_knows_packages_and_their_interfaces(prefix: Path) -> None:
     index = prefix / "share/ament_index/resource_index"
     assert sorted(file.name for file in (index / "packages").iterdir()) == ["demo", "ros2cli", "words"]
@@ -143,6 +152,9 @@ def test_the_fingerprint_changes_with_what_is_laid_out_or_compiled(root: Path) -
 
 
 def test_code_that_is_used_as_it_stands_does_not_change_the_fingerprint(root: Path) -> None:
+    write(root / "src/words/words_helpers/__init__.py", "")
     before = fingerprint(packages_in(root))
     write(root / "src/demo/demo/main.py", "")
+    write(root / "src/words/words_helpers/__init__.py", "edited = True")
+    write(root / "src/words/words_helpers/__pycache__/__init__.pyc", "x")
     assert fingerprint(packages_in(root)) == before

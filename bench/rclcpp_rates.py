@@ -1,0 +1,177 @@
+"""How many messages a second go through rclcpp, rclpy and rcl itself; what a node costs to compile and start.
+
+Messages come in bursts of a hundred; the next burst begins when the hearer has thanked for the last message
+of the one before, so nothing is lost and everybody does the same work. Programs in C++ are compiled as a
+learner's are: without optimization. All of it runs in an enclosure of its own, in turns.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from statistics import median
+
+from table import show
+
+from course.arena.enclosure import enclosure
+from course.build.builder import build
+from course.build.store import Store
+from course.build.workspace import Workspace
+from course.rosenv import find_ros, node_environment, prepare, underlay_builds
+
+ROOT = Path(__file__).parents[1]
+PACKAGES = (ROOT / "underlay/src/rclcpp", ROOT / "bench/rclcpp_programs")
+TIMEOUT = 120.0
+RCLPY = """
+import sys, time
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from std_msgs.msg import Int64
+BURST = 100
+role, seconds = sys.argv[1], float(sys.argv[2])
+rclpy.init()
+executor = SingleThreadedExecutor()
+state = {"sent": 0, "began": 0.0}
+if role != "hear":
+    sayer = rclpy.create_node("sayer")
+    numbers = sayer.create_publisher(Int64, "numbers", 1000)
+    def say():
+        for _ in range(BURST):
+            numbers.publish(Int64(data=state["sent"]))
+            state["sent"] += 1
+    def thanked(message):
+        passed = time.monotonic() - state["began"]
+        if passed < seconds:
+            say()
+        else:
+            print(round(state["sent"] / passed), flush=True)
+            rclpy.shutdown()
+    thanks = sayer.create_subscription(Int64, "thanks", thanked, 10)
+    def begin():
+        if numbers.get_subscription_count() and sayer.count_publishers("thanks"):
+            timer.cancel()
+            state["began"] = time.monotonic()
+            say()
+    timer = sayer.create_timer(0.01, begin)
+    executor.add_node(sayer)
+if role != "say":
+    hearer = rclpy.create_node("hearer")
+    thanking = hearer.create_publisher(Int64, "thanks", 10)
+    def heard(message):
+        if (message.data + 1) % BURST == 0:
+            thanking.publish(message)
+    hearing = hearer.create_subscription(Int64, "numbers", heard, 1000)
+    executor.add_node(hearer)
+try:
+    executor.spin()
+except ExternalShutdownException:
+    pass
+"""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float, default=3.0, help="for how long each one publishes")
+    parser.add_argument("--rounds", type=int, default=5, help="how often each one is measured")
+    parser.add_argument("--inside", metavar="FOLDER", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.inside:
+        print(json.dumps(measured(Path(options.inside), options.seconds, options.rounds)))
+        return
+    found = in_an_enclosure(options.seconds, options.rounds)
+    floor = {place: median(rates) for place, rates in found["floor"].items()}
+    peer = {place: median(rates) for place, rates in found["rclpy"].items()}
+    rows = [
+        [place, who, f"{median(rates):.0f}", f"{median(rates) / peer[place]:.1f}",
+         f"{median(rates) / floor[place]:.2f}"]
+        for place in ("one process", "two processes")
+        for who, rates in ((who, found[who][place]) for who in ("rclpy", "rclcpp", "floor"))
+    ]  # fmt: skip
+    show("messages a second", ("where", "with", "rate", "times rclpy", "of the floor"), rows)
+    costs = [[name, f"{seconds:.2f}"] for name, seconds in found["costs"].items()]
+    show("what a node costs", ("step", "seconds (CPU for the compiler)"), costs)
+
+
+def in_an_enclosure(seconds: float, rounds: int) -> dict[str, dict]:
+    ros = find_ros()
+    prepare(ros)
+    with tempfile.TemporaryDirectory() as folder, enclosure() as where:
+        (Path(folder) / "src").mkdir()
+        for package in PACKAGES:
+            (Path(folder) / "src" / package.name).symlink_to(package)
+        workspace = Workspace.scan(Path(folder), trusted=True)
+        outcome = build(workspace, ["rclcpp_programs"], ros, Store(underlay_builds(ros)), time_limit=1800.0)
+        if outcome.failure is not None:
+            raise SystemExit(outcome.failure.feedback.summary)
+        prefixes = [package.prefix for package in reversed(outcome.packages)]
+        environment = {**node_environment(ros, prefixes), **where.environment}
+        environment["PYTHONPATH"] += f":{ROOT}"
+        command = [*where.prefix, sys.executable, __file__, "--inside", prefixes[0] / "lib/rclcpp_programs"]
+        command += ["--seconds", str(seconds), "--rounds", str(rounds)]
+        done = subprocess.run(command, env=environment, stdout=subprocess.PIPE, check=True, text=True)
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def measured(programs: Path, seconds: float, rounds: int) -> dict[str, dict]:
+    commands = {
+        "rclpy": [sys.executable, "-c", RCLPY],
+        "rclcpp": [str(programs / "node")],
+        "floor": [str(programs / "floor")],
+    }
+    rates: dict[str, dict] = {who: {"one process": [], "two processes": []} for who in commands}
+    for _ in range(rounds):
+        for who, command in commands.items():
+            rates[who]["one process"].append(rate([*command, "both", str(seconds)]))
+            with running([*command, "hear", "0"]):
+                rates[who]["two processes"].append(rate([*command, "say", str(seconds)]))
+    rates["costs"] = {
+        "compile a node, -O0": compiled("-O0"),
+        "compile a node, -O2": compiled("-O2"),
+        "start, until its first message is back": median(started(commands["rclcpp"]) for _ in range(9)),
+        "the same with rcl's functions alone": median(started(commands["floor"]) for _ in range(9)),
+    }
+    return rates
+
+
+def rate(command: list[str]) -> float:
+    done = subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True, timeout=TIMEOUT)
+    return float(done.stdout)
+
+
+@contextmanager
+def running(command: list[str]) -> Iterator[None]:
+    with subprocess.Popen(command) as process:
+        try:
+            yield
+        finally:
+            process.kill()
+
+
+def compiled(optimization: str) -> float:
+    """Seconds of CPU that the compiler takes for node.cpp."""
+    folders = [f"-I{folder}" for prefix in os.environ["CMAKE_PREFIX_PATH"].split(":")
+               for folder in Path(prefix, "include").glob("*") if folder.is_dir()]  # fmt: skip
+    source = PACKAGES[1] / "src/node.cpp"
+    before = os.times()
+    subprocess.run(["g++", "-std=c++17", optimization, "-c", "-o", os.devnull, *folders, source], check=True)
+    after = os.times()
+    return (after.children_user + after.children_system) - (before.children_user + before.children_system)
+
+
+def started(command: list[str]) -> float:
+    """Seconds until a node that publishes has reported, less the time for which it was to publish."""
+    began = time.monotonic()
+    rate([*command, "both", "0"])
+    return time.monotonic() - began
+
+
+if __name__ == "__main__":
+    main()

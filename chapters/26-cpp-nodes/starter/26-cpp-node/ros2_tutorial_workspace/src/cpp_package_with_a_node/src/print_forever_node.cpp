@@ -1,0 +1,9 @@
+#include "print_forever_node.hpp"
+
+PrintForeverNode::PrintForeverNode()
+: rclcpp::Node("print_forever")
+{
+  // TODO: make the timer.
+}
+
+// TODO: the function that the timer calls.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <tuple>
+
+#include <sas_core/sas_robot_driver.hpp>
+
+namespace sas
+{
+
+struct RobotDriverMyrobotConfiguration
+{
+  std::string ip;
+  std::tuple<VectorXd, VectorXd> joint_limits;  // least and greatest, in rad
+};
+
+// TODO: the class RobotDriverMyrobot. Its constructor takes a configuration and a std::atomic_bool *, in this
+// order.
+
+}  // namespace sas

@@ -1,0 +1,133 @@
+"""What is expected of YAML files in the course home: that they can be read, and stay within bounds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import yaml
+
+from course.content.document import Document, parse_document
+from course.errors import ContentError
+from course.evidence.home_files import HomeFile
+from course.evidence.recording import Recording
+from course.feedback import Failure, Feedback, Location
+from course.grading.expect.files import expect_text
+
+# With every alias written out. A few lines of aliases can stand for more than fits into any memory.
+MOST_NODES = 10_000
+_INDENT = (
+    "Count the blanks at the beginning of this line and the one before. What belongs together begins alike."
+)
+
+
+def expect_yaml(recording: Recording, path: str, *, advice: str) -> Document:
+    """A YAML file is at `path`, whose mappings have texts as keys, each once; aliases and merge keys may be.
+
+    advice: what to do when nothing is there, or nothing in it.
+    """
+    found = expect_text(recording, path, advice=advice)
+    if not (found.text or "").strip():
+        raise Failure(Feedback(f"`~/{path}` is empty.", where=(Location(path),), advice=advice))
+    _expect_no_tab(found)
+    try:
+        _expect_bounds(yaml.compose(found.text or "", yaml.SafeLoader), path)
+        document = parse_document(Path(path), found.text or "")
+    except yaml.MarkedYAMLError as error:
+        raise Failure(_unreadable(found, error)) from None
+    except (ContentError, yaml.YAMLError, ValueError, RecursionError) as error:
+        line = getattr(error, "line", None)
+        raise Failure(
+            Feedback(
+                summary="This file is not YAML.",
+                where=(Location(path, line),),
+                advice="Compare this line with the lesson's example.",
+                details=(str(error),),
+            )
+        ) from None
+    if document.repeated:
+        raise Failure(_repeated(path, document.repeated[0]))
+    return document
+
+
+def _expect_no_tab(file: HomeFile) -> None:
+    for number, line in enumerate(file.lines, 1):
+        if "\t" in line[: len(line) - len(line.lstrip())]:
+            raise Failure(
+                Feedback(
+                    summary=f"Line {number} begins with a tab, which YAML does not allow.",
+                    where=(Location(file.path, number),),
+                    advice="Put blanks in its place, two for each step.",
+                )
+            )
+
+
+def _unreadable(file: HomeFile, error: yaml.MarkedYAMLError) -> Feedback:
+    mark = error.problem_mark or error.context_mark
+    number = mark.line + 1 if mark else None
+    seen = file.lines[number - 1].strip()[:100] if number and number <= len(file.lines) else None
+    return Feedback(
+        summary="This file cannot be read as YAML.",
+        seen=seen or None,
+        where=(Location(file.path, number),),
+        advice=_INDENT,
+        details=(str(error.problem or error.context),),
+    )
+
+
+def _repeated(path: str, error: ContentError) -> Feedback:
+    return Feedback(
+        summary=f"`{error.key}` is given twice in the same place.",
+        where=(Location(path, error.line),),
+        advice="Keep one of the two: of what is given twice, only one can count.",
+        details=(error.what,),
+    )
+
+
+def _expect_bounds(root: yaml.Node | None, path: str) -> None:
+    """Before anything is made of it: no endless or enormous structure, and no key that is no text."""
+    sizes: dict[int, int] = {}
+    open_nodes: set[int] = set()
+    waiting = [(root, False)] if root is not None else []
+    while waiting:
+        node, done = waiting.pop()
+        if done:
+            open_nodes.discard(id(node))
+            sizes[id(node)] = 1 + sum(sizes[id(child)] for child in _children(node))
+            if sizes[id(node)] > MOST_NODES:
+                raise Failure(_too_much(node, path, "stands for far more than any file of this kind needs"))
+        elif id(node) in open_nodes:
+            raise Failure(_too_much(node, path, "contains itself"))
+        elif id(node) not in sizes:
+            _expect_text_keys(node, path)
+            open_nodes.add(id(node))
+            waiting.append((node, True))
+            waiting.extend((child, False) for child in _children(node))
+
+
+def _children(node: yaml.Node) -> list[yaml.Node]:
+    if isinstance(node, yaml.MappingNode):
+        return [part for pair in node.value for part in pair]
+    return list(node.value) if isinstance(node, yaml.SequenceNode) else []
+
+
+def _expect_text_keys(node: yaml.Node, path: str) -> None:
+    keys = [key for key, _ in node.value] if isinstance(node, yaml.MappingNode) else []
+    for key in keys:
+        if key.tag not in ("tag:yaml.org,2002:str", "tag:yaml.org,2002:merge"):
+            shown = f"`{key.value}`" if isinstance(key, yaml.ScalarNode) else "What stands before a `:` here"
+            raise Failure(
+                Feedback(
+                    summary=f"{shown} is no name; it is read as something else.",
+                    expected="a name before the `:`",
+                    where=(Location(path, key.start_mark.line + 1),),
+                    advice="Choose another name, or put quotation marks around it.",
+                )
+            )
+
+
+def _too_much(node: yaml.Node, path: str, what: str) -> Feedback:
+    return Feedback(
+        summary=f"The part that begins in line {node.start_mark.line + 1} {what}.",
+        where=(Location(path, node.start_mark.line + 1),),
+        advice="Write it out once, without `*`.",
+    )

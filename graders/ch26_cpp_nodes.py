@@ -1,0 +1,128 @@
+"""Grader of chapter 26: a node in C++ that logs a count twice per second."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from course.arena.arena import Arena
+from course.evidence.recording import Recording
+from course.evidence.topic_view import LogLine, expect_period
+from course.feedback import Failure, Feedback, Location
+from course.grading.author import Grader
+from course.grading.expect.counts import expect_counting
+from course.grading.expect.graph import expect_node_called
+from course.grading.expect.logs import expect_logged
+from course.grading.expect.manifests import expect_dependency
+from course.grading.expect.programs import expect_clean_interrupt, expect_running
+from course.grading.explain.cpp_timers import cpp_timer_cause, timers_of
+
+PACKAGE = "cpp_package_with_a_node"
+NODE = "print_forever_node"
+NAME = "print_forever"
+HEADERS = f"ros2_tutorial_workspace/src/{PACKAGE}/include/{PACKAGE}"
+FIRST = "Printed 0 times."
+LINE = re.compile(r"Printed (\d+) times\.")
+ENOUGH = 5
+
+cpp_node = Grader("26-cpp-node")
+
+
+@cpp_node.scenario
+def five_messages(arena: Arena) -> None:
+    """Five messages are four intervals."""
+    node = arena.run(PACKAGE, NODE)
+    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
+        arena.until(lambda: arena.logged("") or arena.printed("Print"), timeout=6, while_running=node)
+        arena.until(
+            lambda: arena.logged("Print") >= ENOUGH or arena.printed("Print") > ENOUGH + 1,
+            timeout=6,
+            while_running=node,
+        )
+        # What a quick node printed may reach the log a moment later.
+        arena.until(lambda: arena.logged("Print") >= ENOUGH, timeout=1, while_running=node)
+    arena.interrupt(node)
+
+
+def counted(recording: Recording) -> tuple[LogLine, ...]:
+    return tuple(line for line in recording.log if LINE.search(line.text))
+
+
+@cpp_node.check("starts", "the node starts and keeps running")
+def starts(recording: Recording) -> None:
+    expect_running(recording, NODE)
+
+
+@cpp_node.check("node_name", "the node's name holds `print_forever`", needs="starts")
+def node_name(recording: Recording) -> None:
+    expect_node_called(recording, NAME)
+
+
+@cpp_node.check("logs", "it logs `Printed N times.` at level INFO", needs="starts")
+def logs(recording: Recording) -> None:
+    expect_logged(recording, NODE, counted(recording), FIRST, "Print")
+
+
+@cpp_node.check("counts", "the count goes up by one, from 0", points=2, needs="logs")
+def counts(recording: Recording) -> None:
+    lines = counted(recording)
+    expect_counting(
+        lines,
+        LINE,
+        first=FIRST,
+        begin="Begin with `int count_ = 0;`, and add one after the message is logged, not before.",
+        step="Keep the count in a member of the class, and add one each time: `count_++;`.",
+    )
+    if len(lines) < ENOUGH:
+        raise Failure(too_few(recording, lines))
+
+
+def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:
+    cause = cpp_timer_cause(recording.sources)
+    timers = tuple(timer.where for timer in timers_of(recording.sources))
+    return Feedback(
+        summary=f"The node logged only {len(lines)} time{'s' if len(lines) > 1 else ''}; it "
+        "should go on forever.",
+        expected="a message every 0.5 s",
+        seen=f"{len(lines)} in all",
+        where=cause.where if cause else timers[:2],
+        advice=cause.text
+        if cause
+        else "Let a timer of 0.5 s call the function that logs, with `create_wall_timer`.",
+        details=tuple(line.text for line in lines[:3]),
+    )
+
+
+@cpp_node.check("rate", "it logs twice per second", points=2, needs="logs")
+def rate(recording: Recording) -> None:
+    times = tuple(line.t for line in counted(recording))
+    if len(times) < 2:
+        pytest.skip("there are too few messages to tell")
+    expect_period(times, 0.5, what="log messages", advice="Half a second is `500ms`, or `0.5s`.")
+
+
+@cpp_node.check("declares_rclcpp", "package.xml declares rclcpp")
+def declares_rclcpp(recording: Recording) -> None:
+    expect_dependency(recording, PACKAGE, "rclcpp")
+
+
+@cpp_node.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+def interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(recording, NODE)
+
+
+@cpp_node.check("placeholder", "the folder for headers is one that git keeps", bonus=True, needs=())
+def placeholder(recording: Recording) -> None:
+    if recording.home.inside(HEADERS):
+        return
+    state = "is empty" if recording.home.file(HEADERS).exists else "does not exist"
+    raise Failure(
+        Feedback(
+            summary=f"The folder `include/{PACKAGE}` {state}, so git cannot keep it.",
+            expected=f"include/{PACKAGE}/.placeholder",
+            where=(Location(HEADERS),),
+            advice=f"In the package's folder: `mkdir -p include/{PACKAGE}`, then "
+            f"`touch include/{PACKAGE}/.placeholder`.",
+        )
+    )

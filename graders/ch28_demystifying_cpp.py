@@ -1,0 +1,524 @@
+"""Grader of chapter 28: bounds and exceptions, who owns an object, and objects that nobody copies."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from course.arena.arena import Arena
+from course.evidence.recording import Recording
+from course.feedback import Failure, Feedback, Location
+from course.grading.author import Grader
+from course.grading.expect.native import expect_compiled, expect_no_warnings, expect_sound, native_answer
+
+PROBES = Path(__file__).with_name("probes")
+CPP = "ros2_tutorials_preamble/cpp"
+
+bounds = Grader("28-bounds", builds=None, ros=False, sanitizers=True)
+
+BOUNDS = f"{CPP}/bounds"
+JOINTS = f"{BOUNDS}/joints.cpp"
+MAIN = f"{BOUNDS}/main.cpp"
+ANGLES = (0.0, 1.047198, 1.570796, 3.141593)
+
+
+@bounds.scenario
+def ask_and_run_bounds(arena: Arena) -> None:
+    program = arena.compile("bounds", f"{BOUNDS}/*.cpp")
+    for name, arguments in (("inside", ("2", "0.5")), ("outside", ("9", "1.1")), ("half", ("5", "-3"))):
+        run = arena.run_native(program, *arguments, name=name)
+        if run:
+            run.wait(10)
+    asked = arena.compile("functions", f"{BOUNDS}/*.cpp", ours=PROBES / "ch28_bounds.cpp", without=MAIN)
+    for question in ("positions", "behind", "far", "angles"):
+        arena.ask_native(asked, question, name=question, timeout=10)
+
+
+@bounds.check("compiles", "the program compiles")
+def bounds_compiles(recording: Recording) -> None:
+    expect_compiled(recording, "bounds")
+    expect_fitting(recording, "functions", JOINTS)
+
+
+def expect_fitting(recording: Recording, program: str, file: str) -> None:
+    """The functions of the task can be called by a program of ours; `file` defines them."""
+    said = "\n".join(recording.process(f"compile {program}").text)
+    lost = re.search(r"undefined reference to `(\w+)\(", said)
+    if lost is None:
+        expect_compiled(recording, program)
+        return
+    name = file.rpartition("/")[2]
+    raise Failure(
+        Feedback(
+            summary=f"`{name}` does not define `{lost[1]}`, so no other program can call it.",
+            expected=f"`{lost[1]}` in {name}",
+            where=(Location(file),),
+            advice=f"Move it to {name}, out of any `namespace`. `main.cpp` only calls it.",
+        )
+    )
+
+
+@bounds.check("warnings", "without a warning", needs="compiles")
+def bounds_warnings(recording: Recording) -> None:
+    expect_no_warnings(recording, "bounds")
+
+
+@bounds.check("position", "`position_of` gives the position of a joint", needs="compiles")
+def position(recording: Recording) -> None:
+    wanted = [0.25, -1.5, 3.0]
+    what = "position_of({0.25, -1.5, 3}, ...)"
+    seen = native_answer(recording, "positions", what, "positions", where=Location(JOINTS))
+    if seen.value == wanted:
+        return
+    raise Failure(
+        Feedback(
+            summary="`position_of` does not give the positions of the joints 0, 1 and 2."
+            if seen.error is None
+            else f"`position_of` throws where there is such a joint: {seen.error[:60]}",
+            expected="0.25, -1.5 and 3",
+            seen=numbers(seen.value) if seen.error is None else seen.error,
+            where=(Location(JOINTS),),
+            advice="The first joint has the number 0, as the first element of a vector has.",
+        )
+    )
+
+
+@bounds.check("throws", "`position_of` throws where there is no such joint", points=2, needs="position")
+def throws(recording: Recording) -> None:
+    for question, joint in (("behind", "3"), ("far", "18446744073709551615")):
+        what = f"position_of({{0.25, -1.5, 3}}, {joint})"
+        expect_thrown(
+            recording,
+            question,
+            what,
+            question,
+            "out_of_range",
+            "`positions.at(joint)` throws just this, and `positions[joint]` never does.",
+        )
+
+
+@bounds.check("angle", "`angle_of` throws where there is no such angle", points=2, needs="compiles")
+def angle(recording: Recording) -> None:
+    seen = native_answer(recording, "angles", "angle_of(0.5)", "angles", where=Location(JOINTS))
+    near = seen.error is None and all(abs(a - b) < 1e-4 for a, b in zip(seen.value, ANGLES, strict=True))
+    if not near:
+        raise Failure(
+            Feedback(
+                summary="`angle_of` does not give the angles of the cosines 1, 0.5, 0 and -1.",
+                expected=numbers(ANGLES),
+                seen=seen.error or numbers(seen.value),
+                where=(Location(JOINTS),),
+                advice="`std::acos` gives them, in rad; 1 and -1 are cosines too.",
+            )
+        )
+    advice = "`std::acos` gives what is not a number then. `std::isnan` tells; `==` cannot, it is never true."
+    for question, cosine in (("above", "1.1"), ("below", "-1.1")):
+        expect_thrown(recording, question, f"angle_of({cosine})", "angles", "domain_error", advice)
+
+
+def expect_thrown(
+    recording: Recording, question: str, what: str, process: str, wanted: str, advice: str
+) -> None:
+    seen = native_answer(recording, question, what, process, where=Location(JOINTS))
+    if seen.value == wanted:
+        return
+    returned = str(seen.value).removeprefix("returned ")
+    raise Failure(
+        Feedback(
+            summary=f"`{what}` throws `{seen.type}`, which is no `std::{wanted}`."
+            if seen.error is not None
+            else f"`{what}` throws nothing: it gives {returned}.",
+            expected=f"std::{wanted}",
+            seen=(seen.error or returned)[:120],
+            where=(Location(JOINTS),),
+            advice=advice,
+        )
+    )
+
+
+@bounds.check("prints", "the program prints a position and an angle", needs="compiles")
+def bounds_prints(recording: Recording) -> None:
+    expect_lines_of(recording, "inside", ("joint 2: 1", "angle: 1.0472"), "./bounds 2 0.5")
+
+
+@bounds.check(
+    "catches", "it catches what is thrown, and goes on", points=2, needs=("prints", "throws", "angle")
+)
+def catches(recording: Recording) -> None:
+    outside = ("joint 9: out of range", "angle: not a number")
+    expect_lines_of(recording, "outside", outside, "./bounds 9 1.1")
+    expect_lines_of(recording, "half", ("joint 5: 2.5", "angle: not a number"), "./bounds 5 -3")
+
+
+def expect_lines_of(recording: Recording, run: str, wanted: tuple[str, ...], command: str) -> None:
+    view = expect_sound(recording, run)
+    seen = tuple(line.strip() for line in view.text if line.strip())
+    if seen == wanted:
+        return
+    pairs = zip(wanted, (*seen, *("nothing",) * len(wanted)), strict=False)
+    line, printed = next(((a, b) for a, b in pairs if a != b), ("no more lines", seen[-1] if seen else ""))
+    raise Failure(
+        Feedback(
+            summary=f"`{command}` prints `{printed[:60]}`, not `{line}`."
+            if seen
+            else f"`{command}` prints nothing.",
+            expected=line,
+            seen=printed[:120],
+            where=(Location(MAIN),),
+            advice=printing_advice(line, printed),
+            details=seen[:4],
+        )
+    )
+
+
+def printing_advice(wanted: str, printed: str) -> str:
+    begun = wanted.partition(":")[0] + ":"
+    if printed.count(begun) > 1:
+        return (
+            "The line was begun when the exception came. Call the function first, keep what it gives, "
+            "and print then."
+        )
+    if wanted.endswith(("out of range", "not a number")):
+        return f"Print `{wanted}` where the exception is caught, and let the program go on behind it."
+    return "The texts must be just those of the task: compare them letter by letter."
+
+
+def numbers(values: object) -> str:
+    if not isinstance(values, list | tuple):
+        return str(values)
+    return ", ".join(f"{value:.4g}" if isinstance(value, int | float) else str(value) for value in values)
+
+
+# ------------------------------------------------------------------------------------- 28-smart-pointers
+
+pointers = Grader("28-smart-pointers", builds=None, ros=False, sanitizers=True)
+
+ARM = f"{CPP}/smart_pointers"
+HEADER = f"{ARM}/link.hpp"
+LINK = f"{ARM}/link.cpp"
+ARM_LINES = ("the hand is mounted on the elbow", "the arm has 3 links", "arm on a base")
+
+
+@pointers.scenario
+def ask_and_run_arm(arena: Arena) -> None:
+    program = arena.compile("arm", f"{ARM}/*.cpp", heap=True)
+    arena.ask_native(program, name="arm", timeout=10)
+    asked = arena.compile("links", f"{ARM}/*.cpp", ours=PROBES / "ch28_links.cpp", without=f"{ARM}/main.cpp")
+    for question in ("tree", "kept", "gone"):
+        arena.ask_native(asked, question, name=question, timeout=10)
+
+
+@pointers.check("compiles", "the program compiles")
+def arm_compiles(recording: Recording) -> None:
+    expect_compiled(recording, "arm")
+
+
+@pointers.check("warnings", "without a warning", needs="compiles")
+def arm_warnings(recording: Recording) -> None:
+    expect_no_warnings(recording, "arm")
+
+
+@pointers.check("runs", "it prints its three lines, and ends well", needs="compiles")
+def arm_runs(recording: Recording) -> None:
+    view = expect_sound(recording, "arm")
+    seen = tuple(line.strip() for line in view.text if line.strip())
+    if seen == ARM_LINES:
+        return
+    missing = [line for line in ARM_LINES if line not in seen]
+    raise Failure(
+        Feedback(
+            summary=f"The program does not print `{missing[0]}` any more."
+            if missing
+            else "The program prints more than its three lines.",
+            expected="the three lines that it printed before",
+            seen=seen[0][:120] if seen else "nothing",
+            where=(Location(f"{ARM}/main.cpp"),),
+            advice="Only who owns what is to change. What `main` prints stays as it was.",
+            details=seen[:5],
+        )
+    )
+
+
+@pointers.check("shared", "the functions take and give `std::shared_ptr<Link>`", needs="compiles")
+def shared(recording: Recording) -> None:
+    errors = [line for line in recording.process("compile links").text if " error: " in line]
+    unfit = errors[0] if "Link*" in "".join(errors[:1]) else None
+    if unfit:
+        raise Failure(
+            Feedback(
+                summary="The functions still take or give plain pointers, `Link*`.",
+                expected="std::shared_ptr<Link>",
+                seen=unfit.partition("error: ")[2][:120],
+                where=plain_pointers(recording),
+                advice="Write `std::shared_ptr<Link>` where `Link*` stands, in link.hpp and in link.cpp, and "
+                "`const std::shared_ptr<Link>&` for arguments.",
+            )
+        )
+    expect_fitting(recording, "links", LINK)
+
+
+def plain_pointers(recording: Recording) -> tuple[Location, ...]:
+    lines = enumerate(recording.home.file(HEADER).lines, 1)
+    found = [Location(HEADER, n) for n, line in lines if "Link*" in line.split("//")[0]]
+    return tuple(found[:2]) or (Location(HEADER),)
+
+
+@pointers.check("tree", "links know their parents and their children", needs="shared")
+def tree(recording: Recording) -> None:
+    expect_of_links(
+        recording,
+        ("parents", ["base", "base", "right"], "the parents of left, right and tip"),
+        "`mount` has to tell the child of its parent. `.lock()` makes a shared_ptr of a weak_ptr.",
+    )
+    expect_of_links(
+        recording,
+        ("root", "nothing", "what the base is mounted on"),
+        "A link that was never mounted has no parent: give an empty pointer.",
+    )
+    expect_of_links(
+        recording,
+        ("counts", [4, 1, 2, 1], "the links from base, left, right and tip on"),
+        "`mount` has to tell the parent of its child. `links_from` counts the link and all below.",
+    )
+
+
+def expect_of_links(recording: Recording, asked: tuple[str, object, str], advice: str) -> None:
+    question, wanted, what = asked
+    answer = native_answer(recording, question, what, "tree", where=Location(LINK))
+    if answer.error is None and answer.value == wanted:
+        return
+    raise Failure(
+        Feedback(
+            summary=f"Your functions do not get {what} right.",
+            expected=numbers(wanted),
+            seen=(answer.error or numbers(answer.value))[:120],
+            where=(Location(LINK),),
+            advice=advice,
+        )
+    )
+
+
+@pointers.check("kept", "a link keeps its children", needs="tree")
+def kept(recording: Recording) -> None:
+    answer = native_answer(recording, "kept", "links_from(base)", "kept", where=Location(LINK))
+    if answer.value == 3:
+        return
+    raise Failure(
+        Feedback(
+            summary="Children are deleted although their parent still has them.",
+            expected="3 links",
+            seen=f"{answer.value} link" if answer.value == 1 else str(answer.error or answer.value)[:120],
+            where=members(recording, "children"),
+            advice="A parent owns its children: `std::vector<std::shared_ptr<Link>>`. A weak_ptr keeps none.",
+        )
+    )
+
+
+@pointers.check("gone", "a child does not keep its parent", points=2, needs="tree")
+def gone(recording: Recording) -> None:
+    answer = native_answer(recording, "gone", "parent_of(child)", "gone", where=Location(LINK))
+    if answer.value == "nothing":
+        return
+    raise Failure(
+        Feedback(
+            summary="A parent that nobody needs any more is not deleted: its child still owns it.",
+            expected="an empty pointer",
+            seen=str(answer.error or answer.value)[:120],
+            where=members(recording, "parent"),
+            advice="A child only knows its parent: `std::weak_ptr<Link>`. Two that own each other are never "
+            "deleted.",
+        )
+    )
+
+
+def members(recording: Recording, name: str) -> tuple[Location, ...]:
+    lines = enumerate(recording.home.file(HEADER).lines, 1)
+    found = [Location(HEADER, n) for n, line in lines if re.search(rf"\b{name}\w*\b[^(]*;", line)]
+    return tuple(found[:1]) or (Location(HEADER),)
+
+
+@pointers.check("leak_free", "the program deletes all that it made", points=3, needs="runs")
+def leak_free(recording: Recording) -> None:
+    answer = native_answer(recording, "never freed", "./arm", "arm", where=Location(f"{ARM}/main.cpp"))
+    count, blocks = answer.value
+    if not count:
+        return
+    made = dict.fromkeys(place for _, place in blocks if place)
+    places = [Location(file, int(line)) for file, _, line in (place.rpartition(":") for place in made)]
+    link = any(place.file == LINK for place in places)
+    raise Failure(
+        Feedback(
+            summary=f"The program ends, and {plural(count)} that it made {'was' if count == 1 else 'were'} "
+            "never deleted.",
+            expected="none",
+            seen=f"{plural(count)}, {sum(size for size, _ in blocks)} bytes",
+            where=tuple(places[:3]),
+            advice="Here it was made. Do two links own each other, or is there still a `new`?"
+            if link
+            else "Here it was made. A variable needs no `new`; what lives on belongs to a smart pointer.",
+        )
+    )
+
+
+def plural(count: int) -> str:
+    return "one object" if count == 1 else f"{count} objects"
+
+
+# ----------------------------------------------------------------------------------------- 28-forwarding
+
+forwarding = Grader("28-forwarding", builds=None, ros=False, sanitizers=True)
+
+THINGS_FOLDER = f"{CPP}/forwarding"
+THINGS = f"{THINGS_FOLDER}/things.hpp"
+
+
+@forwarding.scenario
+def count_things(arena: Arena) -> None:
+    program = arena.compile("things", f"{THINGS_FOLDER}/main.cpp")
+    run = arena.run_native(program, name="things")
+    if run:
+        run.wait(10)
+    asked = arena.compile("counts", ours=PROBES / "ch28_things.cpp")
+    for question in ("values", "make", "append", "total", "forward"):
+        arena.ask_native(asked, question, name=question, timeout=10)
+
+
+@forwarding.check("compiles", "the program compiles, and runs")
+def things_compile(recording: Recording) -> None:
+    expect_compiled(recording, "things")
+    expect_sound(recording, "things")
+    lines = enumerate(recording.home.file(THINGS).lines, 1)
+    bound = [Location(THINGS, n) for n, line in lines if re.search(r"\bNoisy\b", line.split("//")[0])]
+    ended = recording.process("compile counts").exited
+    if bound and ended and ended.code:
+        raise Failure(
+            Feedback(
+                summary="`things.hpp` works for `Noisy` alone, and the check brings another type.",
+                expected="a template for any `Thing`",
+                where=tuple(bound[:2]),
+                advice="Keep the `template` line as it was, and write `Thing` in the place of `Noisy`.",
+            )
+        )
+    expect_compiled(recording, "counts")
+
+
+@forwarding.check("warnings", "without a warning", needs="compiles")
+def things_warnings(recording: Recording) -> None:
+    expect_no_warnings(recording, "things")
+
+
+@forwarding.check("values", "the three functions do what they say", needs="compiles")
+def values(recording: Recording) -> None:
+    for question, wanted, what in (
+        ("made value", 20.0, "make<Thing>(20.0)->value()"),
+        ("appended values", [1.5, -4.0, 8.0], "append, called with 1.5, -4 and 8,"),
+        ("total value", 5.5, "total of 1.5, -4 and 8"),
+    ):
+        answer = native_answer(recording, question, what, "values", where=Location(THINGS))
+        if answer.error is None and answer.value == wanted:
+            continue
+        raise Failure(
+            Feedback(
+                summary=f"`{what}` gives {numbers(answer.value)}."
+                if answer.error is None
+                else f"`{what}` fails: {answer.error[:60]}",
+                expected=numbers(wanted),
+                seen=(answer.error or numbers(answer.value))[:120],
+                where=(Location(THINGS),),
+                advice="Without copies, it must still give what it gave before.",
+            )
+        )
+
+
+@forwarding.check("make", "`make` makes one object, and copies nothing", points=2, needs="values")
+def make_counts(recording: Recording) -> None:
+    expect_counts(
+        recording,
+        "make",
+        made=1,
+        summary="`make<Thing>(20.0)`",
+        advice="`std::make_shared<Thing>(...)` takes what a Thing is made of, here 20.0, no finished Thing.",
+    )
+
+
+@forwarding.check("append", "`append` makes each object where it stays", points=2, needs="values")
+def append_counts(recording: Recording) -> None:
+    expect_counts(
+        recording,
+        "append",
+        made=3,
+        summary="`append`, called three times,",
+        advice="`push_back` takes a finished Thing, `emplace_back` what it is made of: the value.",
+    )
+
+
+@forwarding.check("total", "`total` looks, and copies nothing", points=2, needs="values")
+def total_counts(recording: Recording) -> None:
+    expect_counts(
+        recording,
+        "total",
+        made=3,
+        summary="`total` of three things",
+        advice="A reference is no copy: `const std::vector<Thing>& things` for the argument, and "
+        "`const auto&` in the loop.",
+    )
+
+
+def expect_counts(recording: Recording, question: str, *, made: int, summary: str, advice: str) -> None:
+    answer = native_answer(recording, question, question, question, where=Location(THINGS))
+    count, copied, moved = answer.value
+    if (count, copied, moved) == (made, 0, 0):
+        return
+    more = [f"makes {count - made} too many"] if count > made else []
+    done = [
+        *more,
+        *([f"copies {times(copied)}"] if copied else []),
+        *([f"moves {times(moved)}"] if moved else []),
+    ]
+    raise Failure(
+        Feedback(
+            summary=f"{summary} {' and '.join(done) or f'makes only {count}'}.",
+            expected=f"{made} made, 0 copied, 0 moved",
+            seen=f"{count} made, {copied} copied, {moved} moved",
+            where=function_place(recording, question),
+            advice=advice,
+        )
+    )
+
+
+def times(count: int) -> str:
+    return "once" if count == 1 else "twice" if count == 2 else f"{count} times"
+
+
+def function_place(recording: Recording, name: str) -> tuple[Location, ...]:
+    lines = enumerate(recording.home.file(THINGS).lines, 1)
+    found = [Location(THINGS, n) for n, line in lines if re.search(rf"\b{name}\s*\(", line.split("//")[0])]
+    return tuple(found[:1]) or (Location(THINGS),)
+
+
+@forwarding.check("forwards", "`make` hands its arguments on as they came", points=2, needs="values")
+def forwards(recording: Recording) -> None:
+    what = "make<Whole>(Part(7.0))"
+    _, copied, _ = native_answer(recording, "temporary", what, "forward", where=Location(THINGS)).value
+    if copied:
+        raise Failure(
+            Feedback(
+                summary="A part that nobody else needs is copied on its way through `make`.",
+                expected="0 copies",
+                seen=f"{copied} copies" if copied > 1 else "1 copy",
+                where=function_place(recording, "make"),
+                advice="Take `Arguments&&... arguments`; hand on `std::forward<Arguments>(arguments)...`.",
+            )
+        )
+    ours = native_answer(recording, "ours", "part.value()", "forward").value
+    if ours != 5.0:
+        raise Failure(
+            Feedback(
+                summary="`make<Whole>(part)` takes away the part that its caller still has.",
+                expected="5, as before",
+                seen=numbers(ours),
+                where=function_place(recording, "make"),
+                advice="`std::move` gives everything away. `std::forward<Arguments>(arguments)...` only what "
+                "the caller gave away.",
+            )
+        )

@@ -1,0 +1,998 @@
+"""Graders of chapter 31: a robot's driver, its launch file, a client, and the driver once more in Python."""
+
+from __future__ import annotations
+
+import math
+import re
+import signal
+import stat
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from itertools import dropwhile
+from operator import itemgetter
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from course.arena.arena import Arena
+from course.arena.process import Process
+from course.errors import OurFault
+from course.evidence.events import OutputLine
+from course.evidence.process_view import ProcessView
+from course.evidence.recording import Recording
+from course.evidence.sources import Sources
+from course.evidence.stream import Stream
+from course.evidence.waves import fit_wave
+from course.feedback import Failure, Feedback, Location
+from course.grading.author import Grader
+from course.grading.expect.files import expect_mode
+from course.grading.expect.launches import (
+    expect_launch_file,
+    expect_launch_interrupt,
+    expect_launch_parameter,
+    expect_launched,
+    expect_launched_node,
+    launch_file,
+)
+from course.grading.expect.native import expect_compiled, native_answer
+from course.grading.expect.programs import expect_clean_interrupt, expect_executable, expect_running
+from course.grading.expect.streams import (
+    expect_alike,
+    expect_follows_wave,
+    expect_rate,
+    expect_steps,
+    expect_values,
+    expect_width,
+    told,
+)
+from course.grading.explain.cpp_code import places_of
+from course.grading.explain.names import listed, nearest
+from course.grading.explain.parameters import named
+from course.grading.explain.python_code import calls
+
+if TYPE_CHECKING:
+    from course.evidence.recorder import Listener
+
+PROBES = Path(__file__).with_name("probes")
+PACKAGE = "sas_robot_driver_myrobot"
+EXECUTABLE = f"{PACKAGE}_node"
+IN_CPP = f"sas_tutorial_workspace/src/{PACKAGE}"
+DRIVER_CPP, NODE_CPP = f"{IN_CPP}/src/{PACKAGE}.cpp", f"{IN_CPP}/src/{EXECUTABLE}.cpp"
+IN_PYTHON = f"{PACKAGE}_python"
+PYTHON_NODE = "myrobot_node"
+LAUNCH_FILE = "real_robot_launch.py"
+SCRIPT = "joint_interface_example.py"
+SCRIPT_FILE = f"{IN_CPP}/scripts/{SCRIPT}"
+
+JOINTS = 6
+STATES, LEAST, GREATEST = "get/joint_states", "get/joint_positions_min", "get/joint_positions_max"
+TARGETS = "set/target_joint_positions"
+JOINT_STATE = "sensor_msgs/msg/JointState"
+DOUBLES, INTEGERS = "std_msgs/msg/Float64MultiArray", "std_msgs/msg/Int32MultiArray"
+TOLD = {STATES: JOINT_STATE, LEAST: DOUBLES, GREATEST: DOUBLES, "get/home_states": INTEGERS}
+HEARD = {
+    TARGETS: DOUBLES,
+    "set/target_joint_velocities": DOUBLES,
+    "set/target_joint_forces": DOUBLES,
+    "set/homing_signal": INTEGERS,
+    "set/clear_positions": INTEGERS,
+}
+
+
+@dataclass(frozen=True)
+class Robot:
+    """A robot as the scenario has it made. degrees: its limits. period: s, of its loop."""
+
+    name: str
+    least: tuple[float, ...]
+    greatest: tuple[float, ...]
+    period: float
+
+    def topic(self, name: str) -> str:
+        return f"/{self.name}/{name}"
+
+    @property
+    def parameters(self) -> dict[str, str | float | list[float]]:
+        least, greatest = (list(map(float, limits)) for limits in (self.least, self.greatest))
+        limits = {"joint_limits_min": least, "joint_limits_max": greatest}
+        return {"ip": "127.0.0.1", **limits, "thread_sampling_time_sec": self.period}
+
+
+# Other names, limits and periods than the lesson's: what is written into a program shows.
+LEFT = Robot("left_arm", (-95.0, -96, -97, -98, -99, -185), (101.0, 102, 103, 104, 105, 190), 0.002)
+RIGHT = replace(LEFT, name="right_arm", period=0.004)
+MYROBOT = Robot("myrobot_1", (*[-360.0] * 5, -720), (*[360.0] * 5, 720), 0.002)
+WRITING = replace(LEFT, name="writing_arm", period=0.01)
+DRAWING = replace(WRITING, name="drawing_arm", period=0.02)
+
+STEPS = tuple(tuple(0.1 * step + 0.02 * joint for joint in range(JOINTS)) for step in range(1, 11))
+STEP_TIME = 0.06
+WAVE, COMMANDS = 1.0, 0.01  # Hz, and s between two targets
+# What a driver's source may use: `deg2rad`, parameters, or the driver's node are nobody's mistake there.
+LIBRARIES = ("sas_core", "sas_robot_driver", "dqrobotics", "rclcpp", "rcutils")
+# What RobotDriverROS writes before each step, and when one fails; and the functions that it calls in it.
+STEP = re.compile(r"::Robot driver: ([a-z ]+)$")
+FAILED = re.compile(r"::Robot driver: (?P<step>[a-z ]+) failed: (?P<error>.*)")
+FAILING = {
+    "connect": r"::connect\s*\(",
+    "initialize": r"::initialize\s*\(",
+    "control loop": r"::(?:get|set_target)_joint_positions\s*\(",
+}
+MOTOR_OFF, DISCONNECTED = "Motor off", "Disconnected"
+WRONG = "a target of five elements"
+AGAIN = "again, until it gets a target of five elements"
+
+driver = Grader("31-driver", builds=2)
+launch = Grader("31-launch")
+client = Grader("31-client")
+in_python = Grader("31-driver-python")
+
+
+# Acting on a driver ----------------------------------------------------------------------------------
+
+
+def watch(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> bool:
+    """Start the robot's driver, command it, and press Ctrl+C; whether its joints were heard."""
+    with arena.lateness():
+        states, node = hear(arena, robot, start)
+        if node and states.count:
+            command(arena, robot, states, node)
+    arena.interrupt(node)
+    return states.count > 0
+
+
+def command(arena: Arena, robot: Robot, states: Listener, node: Process) -> None:
+    """Hear it for two seconds, then command steps and a sine."""
+    targets = arena.publisher(robot.topic(TARGETS), DOUBLES)
+    more(arena, states, node, 2 / robot.period)
+    if not arena.until(lambda: targets.matched, timeout=3, while_running=node):
+        return
+    for target in STEPS:
+        targets.publish(data=list(target))
+        more(arena, states, node, STEP_TIME / robot.period + 3)
+    for number in arena.ticks(COMMANDS, 250):
+        if not node.running:
+            return
+        targets.publish(data=wave(number * COMMANDS))
+    more(arena, states, node, STEP_TIME / robot.period)
+
+
+def hear(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> tuple[Listener, Process | None]:
+    """Start the driver, and wait until its joints and their limits have been heard."""
+    states = arena.subscribe(robot.topic(STATES), JOINT_STATE)
+    limits = [arena.subscribe(robot.topic(name), DOUBLES) for name in (LEAST, GREATEST)]
+    node = start()
+    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
+        arena.until(lambda: states.count, timeout=8, while_running=node)
+        if states.count:
+            arena.until(lambda: all(one.count for one in limits), timeout=2, while_running=node)
+    for one in limits:  # they say the same in each round
+        one.close()
+    return states, node
+
+
+def more(arena: Arena, states: Listener, node: Process, messages: float) -> None:
+    """Hear so many more messages; a driver that is much slower is not waited for."""
+    wanted = states.count + round(messages)
+    arena.until(lambda: states.count >= wanted, timeout=3, while_running=node)
+
+
+def wave(t: float) -> list[float]:
+    """Another swing for each joint, around another place: joints that are mixed up show."""
+    turn = math.tau * WAVE * t
+    return [0.1 * joint + 0.2 * (1 + 0.2 * joint) * math.sin(turn + 0.3 * joint) for joint in range(JOINTS)]
+
+
+def end_with_a_wrong_target(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> None:
+    """Another life of the driver, which a target of five elements is to end."""
+    with arena.lateness():
+        states, node = hear(arena, robot, start)
+        targets = arena.publisher(robot.topic(TARGETS), DOUBLES)
+        ready = bool(node and states.count) and arena.until(
+            lambda: targets.matched, timeout=3, while_running=node
+        )
+        if node and ready:
+            more(arena, states, node, 1.2 / robot.period)
+    if node and ready:
+        arena.mark(WRONG)
+        targets.publish(data=[0.1] * (JOINTS - 1))
+        arena.until(lambda: False, timeout=6, while_running=node)
+    arena.interrupt(node)
+
+
+# What is expected of a driver, in C++ or in Python ---------------------------------------------------
+
+
+def states_of(recording: Recording, robot: Robot) -> Stream:
+    return recording.stream(robot.topic(STATES), "position")
+
+
+def commands_of(recording: Recording, robot: Robot) -> tuple[Stream, Stream]:
+    """The steps and the sine that the scenario commanded."""
+    sent = recording.sent_stream(robot.topic(TARGETS), "data")
+    if len(sent) <= len(STEPS):
+        return sent, sent.between(math.inf)
+    begin = sent.times[len(STEPS)]
+    return sent.between(end=math.nextafter(begin, 0)), sent.between(begin)
+
+
+def expect_topics(recording: Recording, robot: Robot, prefix: str, missing: str) -> None:
+    """Exactly these topics, with these types. prefix, missing: advice on another name, on one that lacks."""
+    seen = {
+        kind: {e.topic: e.type for e in recording.seen_endpoints() if e.kind == kind}
+        for kind in ("publisher", "subscription")
+    }
+    for kind, verb, wanted in (
+        ("publisher", "publishes on", TOLD),
+        ("subscription", "subscribes to", HEARD),
+    ):
+        topics = {robot.topic(name): type_name for name, type_name in wanted.items()}
+        for topic, type_name in topics.items():
+            expect_topic(seen[kind], topic, type_name, robot, verb, prefix, missing)
+        more = sorted(t for t in seen[kind].keys() - topics.keys() if t.startswith(f"/{robot.name}/"))
+        if more:
+            raise Failure(
+                Feedback(
+                    summary=f"The driver also {verb} `{more[0]}`, which no driver does.",
+                    expected=listed(sorted(topics)),
+                    seen=listed(more),
+                    advice="Leave it out: programs for all robots know the same topics.",
+                )
+            )
+
+
+def expect_topic(
+    seen: dict[str, str], topic: str, type_name: str, robot: Robot, verb: str, prefix: str, missing: str
+) -> None:
+    if topic in seen:
+        if seen[topic] == type_name:
+            return
+        raise Failure(
+            Feedback(
+                summary=f"The topic `{topic}` has the type `{seen[topic]}`.",
+                expected=type_name,
+                seen=seen[topic],
+                advice=f"Use `{type_name.split('/')[-1]}` of {type_name.split('/')[0]}.",
+            )
+        )
+    name = topic.removeprefix(f"/{robot.name}/")
+    other = next((one for one in sorted(seen) if one.endswith(f"/{name}")), None)
+    close = other or nearest(topic, seen)
+    raise Failure(
+        Feedback(
+            summary=f"The driver {verb} `{close}`, not `{topic}`."
+            if close
+            else f"The driver {verb} no `{topic}`.",
+            expected=topic,
+            seen=listed(sorted(seen), "no topic"),
+            advice=prefix if other else missing,
+        )
+    )
+
+
+def expect_limits(recording: Recording, robot: Robot, advice: str, where: Iterable[Location] = ()) -> None:
+    for name, degrees, which in ((LEAST, robot.least, "least"), (GREATEST, robot.greatest, "greatest")):
+        seen = recording.stream(robot.topic(name), "data")
+        expect_width(seen, JOINTS, advice=advice, where=tuple(where))
+        wanted = [math.radians(limit) for limit in degrees]
+        what = f"{which} limits"
+        expect_values(seen.name, seen.rows[0], wanted, what=what, advice=advice, where=tuple(where))
+
+
+def expect_zeros(recording: Recording, robot: Robot, advice: str, where: Iterable[Location] = ()) -> None:
+    """Six joints, at zero until the first target."""
+    first = next(iter(recording.sent_stream(robot.topic(TARGETS), "data").times), math.inf)
+    states = states_of(recording, robot).between(end=first)
+    expect_width(states, JOINTS, advice=advice, where=tuple(where))
+    other = next((row for row in states.rows if any(row)), None)
+    if other:
+        raise Failure(
+            Feedback(
+                summary="The joints are not at zero before the first target came.",
+                expected=told([0.0] * JOINTS),
+                seen=told(other),
+                where=tuple(where),
+                advice=advice,
+            )
+        )
+
+
+def expect_step_and_wave(
+    recording: Recording, robot: Robot, kind: str, advice: str, where: Iterable[Location] = ()
+) -> None:
+    """kind: "steps" or "wave". A loop hears a target in one round, and tells of it in the next."""
+    steps, sine = commands_of(recording, robot)
+    states = states_of(recording, robot)
+    if kind == "steps":
+        within = max(0.010, 2.5 * robot.period)
+        expect_steps(recording, steps, states, within=within, advice=advice, where=tuple(where))
+        return
+    within = 0.03 + 2 * robot.period
+    states = states.between(sine.times[0] + 0.2, sine.times[-1]) if len(sine) else sine
+    expect_no_jump(sine, states, advice, tuple(where))
+    expect_follows_wave(recording, sine, states, WAVE, within=within, advice=advice, where=tuple(where))
+
+
+def expect_no_jump(sine: Stream, states: Stream, advice: str, where: tuple[Location, ...]) -> None:
+    """No joint leaves what was commanded. No load of a machine does that, so none excuses it.
+
+    What comes first may still be an earlier target, where a machine was held up.
+    """
+    for joint in range(JOINTS if len(sine) and states.widths == (JOINTS,) else 0):
+        least, greatest = min(sine.column(joint)), max(sine.column(joint))
+        room = 0.1 * (greatest - least)
+        outside = [(not least - room <= x <= greatest + room, x) for x in states.column(joint)]
+        far = next((x for out, x in dropwhile(itemgetter(0), outside) if out), None)
+        if far is not None:
+            raise Failure(
+                Feedback(
+                    summary=f"Joint {joint + 1} goes to where nobody commanded it.",
+                    expected=f"positions from {least:.3g} to {greatest:.3g} rad",
+                    seen=f"{far:.3g} rad",
+                    where=where,
+                    advice=advice,
+                )
+            )
+
+
+def expect_order(lines: Iterable[OutputLine], after: float, what: str, advice: str) -> None:
+    """After that moment the motor was switched off, and then the robot was disconnected."""
+    said = [line.text for line in lines if line.t >= after]
+    off = next((place for place, text in enumerate(said) if MOTOR_OFF in text), None)
+    gone = next((place for place, text in enumerate(said) if DISCONNECTED in text), None)
+    if off is not None and gone is not None and off < gone:
+        return
+    if off is None and gone is None:
+        summary = f"After {what} the driver ends, and leaves the motor on and the robot connected."
+    elif off is None:
+        summary = f"After {what} the robot is disconnected, but the motor is still on."
+    elif gone is None:
+        summary = f"After {what} the motor is off, but the robot is still connected."
+    else:
+        summary = f"After {what} the robot is disconnected first, and then the motor is switched off."
+    raise Failure(
+        Feedback(
+            summary=summary,
+            expected=f"`{MOTOR_OFF}.`, then `{DISCONNECTED}.`",
+            seen="; ".join(said[-3:]) or "nothing on the terminal",
+            advice=advice,
+        )
+    )
+
+
+def expect_end_by_a_wrong_target(recording: Recording, process: str, advice: str, order: str) -> None:
+    """A target of five elements ended it in order, with an error in its log."""
+    expect_executable(recording, process)
+    view, mark = recording.process(process), recording.marked(WRONG)
+    if mark is None:
+        raise Failure(
+            Feedback(
+                summary="Started a second time, the driver is not ready to take a target.",
+                advice="Start it twice yourself: something of the first time may be in its way.",
+                details=view.text[-6:],
+            )
+        )
+    if view.ended_by_itself is None:
+        raise Failure(
+            Feedback(
+                summary="A target of five elements does not end the driver, which has six joints.",
+                expected="it ends, with an error in its log",
+                seen="it runs on",
+                advice=advice,
+            )
+        )
+    expect_order(view.lines, mark.t, "a target of five elements", order)
+    logged = any(line.level in ("ERROR", "FATAL") for line in recording.log if line.t >= mark.t)
+    if not logged and not any("[ERROR]" in line.text or "[FATAL]" in line.text for line in view.lines):
+        raise Failure(
+            Feedback(
+                summary="A target of five elements ends the driver, but its log says nothing of it.",
+                expected="a message at level ERROR",
+                seen="; ".join(view.text[-3:]),
+                advice=advice,
+            )
+        )
+
+
+# 31-driver -------------------------------------------------------------------------------------------
+
+
+@driver.scenario
+def class_and_node(arena: Arena) -> None:
+    """Ask the class what it does, then run the node twice."""
+    arena.require_libraries("Eigen3")
+    program = arena.compile(
+        "class",
+        DRIVER_CPP,
+        *more_files(arena.home),
+        ours=PROBES / "ch31_driver.cpp",
+        options=(f"-I{IN_CPP}/include", *arena.ros_options(*LIBRARIES)),
+        sanitized=False,
+    )
+    for question in ("life", "early", "wrong", "ends"):
+        arena.ask_native(program, question, name=question, timeout=10, env=arena.ros_libraries)
+
+    def start(robot: Robot, name: str) -> Process | None:
+        return arena.run(PACKAGE, EXECUTABLE, params=robot.parameters, node_name=robot.name, name=name)
+
+    if watch(arena, LEFT, lambda: start(LEFT, EXECUTABLE)):
+        end_with_a_wrong_target(arena, RIGHT, lambda: start(RIGHT, AGAIN))
+
+
+def more_files(home: Path) -> list[str]:
+    """What else of the package's `src` is built, as far as the class may need it: all without a `main`."""
+    listed = text_of(home / IN_CPP / "CMakeLists.txt")
+    files = (path.relative_to(home).as_posix() for path in sorted((home / IN_CPP / "src").glob("*.cpp")))
+    others = (file for file in files if file not in (DRIVER_CPP, NODE_CPP) and Path(file).name in listed)
+    return [file for file in others if not re.search(r"\bmain\s*\(", text_of(home / file))]
+
+
+def text_of(file: Path) -> str:
+    return file.read_text(encoding="utf-8", errors="replace") if file.is_file() else ""
+
+
+def expect_begun(recording: Recording, process: str) -> None:
+    """In this life of the class, `connect` and `initialize` threw nothing."""
+    for name in ("connect", "initialize"):
+        where = at(recording, rf"::{name}\s*\(", DRIVER_CPP)
+        answer = native_answer(recording, name, f"{name}()", process, where=where[0])
+        if answer.error is None:
+            continue
+        raise Failure(
+            Feedback(
+                summary=f"`{name}()` throws, although nothing is wrong with the robot.",
+                expected="no exception",
+                seen=answer.error[:150],
+                where=where,
+                advice="It may throw when the robot cannot be reached or started. This one can always be.",
+            )
+        )
+
+
+@driver.check("usable", "a program of another's can use the class")
+def usable(recording: Recording) -> None:
+    expect_compiled(recording, "class")
+
+
+@driver.check("connected", "after `connect` it has six zeros, and goes where it is told", needs="usable")
+def connected(recording: Recording) -> None:
+    where = at(recording, r"::connect\s*\(", DRIVER_CPP)
+    expect_begun(recording, "life")
+    for question, what, wanted, advice in (
+        ("zeros", "get_joint_positions()", [0.0] * JOINTS, "After `connect` there are six zeros."),
+        (
+            "follows",
+            "get_joint_positions()",
+            [0.25 * (joint + 1) for joint in range(JOINTS)],
+            "After `set_target_joint_positions(target)` the positions are the target, all six.",
+        ),
+    ):
+        answer = native_answer(recording, question, what, "life", where=where[0])
+        if answer.error is None and answer.value == wanted:
+            continue
+        raise Failure(
+            Feedback(
+                summary=f"`{what}` does not return {told(wanted)}."
+                if answer.error is None
+                else f"A connected driver throws: {answer.error[:80]}",
+                expected=told(wanted),
+                seen=told(answer.value) if answer.error is None else answer.error[:120],
+                where=where,
+                advice=advice,
+            )
+        )
+
+
+@driver.check("throws", "it throws where it cannot do what is asked", points=2, needs="usable")
+def throws(recording: Recording) -> None:
+    for question, process, what, name in (
+        ("early", "early", "get_joint_positions()` before `connect()", "get_joint_positions"),
+        ("five", "wrong", "set_target_joint_positions` with five elements", "set_target_joint_positions"),
+        ("seven", "wrong", "set_target_joint_positions` with seven elements", "set_target_joint_positions"),
+    ):
+        if process == "wrong":
+            expect_begun(recording, process)
+        where = at(recording, rf"::{name}\s*\(", DRIVER_CPP)
+        answer = native_answer(recording, question, f"{name}()", process, where=where[0])
+        if answer.error is not None:
+            continue
+        raise Failure(
+            Feedback(
+                summary=f"`{what}{'`' if question == 'early' else ''} throws nothing.",
+                expected="std::runtime_error",
+                seen=told(answer.value) if question == "early" else "it returns",
+                where=where,
+                advice="Ask first, and `throw std::runtime_error(...)` with words that say what is wrong.",
+            )
+        )
+
+
+@driver.check("peaceful", "`deinitialize` and `disconnect` never throw", points=2, needs="usable")
+def peaceful(recording: Recording) -> None:
+    for name in ("deinitialize", "disconnect"):
+        where = at(recording, rf"::{name}\s*\(", DRIVER_CPP)
+        for when in (" at once", "", " again"):
+            if not when:
+                expect_begun(recording, "ends")
+            answer = native_answer(recording, name + when, f"{name}()", "ends", where=where[0])
+            if answer.error is None:
+                continue
+            what = {" at once": "without a `connect()` before", " again": "called twice"}
+            raise Failure(
+                Feedback(
+                    summary=f"`{name}()` throws when it is {what.get(when, 'called as it should be')}.",
+                    expected="no exception, whatever happened before",
+                    seen=answer.error[:150],
+                    where=where,
+                    advice="After it nobody catches anything. Do what can be done, and leave the rest.",
+                )
+            )
+
+
+@driver.check("starts", "the program starts with its parameters, and keeps running")
+def starts(recording: Recording) -> None:
+    expect_executable(recording, EXECUTABLE)
+    view = recording.process(EXECUTABLE)
+    ended = view.ended_by_itself
+    if ended and ended.signal is None and (failure := why_ended(recording, view)):
+        raise Failure(failure)
+    expect_running(recording, EXECUTABLE)
+    until = view.interrupted_at or math.inf
+    steps = [found[1] for line in view.lines if line.t < until and (found := STEP.search(line.text))]
+    if steps[-1:] in (["connect"], ["initialize"]) and not states_of(recording, LEFT).times:
+        raise Failure(
+            Feedback(
+                summary=f"The driver does not come out of `{steps[-1]}()`, so its loop never begins.",
+                expected="it returns at once",
+                seen="it was still in there in the end",
+                where=at(recording, rf"::{steps[-1]}\s*\("),
+                advice="Look for a loop in it that never ends. The loop of a driver is `control_loop()`'s.",
+            )
+        )
+
+
+def why_ended(recording: Recording, view: ProcessView) -> Feedback | None:
+    """What the driver said that ended it before its time; None if C++ itself ended it."""
+    if any("terminate called" in text or "error while loading" in text for text in view.text):
+        return None
+    said = next((text for text in view.text if "[ERROR]" in text or "[FATAL]" in text), None)
+    failed = FAILED.search(said) if said else None
+    where = at(recording, FAILING[failed["step"]]) if failed and failed["step"] in FAILING else ()
+    advice = f"Look for what throws this in `{failed['step']}()`." if failed else "Begin with this error."
+    if failed and failed["step"] == "control loop":
+        advice = "Look for what throws this in `get_joint_positions` or `set_target_joint_positions`."
+    if said is None:
+        where = at(recording, r"\bcontrol_loop\s*\(|\bmain\s*\(", NODE_CPP)
+        advice = (
+            "`control_loop()` runs the driver until Ctrl+C: call it on the `RobotDriverROS`, and let nobody "
+            "set the flag before."
+        )
+    return Feedback(
+        summary="The driver ends by itself, because of an error."
+        if said
+        else "The driver ends by itself, and says nothing of an error.",
+        expected="it runs until Ctrl+C",
+        seen=(failed["error"] if failed else said or "no error")[:200],
+        where=where,
+        advice=advice,
+        details=view.text[-6:],
+    )
+
+
+@driver.check("topics", "its topics are those of a driver, and begin with the node's name", needs="starts")
+def topics(recording: Recording) -> None:
+    prefix = "`configuration.robot_driver_provider_prefix = node->get_name();`"
+    missing = "`sas::RobotDriverROS` makes all of them: make one, and call its `control_loop()`."
+    expect_topics(recording, LEFT, prefix, missing)
+
+
+@driver.check("limits", "the limits are those of the parameters, in rad", needs="topics")
+def limits(recording: Recording) -> None:
+    advice = "The parameters go through `deg2rad` into the configuration, and from there to `joint_limits_`."
+    expect_limits(recording, LEFT, advice, at(recording, r"\bjoint_limits\b|\bjoint_limits_\b"))
+
+
+@driver.check("joints", "it has six joints, at zero in the beginning", needs="topics")
+def joints(recording: Recording) -> None:
+    expect_zeros(recording, LEFT, "`connect` gives the robot six zeros.", at(recording, r"::connect\s*\("))
+
+
+@driver.check("rate", "the joint stream has the rate that the parameter says", points=2, needs="topics")
+def rate(recording: Recording) -> None:
+    where = at(recording, r"\bthread_sampling_time_sec\b", NODE_CPP)
+    advice = "`thread_sampling_time_sec` goes from the parameter into the configuration of `RobotDriverROS`. "
+    for robot in (LEFT, RIGHT):
+        states = states_of(recording, robot)
+        if robot is RIGHT and recording.marked(WRONG) is None:
+            return
+        expect_rate(
+            recording,
+            states,
+            1 / robot.period,
+            advice=advice + "And no function of the driver may take its time.",
+            where=where,
+        )
+
+
+@driver.check("step", "a target is in the stream within 10 ms", points=2, needs="joints")
+def step(recording: Recording) -> None:
+    advice = "`set_target_joint_positions` puts the robot there at once, and waits for nothing."
+    where = at(recording, r"::set_target_joint_positions\s*\(")
+    expect_step_and_wave(recording, LEFT, "steps", advice, where)
+
+
+@driver.check("wave", "a commanded sine comes back as it was", points=2, needs="joints")
+def follows_wave(recording: Recording) -> None:
+    advice = "What `set_target_joint_positions` gets, `get_joint_positions` returns: all six, in their order."
+    where = at(recording, r"::(?:set_target|get)_joint_positions\s*\(")
+    expect_step_and_wave(recording, LEFT, "wave", advice, where)
+
+
+@driver.check("wrong_target", "a target of five elements ends it in order", points=2, needs="joints")
+def wrong_target(recording: Recording) -> None:
+    advice = "`set_target_joint_positions` throws then, and `control_loop()` sees to the rest: catch nothing."
+    order = (
+        "`control_loop()` calls `deinitialize` and `disconnect` whatever happened: let it come to its end."
+    )
+    expect_end_by_a_wrong_target(recording, AGAIN, advice, order)
+
+
+@driver.check("interrupt", "Ctrl+C ends it in order: motor off, then disconnected", points=2, needs="starts")
+def interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(recording, EXECUTABLE)
+    view = recording.process(EXECUTABLE)
+    asked = view.interrupted_at or 0.0
+    if view.exited and view.exited.signal == signal.SIGINT:
+        raise Failure(
+            Feedback(
+                summary="Ctrl+C kills the driver at once: nobody switches the motor off.",
+                expected=f"`{MOTOR_OFF}.`, then `{DISCONNECTED}.`",
+                seen="ended by the signal SIGINT",
+                where=at(recording, r"\bmain\s*\(", NODE_CPP),
+                advice="In `main`, before `rclcpp::init`: `std::signal(SIGINT, ...)` with a function that "
+                "sets the flag which `RobotDriverROS` looks at.",
+            )
+        )
+    order = "Let `control_loop()` come to its end: the handler sets its flag, and does nothing else."
+    expect_order(view.lines, asked, "Ctrl+C", order)
+
+
+def at(recording: Recording, pattern: str, otherwise: str = DRIVER_CPP) -> tuple[Location, ...]:
+    """Where the learner's C++ code has this; else the file that should."""
+    return places_of(recording.sources, pattern)[:2] or (Location(otherwise),)
+
+
+# 31-launch -------------------------------------------------------------------------------------------
+
+
+@launch.scenario
+def one_launch(arena: Arena) -> None:
+    asked = arena.parameters(f"/{MYROBOT.name}")
+    with arena.lateness():
+        states, launched = hear(arena, MYROBOT, lambda: arena.launch(PACKAGE, LAUNCH_FILE))
+        if launched and states.count:
+            more(arena, states, launched, 2 / MYROBOT.period)
+    if launched and states.count:
+        arena.until(lambda: asked.available, timeout=3, while_running=launched)
+        answered = asked.get("ip")
+        arena.until(lambda: all(one.done for one in answered), timeout=6, while_running=launched)
+    arena.interrupt(launched)
+
+
+@launch.check("launches", "`ros2 launch` starts the launch file, and it keeps running")
+def launches(recording: Recording) -> None:
+    expect_launch_file(recording, PACKAGE, LAUNCH_FILE)
+    expect_launched(recording, LAUNCH_FILE)
+
+
+@launch.check("node_name", f"the node is called /{MYROBOT.name}", needs="launches")
+def node_name(recording: Recording) -> None:
+    expect_launched_node(recording, LAUNCH_FILE, f"/{MYROBOT.name}")
+
+
+@launch.check("launched_topics", "all topics of a driver are there", needs="node_name")
+def launched_topics(recording: Recording) -> None:
+    advice = "The launch file starts one node, and the driver is the one of `31-driver`."
+    expect_topics(recording, MYROBOT, advice, advice)
+
+
+@launch.check("launched_limits", "the limits are ±360 degrees, ±720 for the last joint", needs="node_name")
+def launched_limits(recording: Recording) -> None:
+    own = launch_file(recording, LAUNCH_FILE)
+    where = (*named(own, "joint_limits_min"), *named(own, "joint_limits_max"))
+    advice = (
+        "Both lists have six numbers, in degrees: five times 360.0 and once 720.0, below zero in the first."
+    )
+    expect_limits(recording, MYROBOT, advice, where)
+
+
+@launch.check("launched_rate", "the joint stream has 500 Hz", points=2, needs="node_name")
+def launched_rate(recording: Recording) -> None:
+    where = named(launch_file(recording, LAUNCH_FILE), "thread_sampling_time_sec")
+    advice = "500 times per second is `'thread_sampling_time_sec': 0.002` among the `parameters`."
+    states = states_of(recording, MYROBOT)
+    expect_rate(recording, states, 1 / MYROBOT.period, advice=advice, where=where)
+
+
+@launch.check("ip", "the robot's address is 127.0.0.1", needs="node_name")
+def ip(recording: Recording) -> None:
+    expect_launch_parameter(recording, LAUNCH_FILE, f"/{MYROBOT.name}", "ip", "127.0.0.1")
+
+
+@launch.check("launched_end", "one Ctrl+C ends all of it in order", points=2, needs="launches")
+def launched_end(recording: Recording) -> None:
+    expect_launch_interrupt(recording, LAUNCH_FILE)
+    view = recording.launched(LAUNCH_FILE)
+    asked = view.main.interrupted_at or 0.0
+    order = "`check 31-driver` looks at this, too: begin there."
+    own = launch_file(recording, LAUNCH_FILE)
+    said = any(MOTOR_OFF in line.text for line in view.main.lines)
+    if not said and not any("output" in text for text in own.files.values()):
+        raise Failure(
+            Feedback(
+                summary="`ros2 launch` does not show what the driver says, so nobody sees its end.",
+                expected=f"`{MOTOR_OFF}.`, then `{DISCONNECTED}.`",
+                seen="nothing of it",
+                where=tuple(call.where for call in calls(own, "Node"))[:1],
+                advice="Give `Node` the argument `output='screen'`.",
+            )
+        )
+    for program in view.processes.values():
+        expect_order(program.lines, asked, "Ctrl+C", order)
+
+
+# 31-client -------------------------------------------------------------------------------------------
+
+# Of the sine that the script sends: 10 degrees, and rounds in a period.
+SWING, ROUNDS = math.radians(10), math.tau * 50 * math.pi
+ENOUGH = 520
+
+
+@client.scenario
+def a_robot_to_move(arena: Arena) -> None:
+    """A robot of ours, and half a swing of the script."""
+    targets = arena.subscribe(MYROBOT.topic(TARGETS), DOUBLES)
+    states = arena.subscribe(MYROBOT.topic(STATES), JOINT_STATE)
+    robot = arena.play_along(PROBES / "ch31_robot.py", MYROBOT.name, name="robot")
+    if not arena.until(lambda: states.count, timeout=20, while_running=robot):
+        raise OurFault("the robot of the grader did not come up")
+    with arena.lateness():
+        script = arena.run(PACKAGE, SCRIPT)
+        arena.until(lambda: targets.count, timeout=20, while_running=script)
+        if targets.count:
+            arena.until(lambda: targets.count >= ENOUGH, timeout=8, while_running=script)
+    arena.interrupt(script)
+    robot.close()
+
+
+@client.check("script", "the script can be executed", needs=())
+def script(recording: Recording) -> None:
+    if recording.local:  # some ways of handing in forget it
+        expect_mode(
+            recording,
+            SCRIPT_FILE,
+            has=stat.S_IXUSR,
+            summary="The script is not executable, so `ros2 run` does not find it after every kind of build.",
+            advice=f"`chmod +x ~/{SCRIPT_FILE}`",
+        )
+    first = recording.home.file(SCRIPT_FILE).lines[:1]
+    if not first or not re.match(r"#!\s*/\S*(?:python3|env python3)", first[0]):
+        raise Failure(
+            Feedback(
+                summary="The first line of the script does not say which program is to read it.",
+                expected="#!/usr/bin/python3",
+                seen=(first or ("an empty file",))[0][:100],
+                where=(Location(SCRIPT_FILE, 1),),
+                advice="Make `#!/usr/bin/python3` the very first line.",
+            )
+        )
+
+
+@client.check("runs", "the script is installed, and keeps running", needs=("builds", "script"))
+def runs(recording: Recording) -> None:
+    missing = recording.missing_executable(SCRIPT)
+    if missing:
+        raise Failure(
+            Feedback(
+                summary=f"`ros2 run` finds no `{SCRIPT}`: CMakeLists.txt does not install it.",
+                expected=f"installed in the folder lib/{PACKAGE}",
+                seen=f"installed: {listed(missing.available)}",
+                where=(Location(f"{IN_CPP}/CMakeLists.txt"),),
+                advice=f"`install(PROGRAMS scripts/{SCRIPT} DESTINATION lib/${{PROJECT_NAME}})`",
+            )
+        )
+    expect_running(only_script(recording), SCRIPT)
+
+
+@client.check("sends", f"it sends targets to the robot {MYROBOT.name}", needs="runs")
+def sends(recording: Recording) -> None:
+    if recording.messages(MYROBOT.topic(TARGETS)):
+        return
+    sources = only_script(recording).sources
+    right = MYROBOT.topic(TARGETS)
+    topics = {e.topic for e in recording.seen_endpoints() if e.kind == "publisher"} - {right}
+    other = next((topic for topic in sorted(topics) if topic.endswith(f"/{TARGETS}")), None)
+    if other:
+        raise Failure(
+            Feedback(
+                summary=f"The client talks to `{other.removesuffix(f'/{TARGETS}')}`, "
+                f"and the robot is called `/{MYROBOT.name}`.",
+                expected=MYROBOT.topic(TARGETS),
+                seen=other,
+                where=places(sources, "RobotDriverClient"),
+                advice=f"`RobotDriverClient(node, '{MYROBOT.name}')`",
+            )
+        )
+    spins = calls(sources, "rclcpp_spin_some")
+    raise Failure(
+        Feedback(
+            summary="No target came: the client is never enabled, for nobody spins the node."
+            if len(spins) < 2
+            else "No target came from the script.",
+            expected=f"targets on {MYROBOT.topic(TARGETS)}",
+            seen="none",
+            where=places(sources, "is_enabled"),
+            advice="Call `rclcpp_spin_some(node)` in the loop that waits for `is_enabled()`."
+            if len(spins) < 2
+            else "Once it is enabled, call `send_target_joint_positions` in each round.",
+        )
+    )
+
+
+@client.check(
+    "swing", "the targets swing by ten degrees around where the joints were", points=2, needs="sends"
+)
+def swing(recording: Recording) -> None:
+    targets = recording.stream(MYROBOT.topic(TARGETS), "data")
+    sources = only_script(recording).sources
+    where = places(sources, "send_target_joint_positions")
+    expect_width(targets, JOINTS, advice="A target holds one number for each joint.", where=where)
+    begin = recording.stream(MYROBOT.topic(STATES), "position").rows[0]
+    for joint in range(JOINTS):
+        made = fit_wave(range(len(targets)), targets.column(joint), 1 / ROUNDS)
+        if made is None:
+            raise Failure(
+                Feedback(
+                    summary=f"Only {len(targets)} targets came, too few to see a swing.",
+                    where=where,
+                    advice="Send one in each round of the loop.",
+                )
+            )
+        if abs(made.amplitude - math.degrees(SWING)) < 0.5:
+            raise Failure(
+                Feedback(
+                    summary="The targets are in degrees; a robot takes rad.",
+                    expected=f"a swing of {SWING:.4f} rad",
+                    seen=f"a swing of {made.amplitude:.1f}",
+                    where=where,
+                    advice="`deg2rad(10 * sin(...))`, imported from `dqrobotics.utils.DQ_Math`.",
+                )
+            )
+        if abs(made.amplitude - SWING) > 0.05 * SWING or made.rest > 0.05 * SWING:
+            raise Failure(
+                Feedback(
+                    summary="The targets do not follow the sine that was asked for.",
+                    expected=f"10 degrees ({SWING:.4f} rad), {ROUNDS:.0f} rounds in a period",
+                    seen=f"joint {joint + 1} from {told([min(targets.column(joint))])} to "
+                    f"{told([max(targets.column(joint))])} in {len(targets)} rounds",
+                    where=where,
+                    advice="In round `i` it is `q0 + deg2rad(10 * sin(i / (50 * pi)))`, with the `q0` that "
+                    "was read once, before the loop.",
+                )
+            )
+        if abs(made.offset - begin[joint]) > 0.02:
+            raise Failure(
+                Feedback(
+                    summary="The targets do not swing around the place where the joints were.",
+                    expected=f"joint {joint + 1} around {begin[joint]:.3g} rad",
+                    seen=f"around {made.offset:.3g} rad",
+                    where=where,
+                    advice="Read `q0 = robot.get_joint_positions()` once, before the loop, and add to it.",
+                )
+            )
+
+
+@client.check("alike", "all six joints make the same moves", needs="sends")
+def joints_alike(recording: Recording) -> None:
+    where = places(only_script(recording).sources, "send_target_joint_positions")
+    advice = "The same swing is added to each of the six positions."
+    targets = recording.stream(MYROBOT.topic(TARGETS), "data")
+    expect_width(targets, JOINTS, advice=advice, where=where)
+    expect_alike(targets, advice=advice, where=where)
+
+
+@client.check("client_rate", "it sends 100 targets per second", points=2, needs="sends")
+def client_rate(recording: Recording) -> None:
+    where = places(only_script(recording).sources, "Clock")
+    advice = "`Clock(0.01)`, then `clock.init()`, and `clock.update_and_sleep()` once in each round."
+    expect_rate(
+        recording, recording.stream(MYROBOT.topic(TARGETS), "data"), 100.0, advice=advice, where=where
+    )
+
+
+@client.check("client_end", "Ctrl+C ends it in silence", needs="runs")
+def client_end(recording: Recording) -> None:
+    expect_clean_interrupt(only_script(recording), SCRIPT)
+
+
+def only_script(recording: Recording) -> Recording:
+    """As if the package held the script alone: what is said is of Python."""
+    text = recording.sources.files.get(SCRIPT_FILE)
+    return replace(recording, sources=Sources({SCRIPT_FILE: text} if text is not None else {}))
+
+
+def places(sources: Sources, name: str) -> tuple[Location, ...]:
+    return tuple(call.where for call in calls(sources, name))[:2]
+
+
+# 31-driver-python ------------------------------------------------------------------------------------
+
+
+@in_python.scenario
+def node_of_python(arena: Arena) -> None:
+    def start(robot: Robot, name: str) -> Process | None:
+        return arena.run(IN_PYTHON, PYTHON_NODE, params=robot.parameters, node_name=robot.name, name=name)
+
+    if watch(arena, WRITING, lambda: start(WRITING, PYTHON_NODE)):
+        end_with_a_wrong_target(arena, DRAWING, lambda: start(DRAWING, AGAIN))
+
+
+@in_python.check("python_starts", "the node starts with its parameters, and keeps running")
+def python_starts(recording: Recording) -> None:
+    expect_running(recording, PYTHON_NODE)
+
+
+@in_python.check("python_topics", "its topics are those of a driver", points=2, needs="python_starts")
+def python_topics(recording: Recording) -> None:
+    prefix = "Begin each topic with the node's own name, `self.get_name()`, or with `~/`."
+    expect_topics(recording, WRITING, prefix, "The table in the task has them all, with their types.")
+
+
+@in_python.check("python_limits", "the limits are those of the parameters, in rad", needs="python_topics")
+def python_limits(recording: Recording) -> None:
+    advice = "`math.radians` turns each number of the parameter into rad."
+    expect_limits(recording, WRITING, advice, places(recording.sources, "declare_parameter"))
+
+
+@in_python.check("python_joints", "it has six joints, at zero in the beginning", needs="python_topics")
+def python_joints(recording: Recording) -> None:
+    expect_zeros(recording, WRITING, "`position` begins with `[0.0] * 6`, and changes with a target only.")
+
+
+@in_python.check(
+    "python_rate", "the joint stream has the rate that the parameter says", needs="python_topics"
+)
+def python_rate(recording: Recording) -> None:
+    where = places(recording.sources, "create_timer")
+    advice = "Hand the parameter `thread_sampling_time_sec` to `create_timer`."
+    expect_rate(recording, states_of(recording, WRITING), 1 / WRITING.period, advice=advice, where=where)
+    if recording.marked(WRONG):
+        expect_rate(recording, states_of(recording, DRAWING), 1 / DRAWING.period, advice=advice, where=where)
+
+
+@in_python.check("python_step", "a target is in the stream within 25 ms", needs="python_joints")
+def python_step(recording: Recording) -> None:
+    advice = "Keep the target's `data` where the timer's function finds it."
+    expect_step_and_wave(
+        recording, WRITING, "steps", advice, places(recording.sources, "create_subscription")
+    )
+
+
+@in_python.check("python_wave", "a commanded sine comes back as it was", needs="python_joints")
+def python_wave(recording: Recording) -> None:
+    advice = "What came last on `set/target_joint_positions` is published: all six, in their order."
+    expect_step_and_wave(recording, WRITING, "wave", advice, places(recording.sources, "create_subscription"))
+
+
+@in_python.check("python_wrong", "a target of five elements ends it in order", needs="python_joints")
+def python_wrong(recording: Recording) -> None:
+    advice = "Look at `len(message.data)` first. Log an error, and raise an exception that `main` catches."
+    order = "Switch off and disconnect in a `finally:` of `main`, so that it happens whatever ended `spin`."
+    expect_end_by_a_wrong_target(recording, AGAIN, advice, order)
+
+
+@in_python.check("python_end", "Ctrl+C ends it in order", needs="python_starts")
+def python_end(recording: Recording) -> None:
+    expect_clean_interrupt(recording, PYTHON_NODE)
+    view = recording.process(PYTHON_NODE)
+    order = "Switch off and disconnect in a `finally:` of `main`, so that it happens whatever ended `spin`."
+    expect_order(view.lines, view.interrupted_at or 0.0, "Ctrl+C", order)

@@ -1,0 +1,687 @@
+"""Graders of chapter 32: a compose file, two nodes in a domain, and a profile without shared memory."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path, PurePosixPath
+from typing import Any
+from xml.etree import ElementTree
+
+from check_jsonschema.builtin_schemas import get_builtin_schema
+from jsonschema import Draft202012Validator, ValidationError
+from jsonschema.validators import validator_for
+
+from course.arena.arena import Arena
+from course.arena.own_programs import memory_mark
+from course.arena.process import Process
+from course.content.document import Document
+from course.errors import OurFault
+from course.evidence.events import Marked, OutputLine
+from course.evidence.recording import Recording
+from course.feedback import Failure, Feedback, Location
+from course.grading.author import Grader
+from course.grading.expect.files import expect_text
+from course.grading.expect.yaml_files import expect_yaml
+from course.grading.explain.names import listed, nearest
+
+FOLDER = "docker_tutorial"
+
+# ------------------------------------------------------------------------------------------ 32-compose
+
+COMPOSE = f"{FOLDER}/compose.yml"
+SERVICES = ("talker", "listener")
+# As Docker reads a signal: with or without SIG, in any case, or by its number.
+SIGINT = ("sigint", "int", "2")
+DURATION = re.compile(r"(?:(?:\d+\.?\d*|\.\d+)(?:us|µs|ms|s|m|h|d|w))+")
+EXTRA = ("additionalProperties", "unevaluatedProperties")
+
+compose = Grader("32-compose", builds=None, ros=False)
+
+
+@compose.check("reads", f"`~/{COMPOSE}` is there, and is YAML")
+def reads(recording: Recording) -> None:
+    document(recording)
+
+
+def document(recording: Recording) -> Document:
+    advice = "The starter brings one: `ros2course reset` lays it again. The lesson shows a whole one."
+    return expect_yaml(recording, COMPOSE, advice=advice)
+
+
+@compose.check("valid", "it is as the compose specification wants it", points=2, needs="reads")
+def valid(recording: Recording) -> None:
+    found = document(recording)
+    error = next(iter(sorted(errors(found.data), key=lambda error: len(error.absolute_path))), None)
+    if error is not None:
+        raise Failure(complaint(found, deepest(error)))
+
+
+@cache
+def specification() -> Mapping[str, Any]:
+    return get_builtin_schema("vendor.compose-spec")
+
+
+def errors(data: Any) -> list[ValidationError]:
+    """What the specification complains about. A mistake in one place also makes its surroundings unfit."""
+    schema = specification()
+    every = list(validator_for(schema, default=Draft202012Validator)(schema).iter_errors(data))
+    own = [error for error in every if error.validator not in EXTRA]
+    return [*(error for error in every if error.validator in EXTRA and unknown(error)), *own]
+
+
+def deepest(error: ValidationError) -> ValidationError:
+    """Where several forms are allowed and none fits: what is wrong farthest inside, in the form it is of."""
+    while causes := error.context:
+        inner = [cause for cause in causes if len(cause.absolute_path) > len(error.absolute_path)]
+        inner = inner or [cause for cause in causes if cause.validator in (*EXTRA, "required")]
+        if not inner:
+            return error
+        error = inner[0]
+    return error
+
+
+def unknown(error: ValidationError) -> list[str]:
+    """Keys that the specification does not have in this place."""
+    known = known_keys(error.schema)
+    patterns = error.schema.get("patternProperties", {}) if isinstance(error.schema, Mapping) else {}
+    keys = (key for key in error.instance if key not in known and not key.startswith("x-"))
+    return [key for key in keys if not any(re.search(pattern, key) for pattern in patterns)]
+
+
+def known_keys(schema: Any) -> set[str]:
+    """The properties of a part of the schema, with those of the parts that it is put together from."""
+    if not isinstance(schema, Mapping):
+        return set()
+    parts = [*schema.get("allOf", ())]
+    if ref := schema.get("$ref"):
+        parts.append(referred(ref))
+    return set(schema.get("properties", ())).union(*map(known_keys, parts))
+
+
+def referred(reference: str) -> Any:
+    part: Any = specification()
+    for name in reference.removeprefix("#/").split("/"):
+        part = part[name]
+    return part
+
+
+def complaint(found: Document, error: ValidationError) -> Feedback:
+    place = tuple(error.absolute_path)
+    if error.validator in EXTRA and (names := unknown(error)):
+        return unknown_key(found, place, names[0], known_keys(error.schema))
+    if error.validator == "required":
+        name = next(name for name in error.validator_value if name not in error.instance)
+        return Feedback(
+            summary=f"{key(place)} has no `{name}`.",
+            expected=f"{name}:",
+            where=(Location(COMPOSE, found.line(place)),),
+            advice="Each thing in a compose file has names of its own: is one misspelt?",
+        )
+    if place == ():
+        return Feedback(
+            summary="The file is no list of names with something behind each `:`.",
+            expected="services: at the beginning of a line",
+            where=(Location(COMPOSE, 1),),
+            advice="A blank belongs behind each `:`.",
+        )
+    return Feedback(
+        summary=f"{key(place)} cannot be {short(error.instance)}.",
+        expected=wanted(error),
+        seen=short(error.instance),
+        where=(Location(COMPOSE, found.line(place)),),
+        advice=advice_for(error),
+    )
+
+
+def unknown_key(found: Document, place: tuple[Any, ...], name: str, known: Iterable[str]) -> Feedback:
+    close = nearest(name, known)
+    where = key(place) if place else "A compose file"
+    if close:
+        advice = f"Write `{close}`, if that is what you mean."
+    elif not place and name in SERVICES:
+        advice = f"Put it below `services:`, with two blanks before `{name}`."
+    elif not place and name in known_keys(referred_service()):
+        advice = "It belongs to a service: put it below one, with four blanks before it."
+    elif place == ("services",):
+        advice = "The name of a service is made of letters, digits, `.`, `_` and `-`."
+    else:
+        advice = "Take it out, or look for its name in the lesson's table."
+    return Feedback(
+        summary=f"{where} knows no `{name}`.",
+        expected=close,
+        seen=name,
+        where=(Location(COMPOSE, found.line((*place, name))),),
+        advice=advice,
+    )
+
+
+def referred_service() -> Any:
+    schema = specification()
+    return schema[next(name for name in ("$defs", "definitions") if name in schema)]["service"]
+
+
+def key(place: tuple[Any, ...]) -> str:
+    """`services.talker.stop_signal`, in backquotes."""
+    return f"`{'.'.join(map(str, place))}`"
+
+
+def short(value: Any) -> str:
+    """A value in few words."""
+    if value is None:
+        return "empty"
+    if isinstance(value, bool):
+        return "yes or no"
+    if isinstance(value, (int, float)):
+        return f"the number {value}"[:60]
+    if isinstance(value, str):
+        return f"the text `{value[:60]}`"
+    return "a list" if isinstance(value, list) else "a group of names"
+
+
+def wanted(error: ValidationError) -> str | None:
+    kinds = error.validator_value if error.validator == "type" else None
+    names = {"string": "a text", "object": "names, each with something behind its `:`", "array": "a list"}
+    names |= {"number": "a number", "integer": "a number", "boolean": "`true` or `false`", "null": "nothing"}
+    every = [kinds] if isinstance(kinds, str) else list(kinds or ())
+    return " or ".join(dict.fromkeys(names.get(kind, kind) for kind in every)) or None
+
+
+def advice_for(error: ValidationError) -> str:
+    if error.instance is None:
+        return "What belongs to it goes below it, with two more blanks at the beginning of each line."
+    if str(error.absolute_path[-1]) == "stop_grace_period":
+        return "A time needs its unit: `10s`, not `10`."
+    if error.validator == "type" and error.validator_value == "string":
+        return "Quotation marks make a text of it."
+    if isinstance(error.instance, list):
+        return "A line that begins with `-` is part of a list. Here, names are wanted: leave the `-` out."
+    return "Compare it with the lesson's example."
+
+
+@compose.check("services", "it has a service `talker` and a service `listener`", needs="valid")
+def services(recording: Recording) -> None:
+    found = document(recording)
+    there = dict(service_items(found))
+    for name in SERVICES:
+        if name not in there:
+            raise Failure(no_service(found, name, list(there)))
+        if "image" not in there[name] and "build" not in there[name]:
+            raise Failure(
+                Feedback(
+                    summary=f"The service `{name}` says neither `image` nor `build`.",
+                    where=(place_of(found, name),),
+                    advice="Docker must know what to run: `image: osrf/ros:jazzy-desktop` will do.",
+                )
+            )
+
+
+def service_items(found: Document) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    data = found.data.get("services") or {}
+    yield from data.items()
+
+
+def no_service(found: Document, name: str, there: list[str]) -> Feedback:
+    close = nearest(name, [other for other in there if other not in SERVICES])
+    return Feedback(
+        summary=f"There is no service `{name}`{f'; there is `{close}`' if close else ''}.",
+        expected=f"{name}:",
+        seen=listed(there[:6], "no service at all"),
+        where=(Location(COMPOSE, found.line(("services", *([close] if close else ())))),),
+        advice=f"The names of services stand below `services:`, all with the same blanks before: `{name}:`.",
+    )
+
+
+def place_of(found: Document, *parts: str) -> Location:
+    return Location(COMPOSE, found.line(("services", *parts)))
+
+
+@compose.check("signal", "both are stopped with SIGINT", needs="services")
+def signal(recording: Recording) -> None:
+    found = document(recording)
+    for name in SERVICES:
+        value = dict(service_items(found))[name].get("stop_signal")
+        if value is None:
+            raise Failure(lacks(found, name, "stop_signal", "SIGINT", "Docker sends SIGTERM then."))
+        if str(value).lower() not in SIGINT:
+            raise Failure(
+                Feedback(
+                    summary=f"The service `{name}` is stopped with `{str(value)[:40]}`.",
+                    expected="SIGINT",
+                    seen=str(value)[:40],
+                    where=(place_of(found, name, "stop_signal"),),
+                    advice="What Ctrl+C sends is called SIGINT.",
+                )
+            )
+
+
+def lacks(found: Document, name: str, what: str, example: str, otherwise: str) -> Feedback:
+    service = dict(service_items(found))[name]
+    advice = f"Add `{what}: {example}` to it. Each service has settings of its own."
+    if "extends" in service:
+        advice = f"Write `{what}: {example}` into the service itself; what it extends is not looked at here."
+    return Feedback(
+        summary=f"The service `{name}` has no `{what}`. {otherwise}",
+        expected=f"{what}: {example}",
+        seen=listed(list(service)[:8], "nothing"),
+        where=(place_of(found, name),),
+        advice=advice,
+    )
+
+
+@compose.check("grace", "both get time to end", needs="services")
+def grace(recording: Recording) -> None:
+    found = document(recording)
+    for name in SERVICES:
+        value = dict(service_items(found))[name].get("stop_grace_period")
+        if value is None:
+            otherwise = "Docker then waits ten seconds."
+            raise Failure(lacks(found, name, "stop_grace_period", "20s", otherwise))
+        if not lasts(str(value)):
+            raise Failure(
+                Feedback(
+                    summary=f"The service `{name}` waits for `{str(value)[:40]}`, which is no time to wait.",
+                    expected="a number and its unit: 20s, or 1m30s",
+                    seen=str(value)[:40] or "nothing",
+                    where=(place_of(found, name, "stop_grace_period"),),
+                    advice="Units are `ms`, `s`, `m` and `h`, right behind the number, with no blank.",
+                )
+            )
+
+
+def lasts(text: str) -> bool:
+    """Whether it is a duration, and of more than nothing."""
+    return bool(DURATION.fullmatch(text)) and bool(re.search(r"[1-9]", text))
+
+
+# ------------------------------------------------------------------------------------------- 32-domain
+
+DOMAIN_ENV = f"{FOLDER}/domain.env"
+VARIABLE = "ROS_DOMAIN_ID"
+WANTED = 1
+# The highest one that ROS has ports for.
+HIGHEST = 232
+NODES = ("talker", "listener")
+WITNESS = "witness"
+ENOUGH = 3
+START_TIME = 30.0
+# s after which nodes that talk with each other would have been heard in a domain of ours.
+SILENCE = 5.0
+PROBES = Path(__file__).parent / "probes"
+TALKER, LISTENER = PROBES / "ch32_talker.py", PROBES / "ch32_listener.py"
+# Of a value; the system takes no variable without end.
+LONGEST = 200
+# As ROS reads the variable: what follows the digits does not count, and a 0 before them makes them octal.
+NUMBER = re.compile(r"\s*\+?(0[0-7]*|[1-9]\d{0,8})(?![xX\d])")
+
+domain = Grader("32-domain", builds=None)
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One line of a file for `docker run --env-file`; value: None without a `=`."""
+
+    name: str
+    value: str | None
+    line: int
+
+
+def settings(text: str) -> tuple[Setting, ...]:
+    """As Docker reads them: nothing is taken off, neither quotation marks nor blanks behind the name."""
+    found = []
+    for number, line in enumerate(text.splitlines(), 1):
+        line = line.lstrip(" \t")
+        if line and not line.startswith("#"):
+            name, equals, value = line.partition("=")
+            found.append(Setting(name, value if equals else None, number))
+    return tuple(found)
+
+
+def chosen(text: str) -> Setting | None:
+    """The setting of the domain that counts: the last one."""
+    every = [one for one in settings(text) if one.name == VARIABLE and one.value is not None]
+    return every[-1] if every else None
+
+
+def number_of(setting: Setting | None) -> int | None:
+    """The domain, if it is one; 0 where nothing is set."""
+    if setting is None:
+        return 0
+    read = NUMBER.match(setting.value or "")
+    number = int(read[1], 8 if read[1].startswith("0") else 10) if read else HIGHEST + 1
+    return number if number <= HIGHEST else None
+
+
+@domain.scenario
+def listen_in_both(arena: Arena) -> None:
+    """The nodes are ours, and the domain is all that they are given. The arena itself listens in domain 0."""
+    file = arena.home / DOMAIN_ENV
+    if not file.is_file():
+        return
+    setting = chosen(file.read_text(encoding="utf-8", errors="replace"))
+    number = number_of(setting)
+    given = setting.value or "" if number is None and setting else str(arena.domain(number or 0))
+    env = {VARIABLE: given.replace("\0", "")[:LONGEST]} if setting else {}
+    arena.companion(LISTENER, WITNESS, name=WITNESS, env={VARIABLE: str(arena.domain(WANTED))})
+    if not arena.until(lambda: arena.printed(f"{WITNESS} ready"), timeout=START_TIME):
+        raise OurFault("the witness in domain 1 did not come up")
+    listener = arena.companion(LISTENER, "listener", name="listener", env=env)
+    talker = arena.companion(TALKER, "hello", name="talker", env=env)
+    if not all([is_up(arena, program) for program in (listener, talker)]):  # each of them may end by itself
+        return
+    arena.until(lambda: arena.printed("listener heard") >= ENOUGH, timeout=START_TIME, while_running=listener)
+    arena.until(
+        lambda: arena.printed(f"{WITNESS} heard") >= ENOUGH or len(arena.graph.nodes) >= len(NODES),
+        timeout=START_TIME if number in (0, WANTED) else SILENCE,
+        while_running=listener,
+    )
+
+
+@domain.check("reads", f"`~/{DOMAIN_ENV}` is there, and Docker can read it")
+def reads_domain(recording: Recording) -> None:
+    advice = f"Make it with an editor: `nano ~/{DOMAIN_ENV}`. One line is enough."
+    found = expect_text(recording, DOMAIN_ENV, advice=advice)
+    every = settings(found.text or "")
+    if not every:
+        summary = "No line of this file sets anything."
+        raise Failure(Feedback(summary, where=(Location(DOMAIN_ENV),), advice=FORM))
+    for setting in every:
+        if not setting.name or re.search(r"\s", setting.name):
+            raise Failure(bad_name(setting, found.lines[setting.line - 1]))
+
+
+FORM = "Each line is a name, `=`, and a value: `NAME=value`."
+
+
+def bad_name(setting: Setting, line: str) -> Feedback:
+    if setting.name.startswith("export "):
+        summary = "Docker is no shell: it takes `export` for a part of the variable's name."
+        advice = "Take `export` out."
+    elif setting.value is not None and setting.name.rstrip() != setting.name:
+        summary = "There is a blank before the `=`, which becomes a part of the variable's name."
+        advice = "Write the line without blanks around the `=`."
+    else:
+        summary, advice = "This line does not set a variable.", FORM
+    return Feedback(
+        summary=summary,
+        expected="NAME=value",
+        seen=line.strip()[:80],
+        where=(Location(DOMAIN_ENV, setting.line),),
+        advice=advice,
+    )
+
+
+@domain.check("starts", "both nodes start with what it sets", needs="reads")
+def starts(recording: Recording) -> None:
+    for name in NODES:
+        said = recording.process(name).text
+        if f"{name} ready" in said:
+            continue
+        if recording.process(name).ended_by_itself is None:
+            raise OurFault(f"the {name} neither started nor ended")
+        setting = chosen(recording.home.file(DOMAIN_ENV).text or "")
+        value = (setting.value or "") if setting else ""
+        raise Failure(
+            Feedback(
+                summary=f"A node that is told {f'`{VARIABLE}={value[:30]}`'} does not start.",
+                expected=f"{VARIABLE}={WANTED}",
+                seen=f"{VARIABLE}={value[:60]}",
+                where=(Location(DOMAIN_ENV, setting.line if setting else None),),
+                advice=no_number(value),
+                details=tuple(line for line in said if VARIABLE in line or "omain" in line)[-3:],
+            )
+        )
+
+
+def no_number(value: str) -> str:
+    if value.strip().startswith(("'", '"')):
+        return "`docker run` hands quotation marks on as they are: leave them out."
+    if re.fullmatch(r"\s*\d+\s*", value):
+        return f"Domains go from 0 to {HIGHEST}."
+    return "A domain is a number."
+
+
+@domain.check("hidden", "in domain 0 nobody hears them", needs="starts")
+def hidden(recording: Recording) -> None:
+    seen = [name for name in recording.seen_nodes() if name.strip("/") in NODES]
+    if not seen:
+        return
+    found = recording.home.file(DOMAIN_ENV)
+    setting, names = chosen(found.text or ""), [one.name for one in settings(found.text or "")]
+    close = nearest(VARIABLE, names) or next((name for name in names if "DOMAIN" in name.upper()), None)
+    if setting is not None:
+        summary = f"With `{VARIABLE}={(setting.value or '')[:30]}` the nodes are in domain 0."
+        line: int | None = setting.line
+        advice = f"0 is where every node is that was told nothing. Here it is to be domain {WANTED}."
+    else:
+        line = next((one.line for one in settings(found.text or "") if one.name == close), None)
+        summary = f"The file sets `{close}`, which ROS does not look at, so the nodes are in domain 0."
+        summary = summary if close else f"The file does not set `{VARIABLE}`, so the nodes are in domain 0."
+        advice = f"The variable is called `{VARIABLE}`, letter by letter."
+    where = (Location(DOMAIN_ENV, line),)
+    raise Failure(Feedback(summary, expected="no node", seen=listed(seen), where=where, advice=advice))
+
+
+@domain.check("meet", f"in domain {WANTED} they meet, and can be heard", points=2, needs="hidden")
+def meet(recording: Recording) -> None:
+    if any(line.startswith(f"{WITNESS} heard") for line in recording.process(WITNESS).text):
+        return
+    if not any(line.startswith("listener heard") for line in recording.process("listener").text):
+        raise OurFault("two nodes with the same domain did not meet")
+    setting = chosen(recording.home.file(DOMAIN_ENV).text or "")
+    if number_of(setting) == WANTED:
+        raise OurFault(f"the witness did not hear the talker of its own domain, {WANTED}")
+    value = (setting.value or "")[:30] if setting else ""
+    raise Failure(
+        Feedback(
+            summary=f"The two meet, but in domain {value.strip()}.",
+            expected=f"{VARIABLE}={WANTED}",
+            seen=f"{VARIABLE}={value}",
+            where=(Location(DOMAIN_ENV, setting.line if setting else None),),
+            advice=f"Whoever is to talk with others must be in their domain; theirs is {WANTED}.",
+        )
+    )
+
+
+# -------------------------------------------------------------------------------------- 32-udp-profile
+
+PROFILE = "ros2_tutorial_workspace/docker/fastrtps_profile.xml"
+SEGMENT = "fastrtps_"
+HEARD = "/heard"
+# What the middleware says of a profile that it does not take.
+REFUSED = re.compile(r"XMLPARSER\s*Error\]\s*(.*?)(?:\s*->|$)")
+NOT_FOUND = re.compile(r"Transport Node not found\. Given ID: (\S+)")
+
+WHITELISTS = ("interfaceWhiteList", "interfaces")
+# The names that a profile for this needs.
+KNOWN = {
+    *("dds", "profiles", "transport_descriptors", "transport_descriptor", "transport_id", "type"),
+    *("participant", "rtps", "userTransports", "useBuiltinTransports"),
+}
+# What the talker that has no profile is called.
+WITHOUT = "talker without profile"
+
+udp = Grader("32-udp-profile", builds=None)
+
+
+@udp.scenario
+def in_two_containers(arena: Arena) -> None:
+    """Talker and listener see different /dev/shm, as in two containers.
+
+    A talker without the profile shows that the middleware would use shared memory here.
+    """
+    file = arena.home / PROFILE
+    if not file.is_file():
+        return
+    default = {"FASTDDS_BUILTIN_TRANSPORTS": "DEFAULT"}
+    control = arena.companion(TALKER, "hello", name=WITHOUT, env=default, own_memory=True)
+    is_up(arena, control)
+    arena.shared_memory(control)
+    control.close()
+    heard = arena.subscribe(HEARD, "std_msgs/msg/String")
+    env = {**default, "FASTRTPS_DEFAULT_PROFILES_FILE": str(file)}
+    listener = arena.companion(LISTENER, "listener", name="listener", env=env, own_memory=True)
+    talker = arena.companion(TALKER, "hello", name="talker", env=env, own_memory=True)
+    for program in (listener, talker):
+        is_up(arena, program)
+        arena.shared_memory(program)
+    if not memory(arena.timeline.of(Marked), "listener", "talker"):
+        arena.until(lambda: heard.count >= ENOUGH, timeout=25, while_running=talker)
+
+
+def is_up(arena: Arena, program: Process) -> bool:
+    """Wait until it has made its node, or has ended."""
+
+    def told() -> bool:
+        said = (event for event in arena.timeline.of(OutputLine) if event.process == program.name)
+        return any(event.text.endswith(" ready") for event in said)
+
+    return arena.until(told, timeout=START_TIME, while_running=program)
+
+
+def memory(marks: Iterable[Marked], *names: str) -> list[str]:
+    """The files of the middleware's that these programs had in shared memory."""
+    looks = [mark.detail for mark in marks if mark.name in map(memory_mark, names)]
+    return [file for look in looks for file in look.split() if file.startswith(SEGMENT)]
+
+
+@udp.check("reads", f"`~/{PROFILE}` is there, and can be read")
+def reads_profile(recording: Recording) -> None:
+    profile(recording)
+
+
+def profile(recording: Recording) -> ElementTree.Element:
+    advice = f"Make the folder with `mkdir -p ~/{PurePosixPath(PROFILE).parent}`, and the file in it."
+    found = expect_text(recording, PROFILE, advice=advice)
+    try:
+        return ElementTree.fromstring(found.text or "")
+    except ElementTree.ParseError as error:
+        number = min(error.position[0], max(len(found.lines), 1))
+        raise Failure(
+            Feedback(
+                summary="This file is not XML as it stands; here, or before, something is not closed."
+                if found.lines
+                else "The file is empty.",
+                seen=found.lines[number - 1].strip()[:80] if found.lines else None,
+                where=(Location(PROFILE, number),),
+                advice="Each `<name>` needs its `</name>`, the one that was opened last first.",
+                details=(str(error),),
+            )
+        ) from None
+
+
+@udp.check("taken", "ROS takes it without complaint", needs="reads")
+def taken(recording: Recording) -> None:
+    said = [line for name in NODES for line in recording.process(name).text if "XMLPARSER" in line]
+    if not said:
+        return
+    root = profile(recording)
+    lost = next((found[1] for line in said if (found := NOT_FOUND.search(line))), None)
+    defined = [text_of(part) for part in named(root, "transport_descriptor", "transport_id")]
+    if lost:
+        summary = f"No transport is called `{lost[:40]}`."
+        advice = "The name in `userTransports` must be that of the `transport_descriptor`, letter by letter."
+        where = line_with(recording, f">{lost}<")
+    else:
+        strange = next((tag(part) for part in root.iter() if tag(part) not in KNOWN), None)
+        summary = f"ROS does not take this profile: it knows no `{strange}` here."
+        summary = summary if strange else "ROS does not take this profile."
+        advice = "Compare the names, and what lies in what, with the lesson's drawing."
+        where = line_with(recording, f"<{strange}" if strange else "<participant")
+    raise Failure(
+        Feedback(
+            summary=summary,
+            expected=listed(defined) if lost else None,
+            seen=lost,
+            where=(where,),
+            advice=advice,
+            details=tuple(dict.fromkeys(REFUSED.sub(r"\1", line).strip()[:150] for line in said))[:4],
+        )
+    )
+
+
+def tag(part: ElementTree.Element) -> str:
+    """Its name, without the `{...}` of where such names come from."""
+    return str(part.tag).rpartition("}")[2]
+
+
+def text_of(part: ElementTree.Element) -> str:
+    return (part.text or "").strip()
+
+
+def named(root: ElementTree.Element, outer: str, inner: str) -> list[ElementTree.Element]:
+    """Every `inner` somewhere in an `outer`."""
+    return [part for one in root.iter() if tag(one) == outer for part in one.iter() if tag(part) == inner]
+
+
+def line_with(recording: Recording, text: str) -> Location:
+    lines = enumerate(recording.home.file(PROFILE).lines, 1)
+    return Location(PROFILE, next((number for number, line in lines if text in line), None))
+
+
+@udp.check("no-memory", "with it, nodes use no shared memory", points=2, needs="taken")
+def no_memory(recording: Recording) -> None:
+    marks = [event for event in recording.events if isinstance(event, Marked)]
+    if not memory(marks, WITHOUT):
+        raise OurFault("a node without a profile uses no shared memory here, so its absence proves nothing")
+    used = memory(marks, *NODES)
+    if used:
+        summary, advice, where = why_shared(recording, profile(recording))
+        seen = f"{len(used)} files in /dev/shm"
+        raise Failure(Feedback(summary, expected="none", seen=seen, where=(where,), advice=advice))
+
+
+def why_shared(recording: Recording, root: ElementTree.Element) -> tuple[str, str, Location]:
+    """The likeliest cause, what to do about it, and where."""
+    participants = [part for part in root.iter() if tag(part) == "participant"]
+    if not any(part.get("is_default_profile") == "true" for part in participants):
+        summary = "The profile is not the default one, so no node uses it."
+        advice = 'Its first line should be `<participant profile_name="..." is_default_profile="true">`.'
+        return summary, advice, line_with(recording, "<participant")
+    kinds = [text_of(part) for part in named(root, "transport_descriptor", "type")]
+    if "SHM" in kinds:
+        advice = "`SHM` is shared memory. Over the network it is `UDPv4`."
+        return "The profile asks for shared memory itself.", advice, line_with(recording, ">SHM<")
+    builtin = named(root, "participant", "useBuiltinTransports")
+    if not builtin or text_of(builtin[0]) != "false":
+        summary = "The transports that every node has by itself stay on, and one of them is shared memory."
+        advice = "`<useBuiltinTransports>false</useBuiltinTransports>` in `<rtps>` turns them off."
+        where = "<useBuiltinTransports" if builtin else "</userTransports"
+        return summary, advice, line_with(recording, where)
+    advice = "Compare it with the lesson's drawing, from the outside to the inside."
+    return "The nodes use shared memory all the same.", advice, line_with(recording, "<participant")
+
+
+@udp.check("arrive", "messages arrive, over UDPv4", points=2, needs="no-memory")
+def arrive(recording: Recording) -> None:
+    if recording.topic(HEARD).messages:
+        return
+    root = profile(recording)
+    kinds = [text_of(part) for part in named(root, "transport_descriptor", "type")]
+    other = next((kind for kind in kinds if kind != "UDPv4"), None)
+    addresses = [part for name in WHITELISTS for part in named(root, "transport_descriptor", name)]
+    ended = next((name for name in NODES if recording.process(name).ended_by_itself), None)
+    if ended:
+        summary, where = f"With this profile, the {ended} ends right away.", "<participant"
+        advice = "Take out of the profile what the task does not ask for."
+    elif other:
+        summary, where = f"The transport is `{other}`; nothing arrived over UDPv4.", f">{other}<"
+        advice = "`<type>UDPv4</type>` is the one that all other nodes have, too."
+    elif addresses:
+        where = f"<{tag(addresses[0])}"
+        summary = "Nothing arrived: the profile leaves only some of the network's interfaces."
+        advice = "Take the list of interfaces out. Or is the address in it one that every machine has?"
+    else:
+        summary, where = "Nothing arrived.", "<transport_descriptor"
+        advice = "Take out of the profile what the task does not ask for."
+    raise Failure(
+        Feedback(
+            summary=summary,
+            expected="messages from the talker at the listener",
+            seen="none",
+            where=(line_with(recording, where),),
+            advice=advice,
+        )
+    )

@@ -1,0 +1,19 @@
+#include <iostream>
+#include <memory>
+
+#include "sample_class_local_node.hpp"
+
+int main(int argc, char** argv)
+{
+    rclcpp::init(argc, argv);
+    try
+    {
+        auto node = std::make_shared<SampleClassLocalNode>();
+        rclcpp::spin(node);
+    }
+    catch (const std::exception& e)
+    {
+        std::cerr << "Exception: " << e.what() << std::endl;
+    }
+    return 0;
+}

@@ -1,0 +1,20 @@
+#include "link.hpp"
+
+#include <iostream>
+#include <string>
+
+int main() {
+  auto base = make_link("base");
+  auto elbow = make_link("elbow");
+  auto hand = make_link("hand");
+  mount(elbow, base);
+  mount(hand, elbow);
+
+  std::cout << "the hand is mounted on the " << parent_of(hand)->name << '\n';
+  std::cout << "the arm has " << links_from(base) << " links\n";
+
+  const std::string label = "arm on a " + base->name;
+  std::cout << label << '\n';
+
+  return 0;
+}

@@ -1,0 +1,1 @@
+export LD_LIBRARY_PATH=$LD_LIBRARY_PATH:~/opt/lib LIBRARY_PATH=$LIBRARY_PATH:~/opt/lib CPATH=$CPATH:~/opt/include

@@ -1,0 +1,156 @@
+"""What is expected of compiled C++: the compiler's silence, a sound end, and answers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+
+import pytest
+
+from course.errors import OurFault
+from course.evidence.events import (
+    Event,
+    OutputLine,
+    Probed,
+    ProcessExited,
+    ProcessStarted,
+    ProgramMissing,
+    SignalSent,
+)
+from course.evidence.home_files import HomeEntry
+from course.evidence.recording import Recording
+from course.evidence.sources import Sources
+from course.feedback import Location
+from course.grading.expect.native import expect_compiled, expect_no_warnings, expect_sound, native_answer
+
+from .conftest import said, told
+
+FILE = "cpp/main.cpp"
+PLACE = Location(FILE, 4)
+SOURCES = Sources({FILE: "int main() {}\n"})
+
+
+def ran(
+    name: str, *lines: str, code: int | None = 0, signal: int | None = None, killed: bool = False
+) -> Recording:
+    """A program that printed these lines and ended so."""
+
+    def events() -> Iterator[Event]:
+        yield ProcessStarted(0.1, name, (name,))
+        yield from (OutputLine(0.2, name, line) for line in lines)
+        if killed:
+            yield SignalSent(0.3, name, 9)
+        yield ProcessExited(0.4, name, code, signal)
+
+    return Recording("x", tuple(events()), sources=SOURCES)
+
+
+def compiled(*lines: str, code: int | None = 1, signal: int | None = None) -> Recording:
+    return ran("compile it", *lines, code=code, signal=signal)
+
+
+def test_what_compiles_in_silence() -> None:
+    recording = compiled(code=0)
+    assert said(expect_compiled, recording, "it") is None
+    assert said(expect_no_warnings, recording, "it") is None
+
+
+def test_the_first_error_has_its_place() -> None:
+    lines = (f"{FILE}:4:9: error: expected ';' before 'return'", f"{FILE}:5:9: error: something else")
+    feedback = told(expect_compiled, compiled(*lines), "it")
+    assert feedback.summary == "It does not compile: expected ';' before 'return'."
+    assert (feedback.where, feedback.details) == ((PLACE,), lines)
+    assert "semicolon" in (feedback.advice or "")
+
+
+@pytest.mark.parametrize(
+    ("line", "summary", "advice"),
+    [
+        (f"/usr/bin/ld: ~/{FILE}:4: undefined reference to `f(int)'", "`f(int)` is used", "define it"),
+        (f"/usr/bin/ld: ~/{FILE}:4: undefined reference to `vtable for Arm'", "nothing defines", "= 0;"),
+        ("(.text+0x17): undefined reference to `main'", "no function `main`", "int main()"),
+        ("ld: cannot find -ltinyqp: No such file", "no library `tinyqp`", "folder"),
+        ("b.cpp:7: multiple definition of `f()'; /tmp/a.o:a.cpp:7: first defined here", "twice", "inline"),
+        ("the moon is full", "makes no program", "first error"),
+    ],
+)  # fmt: skip
+def test_linkers_are_understood(line: str, summary: str, advice: str) -> None:
+    feedback = told(expect_compiled, compiled(line), "it")
+    assert summary in feedback.summary and advice in (feedback.advice or "")
+    assert feedback.where == ((PLACE,) if FILE in line else ())
+
+
+def test_a_compiler_that_never_ends() -> None:
+    assert "does not come to an end" in told(expect_compiled, compiled(code=None, signal=9), "it").summary
+
+
+def test_a_file_that_is_missing_is_named() -> None:
+    home = (HomeEntry("cpp", "folder"), HomeEntry("cpp/mian.cpp", "file"))
+    lost = ProgramMissing(0.1, "compile it", FILE)
+    feedback = told(expect_compiled, Recording("x", (lost,), looked_at=home), "it")
+    assert "mian.cpp" in feedback.summary
+
+
+def test_a_warning_is_quoted() -> None:
+    lines = (
+        f"{FILE}:4:9: warning: unused variable 'x' [-Wunused-variable]",
+        "/usr/include/a.h:1:1: warning: y",
+    )
+    feedback = told(expect_no_warnings, compiled(*lines, code=0), "it")
+    assert feedback.summary == "The compiler warns: unused variable 'x'."
+    assert (feedback.seen, feedback.where) == ("1 warning", (PLACE,))
+
+
+def test_what_was_never_tried_is_our_fault() -> None:
+    for expect in (expect_compiled, expect_sound):
+        with pytest.raises(OurFault):
+            expect(Recording("x"), "it")
+
+
+def test_a_sound_end() -> None:
+    assert expect_sound(ran("it", "hello"), "it").text == ("hello",)
+    assert said(expect_sound, ran("it", code=3), "it", code=3) is None
+
+
+@pytest.mark.parametrize(
+    ("recording", "summary"),
+    [
+        (ran("it", "==1==ERROR: AddressSanitizer: heap-use-after-free on", code=1), "deleted already"),
+        (ran("it", code=4), "exit code 0"),
+        (ran("it", code=None, signal=11), "exit code 0"),
+        (ran("it", code=None, signal=9, killed=True), "does not come to an end"),
+    ],
+)
+def test_other_ends(recording: Recording, summary: str) -> None:
+    feedback = told(expect_sound, recording, "it")
+    assert summary in feedback.summary and feedback.advice
+
+
+def asked(recording: Recording, **answer: object) -> Recording:
+    lines = (json.dumps(answer),) if answer else ()
+    events = (*recording.events, Probed(0.5, "it", lines, True))
+    return Recording("x", events, sources=SOURCES)
+
+
+def test_answers_and_exceptions_come_back() -> None:
+    answer = native_answer(
+        asked(ran("it"), question="half", value=1.5, type="double"), "half", "half(3)", "it"
+    )
+    assert answer.value == 1.5
+    thrown = asked(ran("it"), question="half", error="std::out_of_range: no", type="std::out_of_range")
+    assert native_answer(thrown, "half", "half(0)", "it").type == "std::out_of_range"
+
+
+@pytest.mark.parametrize(
+    ("recording", "summary"),
+    [
+        (ran("it", "==1==ERROR: AddressSanitizer: SEGV on", code=1), "With `half(3)`: the program follows"),
+        (ran("it", code=None, signal=9, killed=True), "`half(3)` does not come to an end."),
+        (ran("it", code=None, signal=11), "With `half(3)` the program stops: it follows a pointer"),
+        (ran("it", code=0), "`half(3)` ends the whole program."),
+    ],
+)
+def test_questions_that_were_never_answered(recording: Recording, summary: str) -> None:
+    feedback = told(native_answer, asked(recording), "half", "half(3)", "it", where=PLACE)
+    assert summary in feedback.summary
+    assert feedback.where == (PLACE,) and feedback.advice

@@ -1,0 +1,38 @@
+"""The programs that use our rclcpp, compiled once, in a ROS domain that nobody else is in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from course.arena.enclosure import enclosure
+from course.build.builder import build
+from course.build.store import Store
+from course.build.workspace import Workspace
+from course.rosenv import find_ros, node_environment, underlay_builds
+from tests.underlay.rclcpp.room import PROBES, SOURCES, TIME_LIMIT, Room
+
+
+@pytest.fixture(scope="session")
+def prefixes(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Where rclcpp and the programs are installed. What was built of the same sources before is not again."""
+    root = tmp_path_factory.mktemp("rclcpp")
+    (root / "src").mkdir()
+    for package in (SOURCES, PROBES):
+        (root / "src" / package.name).symlink_to(package)
+    ros = find_ros()
+    workspace = Workspace.scan(root, trusted=True)
+    store = Store(underlay_builds(ros))
+    outcome = build(workspace, ["rclcpp_probes"], ros, store, time_limit=TIME_LIMIT)
+    assert outcome.failure is None, outcome.failure
+    return [package.prefix for package in reversed(outcome.packages)]
+
+
+@pytest.fixture
+def room(prefixes: list[Path], tmp_path: Path) -> Iterator[Room]:
+    """Starts programs that hear each other and nobody else."""
+    with enclosure(namespaces=False) as place:
+        environment = {**node_environment(find_ros(), prefixes), **place.environment}
+        yield Room(environment, tmp_path, prefixes[0] / "lib" / "rclcpp_probes")

@@ -1,0 +1,172 @@
+// busy [leak | race | undefined]: publishes, hears, serves, calls, sets parameters and times, in several
+// threads, until it is interrupted; in between nodes come and go. With a word it does something wrong instead.
+
+#include <dlfcn.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+#include "std_srvs/srv/trigger.hpp"
+
+using namespace std::chrono_literals;
+using std_msgs::msg::String;
+using std_srvs::srv::Trigger;
+
+class Busy : public rclcpp::Node
+{
+public:
+  Busy()
+  : Node("busy")
+  {
+    declare_parameter("count", 0);
+    told_ = add_post_set_parameters_callback([this](const auto &) {++changes_;});
+    group_ = create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+    publisher_ = create_publisher<String>("chatter", 100);
+    rclcpp::SubscriptionOptions options;
+    options.callback_group = group_;
+    subscription_ = create_subscription<String>(
+      "chatter", 100, [this](String::UniquePtr message) {characters_ += message->data.size();}, options);
+    service_ = create_service<Trigger>(
+      "go", [](const Trigger::Request::SharedPtr, Trigger::Response::SharedPtr response) {
+        response->message = "gone";
+      }, rclcpp::ServicesQoS(), group_);
+    client_ = create_client<Trigger>("go", rclcpp::ServicesQoS(), group_);
+    fast_ = create_wall_timer(2ms, [this]() {publish();}, group_);
+    slow_ = create_timer(10ms, [this]() {call();});
+    passing_ = create_wall_timer(200ms, [this]() {let_one_pass();}, group_);
+  }
+
+  void report() const
+  {
+    std::printf(
+      "characters %d answers %d changes %d passed %d\n", characters_ > 0, answers_ > 0, changes_ > 0,
+      passed_ > 0);
+  }
+
+private:
+  void publish()
+  {
+    String message;
+    message.data = std::to_string(get_parameter("count").as_int());
+    publisher_->publish(message);
+    RCLCPP_INFO_THROTTLE(get_logger(), *get_clock(), 1000, "published %s", message.data.c_str());
+  }
+
+  void call()
+  {
+    set_parameter({"count", ++calls_});
+    if (!client_->service_is_ready()) {
+      return;
+    }
+    const auto sent = client_->async_send_request(
+      std::make_shared<Trigger::Request>(),
+      [this](rclcpp::Client<Trigger>::SharedFuture future) {
+        answers_ += static_cast<int>(future.get()->message.size());
+      });
+    if (calls_ % 10 == 0) {
+      client_->remove_pending_request(sent);
+    }
+  }
+
+  void let_one_pass()
+  {
+    try {
+      // Several may be here at the same time, two of each name.
+      const std::string name = "passing_" + std::to_string(++names_);
+      auto node = std::make_shared<rclcpp::Node>(name);
+      auto other = std::make_shared<rclcpp::Node>(name);
+      auto publisher = node->create_publisher<String>("chatter", 1);
+      publisher->publish(String());
+      rclcpp::spin_some(node);
+      const auto fleeting = create_wall_timer(1ms, []() {}, group_);  // while others collect what is in it
+      RCLCPP_DEBUG(other->get_logger().get_child("child"), "gone again");
+      ++passed_;
+    } catch (const rclcpp::exceptions::RCLError &) {
+      if (rclcpp::ok()) {
+        throw;
+      }
+    }
+  }
+
+  std::atomic<std::size_t> characters_{0};
+  std::atomic_int answers_{0}, changes_{0}, passed_{0}, names_{0};
+  int calls_ = 0;
+  rclcpp::CallbackGroup::SharedPtr group_;
+  PostSetParametersCallbackHandle::SharedPtr told_;
+  rclcpp::Publisher<String>::SharedPtr publisher_;
+  rclcpp::Subscription<String>::SharedPtr subscription_;
+  rclcpp::Service<Trigger>::SharedPtr service_;
+  rclcpp::Client<Trigger>::SharedPtr client_;
+  rclcpp::TimerBase::SharedPtr fast_, slow_, passing_;
+};
+
+/// Where the rclcpp lies that this program uses.
+const char * place_of_rclcpp()
+{
+  Dl_info found{};
+  bool (* const function)(rclcpp::Context::SharedPtr) = &rclcpp::ok;
+  return dladdr(reinterpret_cast<const void *>(function), &found) != 0 ? found.dli_fname : "nowhere";
+}
+
+void leak()
+{
+  rclcpp::Node node("leaky");
+  auto publisher = node.create_publisher<String>("chatter", 1);
+  for (int i = 0; i < 10; ++i) {
+    publisher->publish(*std::make_unique<String>().release());
+  }
+}
+
+void race()
+{
+  int number = 0;
+  const auto count = [&number]() {
+      for (int i = 0; i < 1000; ++i) {
+        ++number;
+      }
+    };
+  std::thread one(count), other(count);
+  one.join();
+  other.join();
+  std::printf("%d\n", number);
+}
+
+void overflow(int number)
+{
+  std::printf("%d\n", std::numeric_limits<int>::max() - 1 + number);
+}
+
+void be_busy()
+{
+  auto node = std::make_shared<Busy>();
+  rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 4);
+  executor.add_node(node);
+  executor.spin();
+  node->report();
+}
+
+int main(int argc, char * argv[])
+{
+  const std::string wrong = argc > 1 ? argv[1] : "";
+  rclcpp::init(argc, argv);
+  std::printf("rclcpp: %s\n", place_of_rclcpp());
+  std::fflush(stdout);
+  if (wrong == "leak") {
+    leak();
+  } else if (wrong == "race") {
+    race();
+  } else if (wrong == "undefined") {
+    overflow(argc);
+  } else {
+    be_busy();
+  }
+  rclcpp::shutdown();
+  return 0;
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "rcl/guard_condition.h"
+#include "rclcpp/contexts/default_context.hpp"
+#include "rclcpp/macros.hpp"
+
+namespace rclcpp
+{
+
+/// Wakes whoever waits for it; any thread may trigger it.
+class GuardCondition
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(GuardCondition)
+
+  explicit GuardCondition(
+    const Context::SharedPtr & context = contexts::get_global_default_context());
+  ~GuardCondition();
+
+  void trigger();
+  rcl_guard_condition_t & get_rcl_guard_condition() {return guard_condition_;}
+  const rcl_guard_condition_t & get_rcl_guard_condition() const {return guard_condition_;}
+
+private:
+  std::shared_ptr<rcl_context_t> context_;
+  rcl_guard_condition_t guard_condition_;
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace rclcpp
+{
+
+enum class IntraProcessSetting
+{
+  Enable,
+  Disable,
+  NodeDefault,
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "rclcpp/publisher_base.hpp"
+
+namespace rclcpp
+{
+
+/// A message to be filled in and given to Publisher::publish. Its memory is the program's in every case.
+template<typename MessageT, typename AllocatorT = std::allocator<void>>
+class LoanedMessage
+{
+public:
+  using MessageAllocator = std::allocator<MessageT>;
+
+  explicit LoanedMessage(const PublisherBase & publisher)
+  : message_(std::make_unique<MessageT>())
+  {
+    publisher.tell_of_loans();
+  }
+
+  bool is_valid() const {return message_ != nullptr;}
+  MessageT & get() const {return *message_;}
+  std::unique_ptr<MessageT> release() {return std::move(message_);}
+
+private:
+  std::unique_ptr<MessageT> message_;
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "rcl/publisher.h"
+#include "rclcpp/macros.hpp"
+#include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/publisher_options.hpp"
+#include "rclcpp/qos.hpp"
+#include "rosidl_runtime_c/message_type_support_struct.h"
+
+namespace rclcpp
+{
+
+/// What publishers of all types have in common.
+class PublisherBase
+{
+public:
+  RCLCPP_SMART_PTR_ALIASES_ONLY(PublisherBase)
+  RCLCPP_DISABLE_COPY(PublisherBase)
+
+  /// Throws InvalidTopicNameError, RCLError.
+  PublisherBase(
+    const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
+    const rosidl_message_type_support_t & type_support, const QoS & qos,
+    const PublisherOptionsBase & options);
+  virtual ~PublisherBase();
+
+  const char * get_topic_name() const;
+  std::size_t get_queue_size() const;
+  const rmw_gid_t & get_gid() const;
+  std::size_t get_subscription_count() const;
+  std::size_t get_intra_process_subscription_count() const {return 0;}
+  bool assert_liveliness() const;
+  QoS get_actual_qos() const;
+  bool can_loan_messages() const;
+
+  /// Logs once when the middleware cannot loan messages.
+  void tell_of_loans() const;
+  std::shared_ptr<rcl_publisher_t> get_publisher_handle() {return handle_;}
+
+  /// Waits until every reliable subscription has what was published; a negative time waits for ever.
+  template<typename Rep = std::int64_t, typename Period = std::milli>
+  bool wait_for_all_acked(
+    std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1)) const
+  {
+    return wait_for_all_acked(std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
+  }
+  bool wait_for_all_acked(std::chrono::nanoseconds timeout) const;
+
+protected:
+  void publish_untyped(const void * message);
+  void publish_serialized(const rcl_serialized_message_t & message);
+
+private:
+  void check_published(rcl_ret_t ret, const char * doing) const;
+
+  Context::SharedPtr context_;
+  std::shared_ptr<rcl_publisher_t> handle_;
+  std::vector<std::shared_ptr<detail::Entity>> events_;
+  rmw_gid_t gid_;
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "rclcpp/callback_group.hpp"
+#include "rclcpp/event_handler.hpp"
+#include "rclcpp/intra_process_setting.hpp"
+#include "rclcpp/qos_overriding_options.hpp"
+
+namespace rclcpp
+{
+
+struct PublisherOptionsBase
+{
+  /// Messages take the same way in every case: nothing depends on it.
+  IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
+  PublisherEventCallbacks event_callbacks;
+  /// Whether incompatible subscriptions are warned of where no callback is given for that.
+  bool use_default_callbacks = true;
+  CallbackGroup::SharedPtr callback_group;
+  QosOverridingOptions qos_overriding_options;
+};
+
+template<typename AllocatorT>
+struct PublisherOptionsWithAllocator : PublisherOptionsBase
+{
+  std::shared_ptr<AllocatorT> allocator;
+
+  PublisherOptionsWithAllocator() = default;
+  explicit PublisherOptionsWithAllocator(const PublisherOptionsBase & base) : PublisherOptionsBase(base) {}
+};
+
+using PublisherOptions = PublisherOptionsWithAllocator<std::allocator<void>>;
+
+}  // namespace rclcpp

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "rclcpp/callback_group.hpp"
+#include "rclcpp/event_handler.hpp"
+#include "rclcpp/intra_process_setting.hpp"
+#include "rclcpp/qos_overriding_options.hpp"
+#include "rclcpp/topic_statistics_state.hpp"
+
+namespace rclcpp
+{
+
+/// Messages that do not fulfil the expression are left away, where the middleware can do that.
+struct ContentFilterOptions
+{
+  std::string filter_expression;
+  std::vector<std::string> expression_parameters;
+};
+
+struct SubscriptionOptionsBase
+{
+  SubscriptionEventCallbacks event_callbacks;
+  /// Whether incompatible publishers are warned of where no callback is given for that.
+  bool use_default_callbacks = true;
+  bool ignore_local_publications = false;
+  CallbackGroup::SharedPtr callback_group;
+  /// Messages take the same way in every case: nothing depends on it.
+  IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
+
+  /// Statistics are not taken.
+  struct TopicStatisticsOptions
+  {
+    TopicStatisticsState state = TopicStatisticsState::NodeDefault;
+    std::string publish_topic = "/statistics";
+    std::chrono::milliseconds publish_period{std::chrono::seconds(1)};
+  };
+  TopicStatisticsOptions topic_stats_options;
+  QosOverridingOptions qos_overriding_options;
+  ContentFilterOptions content_filter_options;
+};
+
+template<typename AllocatorT>
+struct SubscriptionOptionsWithAllocator : SubscriptionOptionsBase
+{
+  std::shared_ptr<AllocatorT> allocator;
+
+  SubscriptionOptionsWithAllocator() = default;
+  explicit SubscriptionOptionsWithAllocator(const SubscriptionOptionsBase & base)
+  : SubscriptionOptionsBase(base) {}
+};
+
+using SubscriptionOptions = SubscriptionOptionsWithAllocator<std::allocator<void>>;
+
+}  // namespace rclcpp

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+#include "rcl/timer.h"
+#include "rclcpp/clock.hpp"
+#include "rclcpp/context.hpp"
+#include "rclcpp/detail/entity.hpp"
+#include "rclcpp/macros.hpp"
+#include "rclcpp/node_interfaces/node_base_interface.hpp"
+
+namespace rclcpp
+{
+
+/// When a timer was due, and when it was called.
+struct TimerInfo
+{
+  Time expected_call_time;
+  Time actual_call_time;
+};
+
+/// Calls back once in each period, as long as somebody holds it.
+class TimerBase : public detail::Entity, public std::enable_shared_from_this<TimerBase>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(TimerBase)
+  using Callback = std::function<void(TimerBase &)>;
+
+  TimerBase(
+    Clock::SharedPtr clock, std::chrono::nanoseconds period, Callback callback,
+    Context::SharedPtr context = nullptr, bool autostart = true);
+  ~TimerBase() override;
+
+  /// Stops it until it is reset.
+  void cancel();
+  bool is_canceled();
+  void reset();
+
+  /// Begins a period, unless it was cancelled: then false.
+  bool call();
+  void execute_callback();
+  std::shared_ptr<const rcl_timer_t> get_timer_handle();
+
+  /// Of a cancelled one: std::chrono::nanoseconds::max().
+  std::chrono::nanoseconds time_until_trigger();
+  bool is_steady();
+  bool is_ready();
+  Clock::SharedPtr get_clock() {return clock_;}
+
+  detail::EntityKind kind() const noexcept override {return detail::EntityKind::timer;}
+  const void * rcl_entity() const noexcept override {return handle_.get();}
+  bool claim() override {return call();}
+  void execute() override {execute_callback();}
+
+private:
+  Clock::SharedPtr clock_;
+  std::shared_ptr<rcl_timer_t> handle_;
+  Callback callback_;
+};
+
+// Whatever its callback is, a timer is of one class; the names are for sources that write them down.
+template<typename FunctorT = TimerBase::Callback>
+using GenericTimer = TimerBase;
+template<typename FunctorT = TimerBase::Callback>
+using WallTimer = TimerBase;
+using VoidCallbackType = std::function<void()>;
+using TimerCallbackType = std::function<void(TimerBase &)>;
+
+namespace detail
+{
+
+/// The period in nanoseconds. Throws std::invalid_argument when it is negative or too long.
+template<typename Rep, typename Period>
+std::chrono::nanoseconds timer_period(std::chrono::duration<Rep, Period> period)
+{
+  if (period < std::chrono::duration<Rep, Period>::zero()) {
+    throw std::invalid_argument("timer period cannot be negative");
+  }
+  using Wide = std::chrono::duration<long double, std::nano>;
+  if (std::chrono::duration_cast<Wide>(period) > Wide(std::chrono::nanoseconds::max())) {
+    throw std::invalid_argument("timer period must be less than std::chrono::nanoseconds::max()");
+  }
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(period);
+}
+
+template<typename CallbackT>
+TimerBase::Callback timer_callback(CallbackT && callback)
+{
+  using Given = std::decay_t<CallbackT>;
+  if constexpr (std::is_invocable_v<Given &, TimerBase &>) {
+    return std::forward<CallbackT>(callback);
+  } else {
+    static_assert(std::is_invocable_v<Given &>, "a timer's callback takes nothing, or rclcpp::TimerBase &");
+    return [callback = Given(std::forward<CallbackT>(callback))](TimerBase &) mutable {callback();};
+  }
+}
+
+TimerBase::SharedPtr add_timer(
+  node_interfaces::NodeBaseInterface & node, Clock::SharedPtr clock, std::chrono::nanoseconds period,
+  TimerBase::Callback callback, const CallbackGroup::SharedPtr & group, bool autostart);
+
+}  // namespace detail
+}  // namespace rclcpp

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace rclcpp
+{
+
+enum class TopicStatisticsState
+{
+  Enable,
+  Disable,
+  NodeDefault,
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,115 @@
+#include "rclcpp/duration.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "rcl/time.h"
+#include "rclcpp/time.hpp"
+#include "time_parts.hpp"
+
+namespace rclcpp
+{
+
+Duration::Duration(std::int32_t seconds, std::uint32_t nanoseconds)
+: nanoseconds_(RCL_S_TO_NS(static_cast<std::int64_t>(seconds)) + nanoseconds)
+{
+}
+
+Duration::Duration(const builtin_interfaces::msg::Duration & duration_msg)
+: Duration(duration_msg.sec, duration_msg.nanosec)
+{
+}
+
+Duration::operator builtin_interfaces::msg::Duration() const
+{
+  const auto parts = detail::split(nanoseconds_);
+  builtin_interfaces::msg::Duration message;
+  message.sec = parts.seconds;
+  message.nanosec = parts.nanoseconds;
+  return message;
+}
+
+Duration & Duration::operator=(const builtin_interfaces::msg::Duration & duration_msg)
+{
+  return *this = Duration(duration_msg);
+}
+
+Duration Duration::operator+(const Duration & rhs) const
+{
+  return from_nanoseconds(detail::sum(nanoseconds_, rhs.nanoseconds_, "duration"));
+}
+
+Duration & Duration::operator+=(const Duration & rhs)
+{
+  return *this = *this + rhs;
+}
+
+Duration Duration::operator-(const Duration & rhs) const
+{
+  return from_nanoseconds(detail::difference(nanoseconds_, rhs.nanoseconds_, "duration"));
+}
+
+Duration & Duration::operator-=(const Duration & rhs)
+{
+  return *this = *this - rhs;
+}
+
+Duration Duration::operator*(double scale) const
+{
+  if (!std::isfinite(scale)) {
+    throw std::runtime_error("abnormal scale in rclcpp::Duration");
+  }
+  const long double scaled = static_cast<long double>(nanoseconds_) * static_cast<long double>(scale);
+  if (std::abs(scaled) > static_cast<long double>(std::numeric_limits<std::int64_t>::max())) {
+    throw std::overflow_error("duration scaling leads to int64_t overflow");
+  }
+  return from_nanoseconds(static_cast<std::int64_t>(scaled));
+}
+
+Duration & Duration::operator*=(double scale)
+{
+  return *this = *this * scale;
+}
+
+Duration Duration::max()
+{
+  return Duration(std::numeric_limits<std::int32_t>::max(), 999999999);
+}
+
+double Duration::seconds() const
+{
+  return std::chrono::duration<double>(std::chrono::nanoseconds(nanoseconds_)).count();
+}
+
+Duration Duration::from_seconds(double seconds)
+{
+  return from_nanoseconds(static_cast<std::int64_t>(RCL_S_TO_NS(seconds)));
+}
+
+Duration Duration::from_nanoseconds(std::int64_t nanoseconds)
+{
+  return Duration(std::chrono::nanoseconds(nanoseconds));
+}
+
+Duration Duration::from_rmw_time(rmw_time_t duration)
+{
+  constexpr auto limit = std::chrono::nanoseconds::max();
+  constexpr auto seconds = static_cast<std::uint64_t>(limit.count() / 1000000000);
+  if (duration.sec >= seconds) {
+    return Duration(limit);
+  }
+  return from_nanoseconds(
+    static_cast<std::int64_t>(RCL_S_TO_NS(duration.sec)) + static_cast<std::int64_t>(duration.nsec));
+}
+
+rmw_time_t Duration::to_rmw_time() const
+{
+  if (nanoseconds_ < 0) {
+    throw std::runtime_error("rmw_time_t cannot be negative");
+  }
+  const auto all = static_cast<std::uint64_t>(nanoseconds_);
+  return {all / 1000000000u, all % 1000000000u};
+}
+
+}  // namespace rclcpp

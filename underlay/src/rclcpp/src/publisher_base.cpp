@@ -1,0 +1,145 @@
+#include "rclcpp/publisher_base.hpp"
+
+#include <utility>
+
+#include "names.hpp"
+#include "qos_actual.hpp"
+#include "qos_events.hpp"
+#include "rclcpp/detail/check.hpp"
+#include "rclcpp/logging.hpp"
+#include "rmw/rmw.h"
+
+namespace rclcpp
+{
+
+namespace
+{
+
+std::shared_ptr<rcl_publisher_t> make_publisher(
+  std::shared_ptr<rcl_node_t> node, const std::string & topic,
+  const rosidl_message_type_support_t & type_support, const QoS & qos)
+{
+  auto publisher = std::make_unique<rcl_publisher_t>(rcl_get_zero_initialized_publisher());
+  rcl_publisher_options_t options = rcl_publisher_get_default_options();
+  options.qos = qos.get_rmw_qos_profile();
+  const rcl_ret_t ret =
+    rcl_publisher_init(publisher.get(), node.get(), &type_support, topic.c_str(), &options);
+  if (ret != RCL_RET_OK) {
+    detail::throw_for_name(ret, *node, topic.c_str(), false, "could not create publisher");
+  }
+  return {publisher.release(), [node = std::move(node)](rcl_publisher_t * gone) {
+      if (rcl_publisher_fini(gone, node.get()) != RCL_RET_OK) {
+        rcl_reset_error();
+      }
+      std::default_delete<rcl_publisher_t>()(gone);
+    }};
+}
+
+}  // namespace
+
+PublisherBase::PublisherBase(
+  const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
+  const rosidl_message_type_support_t & type_support, const QoS & qos, const PublisherOptionsBase & options)
+: context_(node->get_context()),
+  handle_(make_publisher(node->get_shared_rcl_node_handle(), topic, type_support, qos)),
+  events_(detail::publisher_events(handle_, options))
+{
+  const rmw_publisher_t * at_rmw = rcl_publisher_get_rmw_handle(handle_.get());
+  if (!at_rmw || rmw_get_gid_for_publisher(at_rmw, &gid_) != RMW_RET_OK) {
+    exceptions::throw_from_rcl_error(RCL_RET_ERROR, "failed to get publisher gid");
+  }
+  for (const auto & event : events_) {
+    node->add(event, options.callback_group);
+  }
+}
+
+PublisherBase::~PublisherBase() = default;
+
+const char * PublisherBase::get_topic_name() const
+{
+  return rcl_publisher_get_topic_name(handle_.get());
+}
+
+std::size_t PublisherBase::get_queue_size() const
+{
+  return get_actual_qos().depth();
+}
+
+const rmw_gid_t & PublisherBase::get_gid() const
+{
+  return gid_;
+}
+
+std::size_t PublisherBase::get_subscription_count() const
+{
+  if (!context_->is_valid()) {
+    return 0;
+  }
+  std::size_t count = 0;
+  detail::check(
+    rcl_publisher_get_subscription_count(handle_.get(), &count),
+    "failed to get get subscription count");
+  return count;
+}
+
+bool PublisherBase::assert_liveliness() const
+{
+  const bool asserted = rcl_publisher_assert_liveliness(handle_.get()) == RCL_RET_OK;
+  if (!asserted) {
+    rcl_reset_error();
+  }
+  return asserted;
+}
+
+QoS PublisherBase::get_actual_qos() const
+{
+  return detail::actual_qos(rcl_publisher_get_actual_qos(handle_.get()));
+}
+
+bool PublisherBase::can_loan_messages() const
+{
+  return rcl_publisher_can_loan_messages(handle_.get());
+}
+
+bool PublisherBase::wait_for_all_acked(std::chrono::nanoseconds timeout) const
+{
+  const rcl_ret_t ret = rcl_publisher_wait_for_all_acked(handle_.get(), timeout.count());
+  if (ret == RCL_RET_TIMEOUT) {
+    rcl_reset_error();
+    return false;
+  }
+  detail::check(ret, "failed to wait for acknowledgements");
+  return true;
+}
+
+void PublisherBase::tell_of_loans() const
+{
+  if (!can_loan_messages()) {
+    RCLCPP_INFO_ONCE(
+      get_logger("rclcpp"),
+      "Currently used middleware can't loan messages. Local allocator will be used.");
+  }
+}
+
+void PublisherBase::check_published(rcl_ret_t ret, const char * doing) const
+{
+  if (ret == RCL_RET_PUBLISHER_INVALID && !context_->is_valid()) {
+    rcl_reset_error();  // after a shutdown nobody is left to hear it
+    return;
+  }
+  detail::check(ret, doing);
+}
+
+void PublisherBase::publish_untyped(const void * message)
+{
+  check_published(rcl_publish(handle_.get(), message, nullptr), "failed to publish message");
+}
+
+void PublisherBase::publish_serialized(const rcl_serialized_message_t & message)
+{
+  check_published(
+    rcl_publish_serialized_message(handle_.get(), &message, nullptr),
+    "failed to publish serialized message");
+}
+
+}  // namespace rclcpp

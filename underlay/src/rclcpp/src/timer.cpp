@@ -1,0 +1,128 @@
+#include "rclcpp/timer.hpp"
+
+#include "rclcpp/detail/check.hpp"
+
+namespace rclcpp
+{
+
+namespace
+{
+
+/// What a timer uses, in the order in which it must go.
+struct Owned
+{
+  Clock::SharedPtr clock;
+  std::shared_ptr<rcl_context_t> context;
+  rcl_timer_t timer = rcl_get_zero_initialized_timer();
+
+  Owned() = default;
+  Owned(const Owned &) = delete;
+  Owned & operator=(const Owned &) = delete;
+  ~Owned()
+  {
+    const std::lock_guard lock(clock->get_clock_mutex());
+    if (rcl_timer_fini(&timer) != RCL_RET_OK) {
+      rcl_reset_error();
+    }
+  }
+};
+
+}  // namespace
+
+TimerBase::TimerBase(
+  Clock::SharedPtr clock, std::chrono::nanoseconds period, Callback callback,
+  Context::SharedPtr context, bool autostart)
+: clock_(std::move(clock)), callback_(std::move(callback))
+{
+  context = context ? context : contexts::get_global_default_context();
+  auto owned = std::make_shared<Owned>();
+  owned->clock = clock_;
+  owned->context = context->get_rcl_context();
+  const std::lock_guard lock(clock_->get_clock_mutex());
+  detail::check(
+    rcl_timer_init2(
+      &owned->timer, clock_->get_clock_handle(), owned->context.get(), period.count(), nullptr,
+      rcl_get_default_allocator(), autostart),
+    "Couldn't initialize rcl timer handle");
+  handle_ = {owned, &owned->timer};
+}
+
+TimerBase::~TimerBase() = default;
+
+void TimerBase::cancel()
+{
+  detail::check(rcl_timer_cancel(handle_.get()), "Couldn't cancel timer");
+}
+
+bool TimerBase::is_canceled()
+{
+  bool canceled = false;
+  detail::check(
+    rcl_timer_is_canceled(handle_.get(), &canceled), "Couldn't get timer cancelled state");
+  return canceled;
+}
+
+void TimerBase::reset()
+{
+  detail::check(rcl_timer_reset(handle_.get()), "Couldn't reset timer");
+}
+
+bool TimerBase::call()
+{
+  const rcl_ret_t ret = rcl_timer_call(handle_.get());
+  if (ret == RCL_RET_TIMER_CANCELED) {
+    rcl_reset_error();
+    return false;
+  }
+  detail::check(ret, "Failed to call timer");
+  return true;
+}
+
+void TimerBase::execute_callback()
+{
+  callback_(*this);
+}
+
+std::shared_ptr<const rcl_timer_t> TimerBase::get_timer_handle()
+{
+  return handle_;
+}
+
+std::chrono::nanoseconds TimerBase::time_until_trigger()
+{
+  std::int64_t left = 0;
+  const rcl_ret_t ret = rcl_timer_get_time_until_next_call(handle_.get(), &left);
+  if (ret == RCL_RET_TIMER_CANCELED) {
+    rcl_reset_error();
+    return std::chrono::nanoseconds::max();
+  }
+  detail::check(ret, "Timer could not get time until next call");
+  return std::chrono::nanoseconds(left);
+}
+
+bool TimerBase::is_steady()
+{
+  return clock_->get_clock_type() == RCL_STEADY_TIME;
+}
+
+bool TimerBase::is_ready()
+{
+  bool ready = false;
+  detail::check(rcl_timer_is_ready(handle_.get(), &ready), "Failed to check timer");
+  return ready;
+}
+
+TimerBase::SharedPtr detail::add_timer(
+  node_interfaces::NodeBaseInterface & node, Clock::SharedPtr clock, std::chrono::nanoseconds period,
+  TimerBase::Callback callback, const CallbackGroup::SharedPtr & group, bool autostart)
+{
+  if (!clock) {
+    throw std::invalid_argument("clock cannot be null");
+  }
+  auto timer = std::make_shared<TimerBase>(
+    std::move(clock), period, std::move(callback), node.get_context(), autostart);
+  node.add(timer, group);
+  return timer;
+}
+
+}  // namespace rclcpp

@@ -1,0 +1,128 @@
+#include "wait_set.hpp"
+
+#include <array>
+
+#include "rclcpp/detail/check.hpp"
+
+namespace rclcpp::detail
+{
+
+namespace
+{
+
+template<typename T>
+const T * as(const Entity & entity)
+{
+  return static_cast<const T *>(entity.rcl_entity());
+}
+
+rcl_ret_t add(rcl_wait_set_t & set, const Entity & entity, std::size_t & index)
+{
+  switch (entity.kind()) {
+    case EntityKind::timer:
+      return rcl_wait_set_add_timer(&set, as<rcl_timer_t>(entity), &index);
+    case EntityKind::subscription:
+      return rcl_wait_set_add_subscription(&set, as<rcl_subscription_t>(entity), &index);
+    case EntityKind::service:
+      return rcl_wait_set_add_service(&set, as<rcl_service_t>(entity), &index);
+    case EntityKind::client:
+      return rcl_wait_set_add_client(&set, as<rcl_client_t>(entity), &index);
+    case EntityKind::event:
+      return rcl_wait_set_add_event(&set, as<rcl_event_t>(entity), &index);
+    default:
+      return rcl_wait_set_add_guard_condition(&set, as<rcl_guard_condition_t>(entity), &index);
+  }
+}
+
+}  // namespace
+
+WaitSet::WaitSet(const Context::SharedPtr & context)
+: context_(context->get_rcl_context())
+{
+  check(
+    rcl_wait_set_init(
+      &set_, 0, 1, 0, 0, 0, 0, context_.get(), rcl_get_default_allocator()),
+    "failed to create wait set");
+}
+
+WaitSet::~WaitSet()
+{
+  if (rcl_wait_set_fini(&set_) != RCL_RET_OK) {
+    rcl_reset_error();
+  }
+}
+
+bool WaitSet::wait(
+  const std::vector<std::shared_ptr<Entity>> & entities, const GuardCondition & interrupt,
+  std::chrono::nanoseconds timeout)
+{
+  fill(entities, interrupt);
+  const rcl_ret_t ret = rcl_wait(&set_, timeout.count());
+  if (ret == RCL_RET_TIMEOUT) {
+    rcl_reset_error();
+    return false;
+  }
+  check(ret, "rcl_wait() failed");
+  return true;
+}
+
+bool WaitSet::is_ready(std::size_t index) const
+{
+  const auto & place = places_[index];
+  switch (place.kind) {
+    case EntityKind::timer:
+      return set_.timers[place.index] != nullptr;
+    case EntityKind::subscription:
+      return set_.subscriptions[place.index] != nullptr;
+    case EntityKind::service:
+      return set_.services[place.index] != nullptr;
+    case EntityKind::client:
+      return set_.clients[place.index] != nullptr;
+    case EntityKind::event:
+      return set_.events[place.index] != nullptr;
+    default:
+      return set_.guard_conditions[place.index] != nullptr;
+  }
+}
+
+void WaitSet::fill(
+  const std::vector<std::shared_ptr<Entity>> & entities, const GuardCondition & interrupt)
+{
+  make_room(entities);
+  check(
+    rcl_wait_set_add_guard_condition(&set_, &interrupt.get_rcl_guard_condition(), nullptr),
+    "failed to add a guard condition to the wait set");
+  places_.resize(entities.size());
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    places_[i].kind = entities[i]->kind();
+    check(add(set_, *entities[i], places_[i].index), "failed to add to the wait set");
+  }
+}
+
+void WaitSet::make_room(const std::vector<std::shared_ptr<Entity>> & entities)
+{
+  std::array<std::size_t, 6> counts{};
+  for (const auto & entity : entities) {
+    ++counts[static_cast<std::size_t>(entity->kind())];
+  }
+  const auto of = [&](EntityKind kind) {return counts[static_cast<std::size_t>(kind)];};
+  const bool fits =
+    set_.size_of_timers == of(EntityKind::timer) &&
+    set_.size_of_subscriptions == of(EntityKind::subscription) &&
+    set_.size_of_services == of(EntityKind::service) &&
+    set_.size_of_clients == of(EntityKind::client) &&
+    set_.size_of_events == of(EntityKind::event) &&
+    set_.size_of_guard_conditions == of(EntityKind::guard_condition) + 1;
+  if (fits) {
+    check(rcl_wait_set_clear(&set_), "failed to clear the wait set");
+  } else {
+    check(
+      rcl_wait_set_resize(
+        &set_, of(EntityKind::subscription), of(EntityKind::guard_condition) + 1,
+        of(EntityKind::timer), of(EntityKind::client), of(EntityKind::service),
+        of(EntityKind::event)),
+      "failed to resize the wait set");
+  }
+}
+
+}  // namespace rclcpp::detail

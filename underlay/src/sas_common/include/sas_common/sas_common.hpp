@@ -1,0 +1,53 @@
+// Parameters that a program cannot do without, and a word at its end.
+
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include <rclcpp/rclcpp.hpp>
+
+namespace sas
+{
+
+/// Declare the parameter and put its value into `value`.
+///
+/// Throws std::runtime_error, which names the parameter, when it was not set or has another type.
+template<typename T>
+void get_ros_parameter(
+  const std::shared_ptr<rclcpp::Node> & node, const std::string & parameter_name, T & value)
+{
+  try {
+    if (!node->has_parameter(parameter_name)) {
+      node->declare_parameter<T>(parameter_name);
+    }
+    value = node->get_parameter(parameter_name).template get_value<T>();
+  } catch (const std::exception & error) {
+    throw std::runtime_error(
+      "The parameter " + parameter_name + " of the node " + node->get_name() +
+      " must be set, with a value of its type: " + error.what());
+  }
+}
+
+/// The same; `value` becomes `default_value` when the parameter was not set.
+template<typename T>
+void get_ros_optional_parameter(
+  const std::shared_ptr<rclcpp::Node> & node, const std::string & parameter_name, T & value,
+  const std::decay_t<T> & default_value)
+{
+  if (!node->has_parameter(parameter_name)) {
+    node->declare_parameter<T>(parameter_name, default_value);
+  }
+  get_ros_parameter(node, parameter_name, value);
+}
+
+/// For the end of a `main` that started ROS without signal handlers: what ROS may say after that is no fault.
+inline void display_signal_handler_none_bug_info(const std::shared_ptr<rclcpp::Node> & node)
+{
+  RCLCPP_INFO(
+    node->get_logger(), "ROS was started without signal handlers: complaints after this line do no harm.");
+}
+
+}  // namespace sas
