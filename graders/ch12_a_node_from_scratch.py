@@ -104,7 +104,7 @@ def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:
 @print_forever.check("rate", "it logs twice per second", needs="logs")
 def rate(recording: Recording) -> None:
     times = tuple(line.t for line in counted(recording))
-    if len(times) < 2:
+    if len(times) < ENOUGH:
         pytest.skip("there are too few messages to tell")
     expect_period(times, 0.5, what="log messages", advice="The period of `create_timer` is in seconds: 0.5.")
 
