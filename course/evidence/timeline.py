@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from math import inf
 from typing import TypeVar
 
-from course.evidence.events import Event
+from course.evidence.events import Event, MessageSeen
 
 _E = TypeVar("_E", bound=Event)
+# Two clocks read within this many seconds are read at the same moment; how often that is tried.
+_AT_ONCE = 20e-6
+_TRIES = 10
 
 
 class Timeline:
@@ -32,9 +37,24 @@ class Timeline:
 
         A step of the wall clock in between must not move it out of the recording: then it is now.
         """
-        ago = (time.time_ns() - wall_ns) / 1e9
-        now = self.now()
+        now, wall = self._both_clocks()
+        ago = (wall - wall_ns) / 1e9
         return round(now - ago, 9) if 0.0 <= ago <= now else now
+
+    def _both_clocks(self) -> tuple[float, int]:
+        """This clock and the wall's (ns since 1970) at one moment.
+
+        A thread that loses the CPU between the two would date what it has just received later than
+        what comes next: then they are read again.
+        """
+        nearest, pair = inf, (0.0, 0)
+        for _ in range(_TRIES):
+            before, wall, after = self.now(), time.time_ns(), self.now()
+            if after - before < nearest:
+                nearest, pair = after - before, (after, wall)
+            if nearest <= _AT_ONCE:
+                break
+        return pair
 
     def add(self, event: Event) -> None:
         with self._changed:
@@ -47,9 +67,10 @@ class Timeline:
             self._changed.notify_all()
 
     def events(self) -> tuple[Event, ...]:
-        """What has happened up to now, sorted by time."""
+        """What has happened up to now, sorted by time; messages of a topic in the order of their delivery."""
         with self._changed:
-            return tuple(sorted(self._events, key=lambda event: event.t))
+            known = tuple(self._events)
+        return tuple(sorted(_as_delivered(known), key=lambda event: event.t))
 
     def of(self, kind: type[_E]) -> Iterator[_E]:
         """Events of one kind, in the order of their arrival."""
@@ -65,3 +86,19 @@ class Timeline:
         """
         with self._changed:
             return self._changed.wait_for(condition, timeout)
+
+
+def _as_delivered(events: Sequence[Event]) -> list[Event]:
+    """These events, in the order of their arrival, with no message dated after a later one of its topic.
+
+    A message that is lost on the way and sent once more arrives after those that followed it; they are
+    held back for it, so that it is delivered first. It was sent before they arrived: that is its time.
+    """
+    first: dict[str, float] = {}
+    dated = []
+    for event in reversed(events):
+        if isinstance(event, MessageSeen):
+            first[event.topic] = min(event.t, first.get(event.topic, inf))
+            event = replace(event, t=first[event.topic]) if event.t > first[event.topic] else event
+        dated.append(event)
+    return dated[::-1]

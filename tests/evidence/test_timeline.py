@@ -5,7 +5,9 @@ from __future__ import annotations
 import threading
 import time
 
-from course.evidence.events import Event, Marked, OutputLine
+import pytest
+
+from course.evidence.events import Event, Marked, MessageSeen, OutputLine
 from course.evidence.timeline import Timeline
 
 WAIT = 20.0
@@ -27,6 +29,42 @@ def test_events_are_sorted_by_time_and_then_by_arrival() -> None:
     assert timeline.events() == (one, two, late)
     assert list(timeline.of(Marked)) == [late, one, two]
     assert list(timeline.of(OutputLine)) == []
+
+
+def seen(t: float, topic: str, text: str) -> MessageSeen:
+    return MessageSeen(t, topic, "std_msgs/msg/String", text.encode())
+
+
+def test_a_message_that_was_sent_once_more_stays_before_those_that_waited_for_it() -> None:
+    timeline = Timeline()
+    for event in (seen(1.0, "/a", "0"), seen(3.5, "/a", "1"), seen(2.0, "/a", "2"), seen(3.0, "/a", "3")):
+        timeline.add(event)
+    timeline.add(seen(2.5, "/b", "another topic"))
+    assert [(event.t, event.data) for event in timeline.events() if isinstance(event, MessageSeen)] == [
+        (1.0, b"0"),
+        (2.0, b"1"),
+        (2.0, b"2"),
+        (2.5, b"another topic"),
+        (3.0, b"3"),
+    ]
+
+
+def test_a_moment_of_the_wall_clock_is_found_where_the_cpu_is_lost_in_between(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    clock, lost = [100.0], iter((0.5,))
+
+    def time_ns() -> int:
+        found = round(clock[0] * 1e9)
+        clock[0] += next(lost, 0.0)
+        return found
+
+    monkeypatch.setattr(time, "monotonic", lambda: clock[0])
+    monkeypatch.setattr(time, "time_ns", time_ns)
+    timeline = Timeline()
+    clock[0] = 103.0
+    assert timeline.when(102_000_000_000) == 2.0
+    assert clock[0] == 103.5  # it was lost
 
 
 def test_waiting_ends_with_the_event() -> None:

@@ -95,9 +95,7 @@ def _uncaught(thrown: str, lines: Sequence[str]) -> Trouble:
     said = _WHAT.match(lines[1]) if len(lines) > 1 else None
     words = f" ({said['text'][:60]})" if said and said["text"] != thrown else ""
     summary = f"An exception of type `{thrown}` ends the program{words}: nothing catches it."
-    advice = (
-        f"Put what may throw into `try {{ ... }}`, and `catch (const {thrown}& error) {{ ... }}` behind."
-    )
+    advice = f"Put what may throw into `try {{ ... }}`, and `catch (const {thrown}& error) {{ ... }}` behind."
     return Trouble(summary, advice, None, tuple(lines), thrown)
 
 
