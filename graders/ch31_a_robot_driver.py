@@ -341,12 +341,13 @@ def expect_order(lines: Iterable[OutputLine], after: float, what: str, advice: s
     gone = next((place for place, text in enumerate(said) if DISCONNECTED in text), None)
     if off is not None and gone is not None and off < gone:
         return
+    told = ", as far as the terminal tells"
     if off is None and gone is None:
-        summary = f"After {what} the driver ends, and leaves the motor on and the robot connected."
+        summary = f"After {what} the driver ends, and leaves the motor on and the robot connected{told}."
     elif off is None:
-        summary = f"After {what} the robot is disconnected, but the motor is still on."
+        summary = f"After {what} the robot is disconnected, but the motor is still on{told}."
     elif gone is None:
-        summary = f"After {what} the motor is off, but the robot is still connected."
+        summary = f"After {what} the motor is off, but the robot is still connected{told}."
     else:
         summary = f"After {what} the robot is disconnected first, and then the motor is switched off."
     raise Failure(

@@ -30,13 +30,14 @@ _NO_NAME = re.compile(
 )
 _ON_THE_REQUEST = re.compile(r"'\w+_Request' object has no attribute")
 _INIT = "Call `rclpy.init()` at the beginning of `main()`, before the node is made."
+_INIT_OF_SAS = "Call `rclcpp_init()` of `sas_common` first, before `rclcpp_Node(...)` makes the node."
+_NOT_STARTED = ("rclpy.init() has not been called", "NotInitializedException")
 _SUPER = "Call `super().__init__('name_of_the_node')` first in the class's `__init__`."
 _NO_NODE = "The class must derive from Node: `class ...(Node):`."
 _BRACKETS = "A function is named but not called: `get_logger()` needs its brackets."
 # Words of the exception's line -> what to do. The first that fits is taken.
 _KNOWN = (
-    (("rclpy.init() has not been called",), _INIT),
-    (("NotInitializedException",), _INIT),
+    *(((words,), _INIT) for words in _NOT_STARTED),
     (("Context.init() must only be called once",), "Call `rclpy.init()` once only, in `main()`."),
     (("__init__() missing", "node_name"), "A node needs a name: `super().__init__('name_of_the_node')`."),
     (("missing", "'qos_profile'"), "The depth is missing: end the brackets with `, 10)`."),
@@ -111,6 +112,7 @@ def _remedy(found: Crash, packages: BuiltPackages, sources: Sources) -> _Remedy:
         or _callback_called(found.error, sources)
         or _of_a_cause(undeclared(found.error, sources) or value_forgotten(found.error, sources))
         or _in_a_service(found.error, sources)
+        or _before_sas(found.error, sources)
         or _known(found.error)
     )
 
@@ -207,6 +209,12 @@ def _in_a_service(error: str, sources: Sources) -> _Remedy | None:
     if "'NoneType' object has no attribute" in error:
         return _of_a_cause(result_too_early(sources))
     return None
+
+
+def _before_sas(error: str, sources: Sources) -> _Remedy | None:
+    """A client of the SmartArmStack starts ROS by a name of its own, and rclpy's words do not say so."""
+    is_of_sas = any("rclcpp_Node" in text for file, text in sources.files.items() if file.endswith(".py"))
+    return _Remedy(_INIT_OF_SAS) if is_of_sas and any(words in error for words in _NOT_STARTED) else None
 
 
 def _of_a_cause(cause: Cause | None) -> _Remedy | None:

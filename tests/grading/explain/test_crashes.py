@@ -123,6 +123,14 @@ def test_texts_of_other_versions(error: str, words: str) -> None:
     assert words in str(said(error).advice)
 
 
+def test_a_client_of_the_smartarmstack_starts_ros_by_its_own_name() -> None:
+    error = "rclpy.exceptions.NotInitializedException: rclpy.init() has not been called."
+    client = Sources({f"{FOLDER}/scripts/client.py": "node = rclcpp_Node('client')"})
+    driver = Sources({f"{FOLDER}/src/driver.cpp": "rclcpp_Node"})
+    assert "`rclcpp_init()`" in str(said(error, client).advice)
+    assert "`rclpy.init()`" in str(said(error, driver).advice)
+
+
 def test_a_folder_of_modules_is_named_with_its_package() -> None:
     folder = Sources({f"{FOLDER}/faulty/tools/__init__.py": ""})
     found = said("ModuleNotFoundError: No module named 'tools'", folder)
