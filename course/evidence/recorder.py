@@ -270,19 +270,20 @@ class Listener:
         )
 
     def _receive(self, data: bytes, info: Mapping[str, Any]) -> None:
-        timeline = self._recorder.timeline
-        now, moment = timeline.now(), timeline.when(int(info["received_timestamp"]))
         self.count += 1
         self._bytes += len(data)
         if self.count > MAX_MESSAGES or self._bytes > MAX_BYTES:
-            self._cut(now)
+            self._cut()
             return
+        timeline = self._recorder.timeline
+        moment = timeline.when(int(info["received_timestamp"]))
         timeline.add(MessageSeen(moment, self.topic, self.type, bytes(data)))
 
-    def _cut(self, now: float) -> None:
+    def _cut(self) -> None:
         if not self._is_cut:
             self._is_cut = True
-            self._recorder.timeline.add(MessagesCut(now, self.topic))
+            timeline = self._recorder.timeline
+            timeline.add(MessagesCut(timeline.now(), self.topic))
 
     def _lost(self, info: Any) -> None:
         timeline = self._recorder.timeline

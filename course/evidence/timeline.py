@@ -98,7 +98,7 @@ def _as_delivered(events: Sequence[Event]) -> list[Event]:
     dated = []
     for event in reversed(events):
         if isinstance(event, MessageSeen):
-            first[event.topic] = min(event.t, first.get(event.topic, inf))
-            event = replace(event, t=first[event.topic]) if event.t > first[event.topic] else event
+            t = first[event.topic] = min(event.t, first.get(event.topic, inf))
+            event = replace(event, t=t) if t < event.t else event
         dated.append(event)
     return dated[::-1]

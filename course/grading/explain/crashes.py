@@ -213,8 +213,10 @@ def _in_a_service(error: str, sources: Sources) -> _Remedy | None:
 
 def _before_sas(error: str, sources: Sources) -> _Remedy | None:
     """A client of the SmartArmStack starts ROS by a name of its own, and rclpy's words do not say so."""
+    if not any(words in error for words in _NOT_STARTED):
+        return None
     is_of_sas = any("rclcpp_Node" in text for file, text in sources.files.items() if file.endswith(".py"))
-    return _Remedy(_INIT_OF_SAS) if is_of_sas and any(words in error for words in _NOT_STARTED) else None
+    return _Remedy(_INIT_OF_SAS) if is_of_sas else None
 
 
 def _of_a_cause(cause: Cause | None) -> _Remedy | None:
