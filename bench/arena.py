@@ -16,9 +16,10 @@ from statistics import median
 from solved import solved
 from table import show, spread
 
-from course.arena.containment import Places, containment, sandbox_obstacle
 from course.content import Exercise
-from course.grading.check import check_exercise
+from course.grading.check import Request, check_exercise
+from course.isolation import Level
+from course.isolation.levels import MachinePlaces, isolated, obstacle_to
 from course.rosenv import find_ros
 
 EXERCISE = "02-script"
@@ -46,7 +47,7 @@ def main() -> None:
 
 def once(exercise: Exercise, home: Path, contained: bool) -> float:
     began = time.monotonic()
-    result = check_exercise(exercise, home, ros=find_ros(), namespaces=contained)
+    result = check_exercise(Request(exercise, home, ros=find_ros(), namespaces=contained))
     taken = time.monotonic() - began
     expected = "contained" if contained else "domain"
     if (result.verdict.value, result.containment) != ("passed", expected):
@@ -56,11 +57,11 @@ def once(exercise: Exercise, home: Path, contained: bool) -> float:
 
 def parts(rounds: int) -> list[list[str]]:
     def opened() -> None:
-        with containment(Places()) as place:
-            subprocess.run([*place.around.prefix, "/bin/true"], check=True)
+        with isolated(MachinePlaces()) as place:
+            subprocess.run([*place.prefix, "/bin/true"], check=True)
 
     timed: dict[str, Callable[[], object]] = {
-        "  looking whether it can be had": sandbox_obstacle,
+        "  looking whether it can be had": lambda: obstacle_to(Level.CONTAINED),
         "  opening and closing the outer layer, with that": opened,
     }
     return [[name, *spread([clock(work) for _ in range(rounds)]), ""] for name, work in timed.items()]

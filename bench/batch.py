@@ -32,12 +32,16 @@ from table import show
 
 from course.batch.results import Results
 from course.batch.run import default_jobs
-from course.grading.result import Outcome, Result, from_json
+from course.model.result import Outcome, Result, from_json
 
 ROOT = Path(__file__).parents[1]
 MB = 1024 * 1024
 LOOK_EVERY = 0.1
-ROLES = (("course.batch.worker", "worker"), ("course.grading.process", "grading"))
+ROLES = (
+    ("course.batch.worker", "worker"),
+    ("course.grading.recording_process", "recording"),
+    ("course.grading.judge.judging_process", "judging"),
+)
 
 Judged = tuple[str, frozenset[str]]
 
@@ -137,7 +141,7 @@ def grade(folder: Path, homes: Sequence[Path], exercise: str, jobs: int, environ
     seconds = time.monotonic() - began
     with Results.open(out, create=False) as results:
         stored = [each for one in results.submissions() for each in results.gradings(one.person)]
-    judged = {each.unit.person: judgement(each.result) for each in stored}
+    judged = {each.unit.person: judgment(each.result) for each in stored}
     attempts = sum(each.unit.attempt for each in stored)
     return Go(len(homes), jobs, seconds, peaks, judged, attempts, [each.result.timing.lag for each in stored])
 
@@ -178,12 +182,12 @@ def checked(
         began = time.monotonic()
         done = subprocess.run(words, env=environment, check=False, capture_output=True, text=True)
         result = from_json(json.dumps(json.loads(done.stdout)))
-        found.append((home.name, time.monotonic() - began, judgement(result)))
+        found.append((home.name, time.monotonic() - began, judgment(result)))
         shutil.rmtree(home / ".ros2course")
     return found
 
 
-def judgement(result: Result) -> Judged:
+def judgment(result: Result) -> Judged:
     failed = frozenset(check.id for check in result.checks if check.outcome is Outcome.FAILED)
     return result.verdict.value, failed
 
@@ -193,7 +197,7 @@ def report(goes: Sequence[Go], alone: Sequence[tuple[str, float, Judged]]) -> No
     rows = [row(go, one_by_one) for go in goes]
     head = ("people", "jobs", "whole (s)", "a minute", "x check", "s each", "attempts", "our error", "lag")
     show("grade", head, rows)
-    roles = ("coordinator", "worker", "grading", "submission, build", "bubblewrap")
+    roles = ("coordinator", "worker", "recording", "judging", "submission, build", "bubblewrap")
     sizes = [[str(go.people), str(go.jobs)] for go in goes]
     memory = [[f"{go.peaks.memory[role] / MB:.0f}" for role in roles] for go in goes]
     used = [[f"{go.peaks.seconds(role) / go.people:.2f}" for role in roles] for go in goes]

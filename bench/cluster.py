@@ -22,14 +22,13 @@ import psutil
 from mixed import lay_mixed
 from table import show
 
-from course.batch.cluster import LOCAL
-from course.batch.cluster.connect import scheduler_at
-from course.batch.cluster.fitness import wanted
-from course.batch.cluster.rounds import Cluster
-from course.batch.model import Graded
-from course.batch.plan import plan
-from course.batch.run import Batch, Progress, Rounds, default_jobs, results_folder, run
+from course.batch.batch_plan import plan_batch
+from course.batch.gradings import Graded
+from course.batch.run import Batch, BatchProgress, Rounds, default_jobs, results_folder, run
 from course.content import open_course
+from course_cluster.connect import LOCAL, scheduler_at
+from course_cluster.coordinator import Cluster
+from course_cluster.fitness import wanted
 
 
 @dataclass
@@ -86,7 +85,7 @@ def grade(top: Path, name: str, exercise: str, cluster: str | None = None, kill_
     began = time.monotonic()
     out = top / name
     with results_folder(out) as results, ExitStack() as stack:
-        planned = plan(top / "class", out / "opened", open_course(), [exercise], single=False)
+        planned = plan_batch(top / "class", out / "opened", open_course(), [exercise], single=False)
         rounds: Rounds | None = None
         if cluster:
             client = stack.enter_context(scheduler_at(cluster))
@@ -98,8 +97,8 @@ def grade(top: Path, name: str, exercise: str, cluster: str | None = None, kill_
         return go
 
 
-def teller(go: Go, kill_after: int) -> Callable[[Progress, Graded | None], None]:
-    def tell(progress: Progress, graded: Graded | None) -> None:
+def teller(go: Go, kill_after: int) -> Callable[[BatchProgress, Graded | None], None]:
+    def tell(progress: BatchProgress, graded: Graded | None) -> None:
         if graded is None:
             return
         go.told[graded.unit.person] += 1

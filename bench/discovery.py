@@ -18,7 +18,7 @@ from statistics import median
 
 from table import percentile, show
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment, prepare
 
 ROOT = Path(__file__).parents[1]
@@ -63,7 +63,7 @@ def row(name: str, values: list[float]) -> list[str]:
 
 
 def measured(tries: int, *, default: bool, namespaces: bool) -> list[float]:
-    """In batches, each in an enclosure of its own, as every check has one."""
+    """In batches, each in namespaces of its own, as every check has one."""
     batches = [min(BATCH, tries - start) for start in range(0, tries, BATCH)]
     return [delay for size in batches for delay in batch(size, default=default, namespaces=namespaces)]
 
@@ -71,7 +71,7 @@ def measured(tries: int, *, default: bool, namespaces: bool) -> list[float]:
 def batch(tries: int, *, default: bool, namespaces: bool) -> list[float]:
     ros = find_ros()
     prepare(ros)
-    with enclosure(namespaces=namespaces) as where:
+    with isolated(namespaces=namespaces) as where:
         environment = {**node_environment(ros), **where.environment, "PYTHONPATH": str(ROOT)}
         for name in OURS if default else ():
             del environment[name]
@@ -81,12 +81,11 @@ def batch(tries: int, *, default: bool, namespaces: bool) -> list[float]:
 
 
 def first_messages(tries: int) -> list[float]:
-    """Runs in the enclosure: one recorder, one new publisher process after the other."""
+    """Runs in there: one recorder, one new publisher process after the other."""
     from course.evidence.recorder import Recorder
     from course.evidence.timeline import Timeline
 
     timeline = Timeline()
-    zero = time.monotonic() - timeline.now()
     delays = []
     with tempfile.NamedTemporaryFile("w", suffix=".py") as program, Recorder(timeline) as recorder:
         program.write(PUBLISHER)
@@ -96,9 +95,10 @@ def first_messages(tries: int) -> list[float]:
             command = [sys.executable, program.name, listener.topic]
             process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
             ready = float(process.stdout.readline().split()[1])
-            timeline.wait_until(lambda listener=listener: listener.count > 0, 10)
-            seen = next(e.t for e in timeline.events() if getattr(e, "topic", None) == listener.topic)
-            delays.append(max(0.0, zero + seen - ready))
+            if not timeline.wait_until(lambda listener=listener: listener.count > 0, 10):
+                raise SystemExit(f"no message came on {listener.topic} within 10 s")
+            # By our own clock: what the message says of its time is when it was sent.
+            delays.append(time.monotonic() - ready)
             process.send_signal(signal.SIGINT)  # it takes its leave, so nobody goes on announcing to it
             process.wait()
     return delays

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from table import show
 
-from course.batch.intake import Kind, find_sources, lay_out, look
+from course.batch.intake import SubmissionKind, find_sources, lay_out, look
 from course.content import Exercise, open_course
 from course.grading import trial
 
@@ -76,7 +76,7 @@ def row(form: str, path: Path, folder: Path, exercises: tuple[Exercise, ...]) ->
     find, sources = timed(lambda: find_sources(path, out / "class"))
     looked, found = timed(lambda: [look(s, out / "opened" / s.person.id, exercises) for s in sources.each])
     laid, _ = timed(lambda: [lay_out(each, out / "homes" / each.person.id) for each in found])
-    assert all(each.kind is Kind.HOME and not each.findings for each in found)
+    assert all(each.kind is SubmissionKind.HOME and not each.findings for each in found)
     floor, _ = timed(lambda: plainly(path, plain))
     shutil.rmtree(out)
     shutil.rmtree(plain)

@@ -21,7 +21,7 @@ from pathlib import Path
 
 from table import show
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment, prepare
 
 ROOT = Path(__file__).parents[1]
@@ -81,7 +81,7 @@ def main() -> None:
     elif options.inside:
         print(json.dumps([row(*case, options.seconds) for case in cases()]))
     else:
-        show(f"The joint stream for {options.seconds:.0f} s", HEAD, in_an_enclosure(options.seconds))
+        show(f"The joint stream for {options.seconds:.0f} s", HEAD, in_namespaces(options.seconds))
 
 
 def cases() -> list[tuple[str, str, float, str]]:
@@ -89,10 +89,10 @@ def cases() -> list[tuple[str, str, float, str]]:
     return [(*topic, rate, who) for topic in topics for rate in RATES for who in ("floor", "recorder")]
 
 
-def in_an_enclosure(seconds: float) -> list[list[str]]:
+def in_namespaces(seconds: float) -> list[list[str]]:
     ros = find_ros()
     prepare(ros)
-    with enclosure() as where:
+    with isolated() as where:
         environment = {**node_environment(ros), **where.environment}
         environment["PYTHONPATH"] += f":{ROOT}"
         command = [*where.prefix, sys.executable, __file__, "--inside", "--seconds", str(seconds)]
@@ -141,11 +141,11 @@ def floor(topic: str, kind: str, sent: int) -> Heard:
 
 
 def recorder(topic: str, kind: str, sent: int) -> Heard:
-    from course.evidence.events import MessageSeen
     from course.evidence.mcap_file import save
     from course.evidence.recorder import Recorder
     from course.evidence.recording import Recording
     from course.evidence.timeline import Timeline
+    from course.model.events import MessageSeen
 
     timeline = Timeline()
     with Recorder(timeline) as ours:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
-from course.content import open_course
+from course.content import Course, open_course
 from course.grading import trial
+from course.validate.proofs import Proof, ProofKind
+from course.validate.prover import lay
 
 
 def lay_mixed(folder: Path, people: int, exercise_id: str) -> list[Path]:
@@ -21,3 +24,25 @@ def lay_mixed(folder: Path, people: int, exercise_id: str) -> list[Path]:
         else:
             trial.lay_solution(course, exercise, home)
     return sorted(folder.iterdir())
+
+
+def variants(exercise_id: str, course: Course | None = None) -> list[tuple[str, str]]:
+    """The solution, the alternatives and the known mistakes: kind and name of each."""
+    exercise = (course or open_course()).exercise(exercise_id)
+    right = [("solution", ""), *(("alternative", other.name) for other in exercise.alternatives())]
+    return right + [("mistake", mistake.id) for mistake in exercise.mistakes()]
+
+
+def lay_variants(folder: Path, people: int, exercise_id: str, course: Course | None = None) -> None:
+    """Person n has the n-th variant, in turn. Homes that are there already stay as they are."""
+    course = course or open_course()
+    exercise, kinds = course.exercise(exercise_id), variants(exercise_id, course)
+    for number in range(people):
+        home = folder / f"p{number:05}"
+        if not home.exists():
+            kind, name = kinds[number % len(kinds)]
+            beside = folder / f".p{number:05}"
+            shutil.rmtree(beside, ignore_errors=True)
+            beside.mkdir(parents=True)
+            lay(course, exercise, Proof(exercise_id, ProofKind(kind), name), beside)
+            beside.rename(home)  # whole or not at all

@@ -2,7 +2,7 @@
 
 Messages come in bursts of a hundred; the next burst begins when the hearer has thanked for the last message
 of the one before, so nothing is lost and everybody does the same work. Programs in C++ are compiled as a
-learner's are: without optimization. All of it runs in an enclosure of its own, in turns.
+learner's are: without optimization. All of it runs in namespaces of its own, in turns.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from statistics import median
 
 from table import show
 
-from course.arena.enclosure import enclosure
 from course.build.builder import build
 from course.build.store import Store
 from course.build.workspace import Workspace
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment, prepare, underlay_builds
 
 ROOT = Path(__file__).parents[1]
@@ -86,7 +86,7 @@ def main() -> None:
     if options.inside:
         print(json.dumps(measured(Path(options.inside), options.seconds, options.rounds)))
         return
-    found = in_an_enclosure(options.seconds, options.rounds)
+    found = in_namespaces(options.seconds, options.rounds)
     floor = {place: median(rates) for place, rates in found["floor"].items()}
     peer = {place: median(rates) for place, rates in found["rclpy"].items()}
     rows = [
@@ -100,10 +100,10 @@ def main() -> None:
     show("what a node costs", ("step", "seconds (CPU for the compiler)"), costs)
 
 
-def in_an_enclosure(seconds: float, rounds: int) -> dict[str, dict]:
+def in_namespaces(seconds: float, rounds: int) -> dict[str, dict]:
     ros = find_ros()
     prepare(ros)
-    with tempfile.TemporaryDirectory() as folder, enclosure() as where:
+    with tempfile.TemporaryDirectory() as folder, isolated() as where:
         (Path(folder) / "src").mkdir()
         for package in PACKAGES:
             (Path(folder) / "src" / package.name).symlink_to(package)

@@ -23,10 +23,12 @@ from whole_course import homes
 from course.content import Exercise
 from course.evidence.mcap_file import load
 from course.grading import trial
-from course.grading.check import check_exercise
-from course.grading.rejudge import Problem, Stored, lacks, moves, regraded, rejudge
-from course.grading.result import Result
+from course.grading.check import Request, check_exercise
+from course.grading.judge.judges import StoredRecording, rejudge
+from course.grading.judge.regraded import lacks, moves, regraded
+from course.grading.protocol import Unjudged
 from course.grading.trial_answers import SEED
+from course.model.result import Result
 from course.rosenv import find_ros
 
 EXERCISES = """
@@ -41,7 +43,8 @@ class Kept:
 
     def __init__(self, exercise: Exercise, home: Path, evidence: Path) -> None:
         self.exercise, self.home, self.evidence = exercise, home, evidence
-        self.result: Result = check_exercise(exercise, home, ros=find_ros(), seed=SEED, evidence=evidence)
+        request = Request(exercise, home, ros=find_ros(), seed=SEED, evidence=evidence)
+        self.result: Result = check_exercise(request)
 
 
 def main() -> None:
@@ -85,28 +88,28 @@ def mistaken(exercise: Exercise, home: Path, folder: Path) -> Kept | None:
     return None
 
 
-def copies(kept: list[Kept], count: int, folder: Path) -> list[Stored[Kept]]:
+def copies(kept: list[Kept], count: int, folder: Path) -> list[StoredRecording[Kept]]:
     folder.mkdir()
     stored = []
     for number, one in enumerate(islice(cycle(kept), count)):
         file = folder / f"{number}.mcap"
         shutil.copy(one.evidence, file)
-        stored.append(Stored(one, one.exercise, file))
+        stored.append(StoredRecording(one, one.exercise, file))
     return stored
 
 
-def loaded(stored: list[Stored[Kept]]) -> None:
+def loaded(stored: list[StoredRecording[Kept]]) -> None:
     for one in stored:
         load(one.file)
 
 
-def judged(stored: list[Stored[Kept]], jobs: int) -> None:
+def judged(stored: list[StoredRecording[Kept]], jobs: int) -> None:
     """Ends the bench where a verdict is another one now, or a recording is said not to suffice."""
     count = 0
     for kept, answer in rejudge(stored, jobs=jobs):
-        if isinstance(answer, Problem):
+        if isinstance(answer, Unjudged):
             raise SystemExit(f"{kept.evidence.name}: {answer}")
-        after = regraded(kept.result, kept.exercise, answer.judgement, kept.home, SEED)
+        after = regraded(kept.result, kept.exercise, answer.judgment, kept.home, SEED)
         moved, lack = moves(kept.result, after), lacks(kept.result, after, answer)
         if moved or lack or after.verdict is not kept.result.verdict:
             raise SystemExit(f"{kept.evidence.name}: {after.verdict.value}: {lack} {moved}")

@@ -1,6 +1,10 @@
-"""Fifty checks of a right solution in a row, quiet and with all cores kept busy.
+"""Many gradings of right and wrong programs under load: does any verdict differ from the quiet one?
 
-Every verdict that is not «passed» is printed with its reason.
+For each exercise, a class hands in the solution, the alternatives and the known mistakes in turn. The usual
+`grade` command grades each of them once quietly, two at a time, and then GRADINGS in all with LOAD programs
+at once: JOBS gradings, and busy loops for the rest. Each check is compared with the quiet grading of the same
+files. All that is done is in the folder --keep: stop this at any moment, even with kill -9, and the same
+command goes on where it was.
 """
 
 from __future__ import annotations
@@ -9,52 +13,103 @@ import argparse
 import contextlib
 import multiprocessing
 import os
-import time
+import sqlite3
+import subprocess
+import sys
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
 
-from solved import solved
-from table import show, spread
+from mixed import lay_variants, variants
+from table import percentile, show
 
-from course.grading.check import check_exercise
-from course.grading.result import Outcome, Result
-from course.rosenv import find_ros
+from course.batch.results import FILE
+
+EXERCISES = ("18-publisher", "18-subscriber", "20-server", "20-client", "22-parameters")
+# So many of each exercise in turn, with a table after each turn.
+PORTION = 50
+Checks = dict[str, str]
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--exercise", default="18-publisher")
-    parser.add_argument("--rounds", type=int, default=50)
-    parser.add_argument("--domain", action="store_true", help="without namespaces")
+    parser.add_argument("--exercises", nargs="+", default=EXERCISES)
+    parser.add_argument("--gradings", type=int, default=2000, help="under load, of all exercises together")
+    parser.add_argument("--load", type=int, default=10, help="programs at once, the gradings among them")
+    parser.add_argument("--jobs", type=int, default=8, help="gradings at once under load")
+    parser.add_argument("--keep", type=Path, default=Path("repeated"), help="folder for all that is done")
     options = parser.parse_args()
-    rows = []
-    for name, load in (("quiet", 0), ("busy", os.cpu_count() or 1)):
-        with busy(load):
-            rows.append([name, *checked(options.exercise, options.rounds, namespaces=not options.domain)])
-    head = ("machine", "passed", "not passed", "our error", "median", "90 %", "slowest")
-    show(f"{options.rounds} checks of the right {options.exercise} (s)", head, rows)
+    each = -(-options.gradings // len(options.exercises))
+    quiet = {
+        name: graded(name, options.keep / name / "quiet", len(variants(name)), 2)
+        for name in options.exercises
+    }
+    for people in (*range(PORTION, each, PORTION), each):
+        rows = []
+        for name in options.exercises:
+            with busy(options.load - options.jobs):
+                folder = options.keep / name / f"load-{options.load}"
+                rows.append(row(name, quiet[name], graded(name, folder, people, options.jobs)))
+        load = f"the machine's load is {os.getloadavg()[2]:.0f}"
+        show(f"{options.load} programs at once, {options.jobs} of them gradings; {load}", HEAD, rows)
 
 
-def checked(exercise_id: str, rounds: int, *, namespaces: bool) -> list[str]:
-    verdicts: Counter[str] = Counter()
-    taken = []
-    with solved(exercise_id) as (exercise, home):
-        for number in range(rounds):
-            began = time.monotonic()
-            result = check_exercise(exercise, home, ros=find_ros(), namespaces=namespaces)
-            taken.append(time.monotonic() - began)
-            verdicts[result.verdict.value] += 1
-            explain(number, result)
-    return [str(verdicts[name]) for name in ("passed", "not passed", "our error")] + spread(taken)
+def graded(exercise: str, folder: Path, people: int, jobs: int) -> sqlite3.Connection:
+    """The results of a class of so many people; only what is not in the folder yet is graded."""
+    lay_variants(folder / "class", people, exercise)
+    command = ["grade", str(folder / "class"), "--exercises", exercise, "--jobs", str(jobs)]
+    subprocess.run(
+        [sys.executable, "-m", "course", *command, "--out", str(folder / "grades")],
+        cwd=Path(__file__).parents[1],
+        check=False,  # that not all pass, or something is our error, is what is asked for
+        stdout=subprocess.DEVNULL,
+    )
+    return sqlite3.connect(folder / "grades" / FILE)
 
 
-def explain(number: int, result: Result) -> None:
-    for check in result.checks:
-        if check.outcome is not Outcome.PASSED:
-            why = check.feedback or check.skipped_because
-            print(f"round {number}: {check.id} {check.outcome.value}: {why}")
-    if result.fault:
-        print(f"round {number}: {result.fault}")
+HEAD = ("exercise", "gradings", "right", "wrong", "differ", "reruns", "our errors", "median (s)", "90 % (s)")
+
+
+def row(exercise: str, quiet: sqlite3.Connection, loaded: sqlite3.Connection) -> list[str]:
+    """Prints each grading that differs."""
+    kinds = [f"{kind} {name}".strip() for kind, name in variants(exercise)]
+    wanted, found = outcomes(quiet), outcomes(loaded)
+    differing = 0
+    for person, checks in sorted(found.items()):
+        expected = wanted[f"p{int(person[1:]) % len(kinds):05}"]
+        if checks != expected:
+            differing += 1
+            kind = kinds[int(person[1:]) % len(kinds)]
+            print(f"{exercise} {person}, {kind}: {', '.join(changes(expected, checks))}")
+    gradings = loaded.execute("SELECT verdict, attempt, seconds FROM gradings").fetchall()
+    verdicts = Counter(verdict for verdict, _, _ in gradings)
+    seconds = [taken for *_, taken in gradings]
+    right = sum(expected["verdict"] == "passed" for expected in wanted.values())
+    return [
+        exercise,
+        str(len(gradings)),
+        f"{right} ways",
+        f"{len(wanted) - right} ways",
+        str(differing),
+        str(sum(attempt > 1 for _, attempt, _ in gradings)),
+        str(verdicts["our error"]),
+        f"{percentile(seconds, 0.5):.1f}",
+        f"{percentile(seconds, 0.9):.1f}",
+    ]
+
+
+def changes(expected: Checks, found: Checks) -> list[str]:
+    names = [name for name in expected.keys() | found.keys() if expected.get(name) != found.get(name)]
+    return [f"{name}: {expected.get(name)} -> {found.get(name)}" for name in sorted(names)]
+
+
+def outcomes(database: sqlite3.Connection) -> dict[str, Checks]:
+    """By person: the verdict, and the outcome of each check."""
+    gradings = database.execute("SELECT person, verdict FROM gradings")
+    found: dict[str, Checks] = {person: {"verdict": verdict} for person, verdict in gradings}
+    for person, check, outcome in database.execute("SELECT person, check_id, outcome FROM checks"):
+        found[person][check] = outcome
+    return found
 
 
 @contextlib.contextmanager
@@ -72,7 +127,8 @@ def busy(processes: int) -> Iterator[None]:
 
 
 def burn() -> None:
-    while True:
+    parent = os.getppid()
+    while os.getppid() == parent:  # if we are killed, nobody should have to look for these
         pass
 
 

@@ -22,13 +22,14 @@ from statistics import median
 from table import show
 
 import course as package
-from course.batch.model import Graded, Unit
-from course.batch.noted import Noted, note
-from course.batch.pages import PICTURES_ROOM, read, with_pictures
-from course.batch.results import Results, Submission
+from course.batch.class_page import PICTURES_ROOM, read_class, with_pictures
+from course.batch.gradings import Graded, Unit
+from course.batch.results import BatchSettings, Results, Submission, keep_settings
 from course.content import Course, open_course
 from course.evidence import mcap_file
-from course.evidence.events import (
+from course.evidence.recording import Recording
+from course.files import write_pieces
+from course.model.events import (
     GraphSeen,
     MessageSeen,
     OutputLine,
@@ -36,11 +37,9 @@ from course.evidence.events import (
     ProcessStarted,
     SignalSent,
 )
-from course.evidence.graph import Graph
-from course.evidence.recording import Recording
-from course.feedback import Feedback, Location
-from course.grading.result import CheckResult, Outcome, Result, Timing, verdict_of
-from course.report.gradebook.files import write
+from course.model.feedback import Feedback, Location
+from course.model.graph import Graph
+from course.model.result import CheckResult, Outcome, Result, Timing, verdict_of
 from course.report.page.html import class_page
 
 NUMBER = "std_msgs/msg/Int32"
@@ -95,9 +94,9 @@ def cpu() -> float:
 def made(out: Path, page: Path) -> tuple[float, int]:
     began = time.monotonic()
     with Results.look(out) as results:
-        found = read(out, results, open_course())
+        found = read_class(out, results, open_course())
     whole = with_pictures(found, PICTURES_ROOM, lambda done, total: None)
-    write(page, class_page(whole))
+    write_pieces(page, class_page(whole))
     return time.monotonic() - began, len(whole.pictures)
 
 
@@ -135,7 +134,9 @@ def a_class(out: Path, people: int, exercises: int, recorded: float) -> int:
     with Results.open(out) as results, results.all_or_nothing():
         every = [f"learner{number:04}" for number in range(people)]
         results.enter([Submission(one, f"Learner {one[7:]} Müller", f"{one}.zip", "d") for one in every])
-        note(results, Noted(out / "class", (), tuple(asked), False, True, datetime.now(timezone.utc)))
+        keep_settings(
+            results, BatchSettings(out / "class", (), tuple(asked), False, True, datetime.now(timezone.utc))
+        )
         for person in every:
             for name, recording in zip(asked, recordings, strict=True):
                 file = f"evidence/{person}/{name}.mcap" if chance.random() < recorded else None
@@ -159,7 +160,7 @@ def a_check(number: int, passed: bool, chance: random.Random) -> CheckResult:
     if passed:
         return CheckResult(f"step_{number}", title, 1, Outcome.PASSED)
     if number % 2:
-        return CheckResult(f"step_{number}", title, 1, Outcome.SKIPPED, skipped_because="needs «step»")
+        return CheckResult(f"step_{number}", title, 1, Outcome.SKIPPED, skipped_because='needs "step"')
     name = f"node_{chance.randrange(10**6):06}"
     place = Location(f"ros2_tutorial_workspace/src/package_{name}/package/{name}.py", chance.randrange(1, 90))
     feedback = Feedback(

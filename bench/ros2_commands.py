@@ -17,7 +17,7 @@ from statistics import median
 
 from table import show, spread
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment, prepare
 
 ROOT = Path(__file__).parents[1]
@@ -52,7 +52,7 @@ def main() -> None:
     if options.inside:
         print(json.dumps(measured(options.rounds)))
         return
-    times = in_an_enclosure(options.rounds)
+    times = in_namespaces(options.rounds)
     floor = median(times["python -c pass"])
     rows = [row(name, taken, floor) for name, taken in times.items()]
     head = ("command", "median", "90 %", "slowest", "x floor", "real one", "ours / real")
@@ -65,10 +65,10 @@ def row(name: str, taken: list[float], floor: float) -> list[str]:
     return [name, *spread(taken), f"{median(taken) / floor:.1f}", *compared]
 
 
-def in_an_enclosure(rounds: int) -> dict[str, list[float]]:
+def in_namespaces(rounds: int) -> dict[str, list[float]]:
     ros = find_ros()
     prepare(ros)
-    with enclosure() as where:
+    with isolated() as where:
         environment = {**node_environment(ros), **where.environment}
         environment["PYTHONPATH"] += f":{ROOT}"
         command = [*where.prefix, sys.executable, __file__, "--inside", "--rounds", str(rounds)]
@@ -77,7 +77,7 @@ def in_an_enclosure(rounds: int) -> dict[str, list[float]]:
 
 
 def measured(rounds: int) -> dict[str, list[float]]:
-    """Runs in the enclosure: each round every command once, so that a busy moment meets them all."""
+    """Runs in there: each round every command once, so that a busy moment meets them all."""
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     nodes = [subprocess.Popen(["ros2", "run", *node], **quiet) for node in NODES]
     commands = {name: [sys.executable, *words] for name, words in FLOORS.items()}

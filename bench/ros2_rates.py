@@ -16,7 +16,7 @@ from pathlib import Path
 
 from table import show
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment, prepare
 
 ROOT = Path(__file__).parents[1]
@@ -53,17 +53,17 @@ def main() -> None:
             json.dumps({"hz": [hz(rate, seconds) for rate, seconds in RATES.items()], "echo": echo(1000.0)})
         )
         return
-    found = in_an_enclosure()
+    found = in_namespaces()
     rows = [[f"{true:.2f}", f"{read:.3f}", f"{100 * (read / true - 1):+.2f} %"] for true, read in found["hz"]]
     show("ros2 topic hz", ("true rate (Hz)", "read", "off by"), rows)
     sent, rate, seen = found["echo"]
     show("ros2 topic echo", ("rate (Hz)", "sent", "shown"), [[f"{rate:.0f}", str(sent), str(seen)]])
 
 
-def in_an_enclosure() -> dict[str, list]:
+def in_namespaces() -> dict[str, list]:
     ros = find_ros()
     prepare(ros)
-    with enclosure() as where:
+    with isolated() as where:
         environment = {**node_environment(ros), **where.environment}
         environment["PYTHONPATH"] += f":{ROOT}"
         command = [*where.prefix, sys.executable, __file__, "--inside"]

@@ -1,126 +1,239 @@
-"""A class compared, and the library alone: its fingerprints of the same files, intersected pair by pair.
+"""A class compared: what it costs, and how many copies are found, by other tools as well.
 
-Every person has an own way of the exercise with names, numbers and the order of methods changed, so that
-no two files are the same; a tenth of the class has another one's work, with all names changed.
+Every person has an own way of the exercise with numbers and the order of methods changed, so that no two
+files are the same. Some have another one's work, disguised in one of several ways. Each tool ranks all
+pairs; a copy is found when it is among the first pairs, as many as there are copies.
+`--copydetect` and `--dolos FOLDER` add these tools: `pip install copydetect`; in FOLDER,
+`npm install @dodona/dolos-lib`. They are given each submission as one file, which suits them best.
 """
 
 from __future__ import annotations
 
 import argparse
+import io
+import json
 import random
 import re
 import resource
+import subprocess
 import tempfile
 import time
+import warnings
+from collections.abc import Callable
 from itertools import combinations
 from pathlib import Path
 
 from table import show
 
-from course.batch.similar import Solutions, Wanted, find_similar
-from course.batch.similar.reading import is_program
-from course.batch.similar.work import File
 from course.content import Exercise, open_course
 from course.grading import trial
+from course_similar import Solutions, Wanted, find_similar
+from course_similar.tokens import File, is_program
 
-COPIED = 10  # one in so many
-WAYS = 3  # of each exercise
-FINGERPRINT = re.compile(r"\b[0-9a-f]{8}\b")
-HEAD = ("exercise", "people", "kB each", "pairs", "copies found", "same way", "other way")
-COSTS = ("ours (s CPU)", "pairs/s", "library (s CPU)", "pairs/s", "x library", "MB")
+Pair = tuple[int, int]
+Ranked = dict[Pair, float]
+Change = Callable[[str, random.Random], str]
+HEAD = ("exercise", "people", "kB each", "pairs", "tool", "s", "pairs/s", "copies found")
+DOLOS = """
+import("@dodona/dolos-lib").then(async ({Dolos}) => {
+  const fs = require("fs"), folder = process.argv[1];
+  const report = await new Dolos().analyzePaths(fs.readdirSync(folder).map(file => `${folder}/${file}`));
+  const share = pair => Math.max(pair.leftCovered / pair.leftTotal, pair.rightCovered / pair.rightTotal);
+  const row = pair => [pair.leftFile.path, pair.rightFile.path, share(pair)];
+  console.log(JSON.stringify(report.allPairs().map(row)));
+})
+"""
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--people", type=int, nargs="+", default=[100, 200, 400])
-    parser.add_argument("--exercises", nargs="+", default=["18-publisher", "22-launch"])
+    parser.add_argument("--people", type=int, nargs="+", default=[80, 160])
+    parser.add_argument(
+        "--exercises", nargs="+", default=["14-library", "18-publisher", "20-client", "22-launch"]
+    )
+    parser.add_argument("--copydetect", action="store_true")
+    parser.add_argument("--dolos", type=Path, metavar="FOLDER")
     options = parser.parse_args()
+    tools: dict[str, Callable[[Path], Ranked]] = {"ours": of_ours}
+    if options.copydetect:
+        tools["copydetect"] = of_copydetect
+    if options.dolos:
+        tools["Dolos"] = lambda folder: of_dolos(folder, options.dolos)
     rows = []
     for name in options.exercises:
         for people in options.people:
             with tempfile.TemporaryDirectory(prefix="ros2course-bench-") as folder:
-                a_class(Path(folder) / "class", open_course().exercise(name), people)
-                rows.append(row(name, Path(folder), people))
-    show("Classes compared, and who was called alike", (*HEAD, *COSTS), rows)
-
-
-def row(name: str, folder: Path, people: int) -> list[str]:
-    pairs = people * (people - 1) // 2
-    files = [path for path in (folder / "class").rglob("*") if path.is_file()]
-    programs = [path for path in files if is_program(File(str(path.relative_to(folder)), path))]
-    size = sum(path.stat().st_size for path in programs) / people / 1000
-    ours, alike = of_ours(folder, pairs)
-    library = of_library(folder / "class", programs)
+                copies = a_class(Path(folder) / "class", open_course().exercise(name), people)
+                rows += [row(name, Path(folder), copies, tool, tools[tool]) for tool in tools]
+    show("Classes compared, and which copies were found", (*HEAD, *DISGUISES), rows)
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1000
-    found = [name, str(people), f"{size:.1f}", f"{pairs:,}", *judged(alike, people)]
-    costs = [f"{ours:.2f}", f"{pairs / ours:,.0f}", f"{library:.2f}", f"{pairs / library:,.0f}"]
-    return [*found, *costs, f"{ours / library:.0f}", f"{memory:.0f}"]
+    print(f"\nat most {memory:.0f} MB")
 
 
-def judged(alike: set[tuple[int, int]], people: int) -> list[str]:
-    """Copies that were found; others called alike who began from the same way, and from different ones."""
-    copies = {pair for pair in alike if author(pair[0], people) == author(pair[1], people)}
-    same = {pair for pair in alike - copies if way(pair[0], people) == way(pair[1], people)}
-    return [f"{len(copies)} of {people // COPIED}", str(len(same)), str(len(alike - copies - same))]
+def row(
+    name: str, folder: Path, copies: dict[Pair, str], tool: str, ranked_by: Callable[[Path], Ranked]
+) -> list[str]:
+    submissions = programs(folder / "class")
+    people = len(submissions)
+    size = sum(path.stat().st_size for paths in submissions.values() for path in paths) / people / 1000
+    began = time.process_time() + children()
+    shares = ranked_by(folder)
+    seconds = time.process_time() + children() - began
+    first = sorted(shares, key=lambda pair: -shares[pair])[: len(copies)]
+    found = [disguise for pair, disguise in copies.items() if pair in first]
+    assert found, f"{tool} found no copy at all"
+    pairs = people * (people - 1) // 2
+    head = [name, str(people), f"{size:.1f}", f"{pairs:,}", tool, f"{seconds:.1f}", f"{pairs / seconds:,.0f}"]
+    by_disguise = [f"{found.count(one)}/{[*copies.values()].count(one)}" for one in DISGUISES]
+    return [*head, f"{len(found)} of {len(copies)}", *by_disguise]
 
 
-def of_ours(folder: Path, pairs: int) -> tuple[float, set[tuple[int, int]]]:
-    wanted = Wanted(pairs=pairs, matches=0)
-    began = time.process_time()
-    found = find_similar(
-        folder / "class", folder / "opened", open_course(), wanted, Solutions.ALONE, lambda _: None
-    )
-    seconds = time.process_time() - began
-    names = ((pair.one.name.split()[1], pair.other.name.split()[1]) for pair in found.pairs)
-    return seconds, {(min(int(a), int(b)), max(int(a), int(b))) for a, b in names}
+def children() -> float:
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
-def of_library(folder: Path, programs: list[Path]) -> float:
-    from scanoss_winnowing.winnowing import Winnowing
-
-    began = time.process_time()
-    winnowing = Winnowing(quiet=True, all_extensions=True)
-    found: dict[str, set[str]] = {}
-    for path in programs:
-        text = winnowing.wfp_for_contents(path.name, False, path.read_bytes()).partition("\n")[2]
-        found.setdefault(path.relative_to(folder).parts[0], set()).update(FINGERPRINT.findall(text))
-    assert sum(len(one & other) >= 0 for one, other in combinations(found.values(), 2))
-    return time.process_time() - began
+def of_ours(folder: Path) -> Ranked:
+    wanted = Wanted(share=0.01, lines=1, pairs=10**9, matches=0)
+    every = (folder / "class", folder / "opened", open_course(), wanted, Solutions.ALONE)
+    found = find_similar(*every, lambda _: None)
+    return {
+        ordered(pair.one.name.split()[1], pair.other.name.split()[1]): max(pair.one.share, pair.other.share)
+        for pair in found.pairs
+    }
 
 
-def author(number: int, people: int) -> int:
-    """Whose work a person has: the last ones have that of others."""
-    copies = people // COPIED
-    return number if number < people - copies else number - copies
+def of_copydetect(folder: Path) -> Ranked:
+    """With the tool's own lengths, and the starters as boilerplate."""
+    from copydetect import CodeFingerprint, compare_files
+
+    warnings.simplefilter("ignore")
+    starters = {path for exercise in open_course().exercises() for path in exercise.starter.rglob("*.py")}
+    given = sorted({one for path in starters for one in CodeFingerprint(str(path), 25, 1).hashes})
+    prints = {
+        number: CodeFingerprint("all.py", 25, 6, given, fp=io.StringIO(whole(paths)))
+        for number, paths in programs(folder / "class").items()
+    }
+    return {
+        ordered(one, other): max(compare_files(prints[one], prints[other])[1])
+        for one, other in combinations(prints, 2)
+    }
 
 
-def way(number: int, people: int) -> int:
-    return author(number, people) % WAYS
+def of_dolos(folder: Path, installed: Path) -> Ranked:
+    with tempfile.TemporaryDirectory(prefix="ros2course-bench-") as files:
+        for number, paths in programs(folder / "class").items():
+            Path(files, f"{number}.py").write_text(whole(paths))
+        words = ["node", "-e", DOLOS, files]
+        done = subprocess.run(words, cwd=installed, capture_output=True, text=True, check=True)
+    return {ordered(Path(one).stem, Path(other).stem): share for one, other, share in json.loads(done.stdout)}
 
 
-def a_class(folder: Path, exercise: Exercise, people: int) -> None:
-    course = open_course()
-    ways = exercise.alternatives()
+def ordered(one: str | int, other: str | int) -> Pair:
+    return min(int(one), int(other)), max(int(one), int(other))
+
+
+def programs(folder: Path) -> dict[int, list[Path]]:
+    """The programs of each person, by number."""
+    found: dict[int, list[Path]] = {}
+    for path in sorted(folder.rglob("*")):
+        if path.is_file() and is_program(File(str(path.relative_to(folder)), path)):
+            number = re.findall(r"\d+", path.relative_to(folder).parts[0])[0]
+            found.setdefault(int(number), []).append(path)
+    return found
+
+
+def whole(paths: list[Path]) -> str:
+    return "\n".join(path.read_text() for path in paths if path.suffix == ".py")
+
+
+def a_class(folder: Path, exercise: Exercise, people: int) -> dict[Pair, str]:
+    """Lays it out; the copies in it, with their disguises."""
+    course, ways = open_course(), exercise.alternatives()
+    honest = people - len(DISGUISES) * max(1, people // 20)
+    copies = {}
     for number in range(people):
+        author = number if number < honest else number - honest
         home = folder / f"Person {number}_{1000 + number}_assignsubmission_file_"
         home.mkdir(parents=True)
-        trial.lay_alternative(course, exercise, ways[way(number, people)], home)
-        draw = random.Random(f"{people} {author(number, people)}")
-        for path in sorted(home.rglob("*.py")):
-            path.write_text(written_anew(path.read_text(), number, draw))
+        trial.lay_alternative(course, exercise, ways[author % len(ways)], home)
+        draw = random.Random(f"{people} {author}")
+        written = [path for path in sorted(home.rglob("*.py")) if is_own(path)]
+        for path in written:
+            path.write_text(of_one_s_own(path.read_text(), draw))
+        if number >= honest:
+            disguise = list(DISGUISES)[number % len(DISGUISES)]
+            copies[author, number] = disguise
+            for path in written:
+                path.write_text(DISGUISES[disguise](path.read_text(), random.Random(number)))
+    return copies
 
 
-def written_anew(text: str, number: int, draw: random.Random) -> str:
-    """Statements in another order, with others between them, and other names."""
-    blocks = re.split(r"(?m)^(?=    def |def |class )", text)
-    head, rest = blocks[0], blocks[1:]
+def is_own(path: Path) -> bool:
+    return path.name not in ("setup.py", "__init__.py") and path.parent.name != "test"
+
+
+def of_one_s_own(text: str, draw: random.Random) -> str:
+    """Statements in another order, and others beside them."""
+    return (
+        reordered(text, draw) + f"\ndef extra(a, b):\n{statements(draw, draw.randrange(4, 12))}    return a\n"
+    )
+
+
+def renamed(text: str, draw: random.Random) -> str:
+    """Every name that is not the language's own or a library's, `self` too."""
+    names = re.findall(r"(?:def|class) ([a-z]\w+)|\b(?:self\.)?(\w+) = |\b(self)\b", text)
+    for name in {name for group in names for name in group if name and name.islower()}:
+        text = re.sub(rf"\b{name}\b(?!=)", f"{name[:2]}{draw.randrange(100)}", text)
+    return text
+
+
+def renumbered(text: str, draw: random.Random) -> str:
+    return re.sub(r"\b\d+(\.\d+)?\b", lambda _: str(draw.randrange(99)), text)
+
+
+def commented(text: str, draw: random.Random) -> str:
+    lines = re.sub(r'""".*?"""', '"""All my own."""', text, flags=re.DOTALL).split("\n")
+    return "\n".join(
+        f"{line}  # my idea" if line.endswith(":") and draw.random() < 0.5 else line for line in lines
+    )
+
+
+def reordered(text: str, draw: random.Random) -> str:
+    head, *rest = re.split(r"(?m)^(?=    def |def |class )", text)
     draw.shuffle(rest)
-    extra = "".join(statement(draw) for _ in range(draw.randrange(4, 12)))
-    changed = re.sub(r"\b(self|node|msg|logger)\b", rf"\1_{number}", "".join([head, *rest]))
-    return changed + f"\ndef extra_{number}(a, b):\n{extra}    return a\n"
+    return "".join([head, *rest])
 
 
-def statement(draw: random.Random) -> str:
+def padded(text: str, draw: random.Random) -> str:
+    """A statement after every fifth line, where one may stand."""
+    lines = []
+    for number, line in enumerate(text.split("\n")):
+        lines.append(line)
+        assigns = re.match(r"(\s+)\w[^([{]*=.*[^,([{:\\]$", line)
+        if assigns and number % 5 == 4:
+            lines.append(f"{assigns[1]}extra = {draw.randrange(9)}")
+    return "\n".join(lines)
+
+
+def halved(text: str, draw: random.Random) -> str:
+    """Half of it is one's own."""
+    count = text.count("\n") // 12
+    own = (f"\n\ndef own_{number}(a, b):\n{statements(draw, 8)}" for number in range(count))
+    return text + "".join(own)
+
+
+DISGUISES: dict[str, Change] = {
+    "renamed": renamed,
+    "renumbered": renumbered,
+    "commented": commented,
+    "reordered": reordered,
+    "padded": padded,
+    "halved": halved,
+}
+
+
+def statements(draw: random.Random, count: int) -> str:
     forms = (
         "    a = [b + {0} for b in range({1})]\n",
         "    if a > {0} and b[{1}]:\n        b.append(a)\n",
@@ -131,7 +244,7 @@ def statement(draw: random.Random) -> str:
         "    assert isinstance(a, int), b\n",
         "    a, b = b, a\n",
     )
-    return draw.choice(forms).format(draw.randrange(99), draw.randrange(99))
+    return "".join(draw.choice(forms).format(draw.randrange(99), draw.randrange(99)) for _ in range(count))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """How long `validate` takes: the whole course with no builds kept, again with all of them, and one exercise.
 
-    .venv/bin/python bench/validate.py                       all three
-    .venv/bin/python bench/validate.py --only 18-publisher   cold and warm, of this exercise alone
+.venv/bin/python bench/validate.py                       all three
+.venv/bin/python bench/validate.py --only 18-publisher   cold and warm, of this exercise alone
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from pathlib import Path
 from table import show
 
 from course.content import open_course
-from course.validate.plan import proofs
+from course.validate.proofs import proofs
 
 ROOT = Path(__file__).parents[1]
 AGAIN = re.compile(r"(\d+) gradings? (?:was|were) done again")

@@ -14,15 +14,15 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from repeat import busy, explain
+from repeat import busy
 from table import show
 
 from course.content import Exercise, open_course
 from course.grading import trial
-from course.grading.check import check_exercise
-from course.grading.result import Result, Verdict
+from course.grading.check import Request, check_exercise
 from course.grading.trial_answers import SEED
 from course.home import create_home
+from course.model.result import Outcome, Result, Verdict
 from course.rosenv import find_ros
 
 
@@ -48,6 +48,15 @@ def main() -> None:
     show(f"{len(solved)} solutions, {options.jobs} at once", head, goes)
     slowest = max(goes, key=lambda row: float(row[5]))
     print(f"\nslowest go: {slowest[5]} s")
+
+
+def explain(number: int, result: Result) -> None:
+    for check in result.checks:
+        if check.outcome is not Outcome.PASSED:
+            why = check.feedback or check.skipped_because
+            print(f"round {number}: {check.id} {check.outcome.value}: {why}")
+    if result.fault:
+        print(f"round {number}: {result.fault}")
 
 
 def go(number: int, solved: list[tuple[Exercise, Path]], jobs: int) -> list[str]:
@@ -81,7 +90,7 @@ def each(solved: list[tuple[Exercise, Path]]) -> list[list[str]]:
 def graded(solved: list[tuple[Exercise, Path]], jobs: int) -> list[Result]:
     ros = find_ros()
     with ThreadPoolExecutor(jobs) as pool:
-        return list(pool.map(lambda one: check_exercise(*one, ros=ros, seed=SEED), solved))
+        return list(pool.map(lambda one: check_exercise(Request(*one, ros=ros, seed=SEED)), solved))
 
 
 @contextlib.contextmanager

@@ -6,6 +6,7 @@ CourseError            what happened, and the next step
 │   └── ContentError   a lesson, grader or mistake file is wrong; says file, line and key
 ├── MissingHere        this machine lacks something: ROS, a compiler, a wheel (exit 4)
 └── StorageError       a file could not be written or read: full, read-only, no permission (exit 4)
+    └── DamagedData    what was read is not what was written; says where it is from (exit 4)
 
 Only `course/cli` turns these into a message and an exit code.
 """
@@ -18,7 +19,7 @@ from typing import ClassVar
 
 
 class ExitCode(IntEnum):
-    """What the process ends with; documented in `ros2course --help`."""
+    """The exit code of the process; documented in `ros2course --help`."""
 
     PASSED = 0
     NOT_PASSED = 1
@@ -55,7 +56,7 @@ class OurFault(CourseError):
 
 
 class ContentError(OurFault):
-    """A file of the course is wrong: `file`, and where known `line` (from 1) and `key`."""
+    """A file of the course is wrong: `file`, and if known `line` (from 1) and `key`."""
 
     def __init__(
         self,
@@ -78,7 +79,7 @@ class ContentError(OurFault):
 
 
 class MissingHere(CourseError):
-    """This machine lacks something that is needed; `next_step` names how to get it."""
+    """This machine lacks something; `next_step` says how to get it."""
 
     exit_code = ExitCode.MISSING_HERE
 
@@ -87,3 +88,7 @@ class StorageError(CourseError):
     """A file could not be written or read: disk full, read-only, no permission."""
 
     exit_code = ExitCode.MISSING_HERE
+
+
+class DamagedData(StorageError):
+    """Data from a file, database or other process is unreadable; says where it came from."""

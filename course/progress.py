@@ -7,26 +7,25 @@ a new one begun. Errors of ours are stored too, but never count as an attempt of
 from __future__ import annotations
 
 import contextlib
-import fcntl
 import os
 import sqlite3
 from collections.abc import Iterator
-from datetime import datetime, timezone
+from datetime import datetime
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING, Any, Literal
 
-from course.errors import StorageError, UsageError
+from course.database import BUSY_SECONDS, Database, begin, now, pragma
+from course.errors import DamagedData, StorageError, UsageError
+from course.files import locked
 
 if TYPE_CHECKING:
-    from course.grading.result import Result
+    from course.model.result import Result
 
 State = Literal["new", "begun", "tried", "passed"]
 
 FILE = "progress.sqlite3"
 SCHEMA_VERSION = 1
 APPLICATION = 0x726F7332  # "ros2", in the file's header: tells our files from anybody else's
-BUSY_SECONDS = 10.0
 
 _SCHEMA = f"""
 BEGIN IMMEDIATE;
@@ -38,7 +37,7 @@ CREATE TABLE attempts (
     counts INTEGER NOT NULL,     -- 0: our error, or not available here
     points REAL NOT NULL,
     max_points REAL NOT NULL,
-    result TEXT NOT NULL         -- JSON, as course.grading.result writes it
+    result TEXT NOT NULL         -- JSON, as course.model.result writes it
 );
 CREATE INDEX attempts_of_exercise ON attempts (exercise, counts);
 CREATE TABLE exercises (
@@ -55,11 +54,11 @@ COMMIT;
 """
 
 
-class Progress:
+class Progress(Database):
     """The progress kept in one course home. A context manager; `notices` tells what happened to the file."""
 
     def __init__(self, database: sqlite3.Connection, notices: tuple[str, ...] = ()) -> None:
-        self._database = database
+        super().__init__(database)
         self.notices = notices
 
     @classmethod
@@ -68,23 +67,16 @@ class Progress:
 
         Raises StorageError when it cannot be read or written, UsageError when a newer ros2course wrote it.
         """
-        with _storage(), _one_at_a_time(state):
+        # Two processes must not both begin a file, or both set one aside.
+        with _storage(), locked(state / "progress.lock"):
             return cls(*_open(state / FILE))
-
-    def __enter__(self) -> Progress:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._database.close()
 
     def record(self, result: Result) -> None:
         """Store a result, and a pass if it is one. It is on the disk when this returns."""
-        from course.grading.result import Verdict, to_json  # `hint` and `list` do without
+        from course.model.result import Verdict, to_json  # `hint` and `list` do without
 
         counts = result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED)
-        row = (result.exercise, _now(), result.verdict.value, counts, result.points, result.max_points)
+        row = (result.exercise, now(), result.verdict.value, counts, result.points, result.max_points)
         with self._writing():
             self._run(
                 "INSERT INTO attempts (exercise, at, verdict, counts, points, max_points, result)"
@@ -116,19 +108,31 @@ class Progress:
 
     def last_result(self, exercise: str) -> Result | None:
         """The result of the last attempt that counts; None if there is none that can still be read."""
-        from course.grading.result import from_json  # as above
+        from course.model.result import from_json  # as above
 
         text = self._value(
             "SELECT result FROM attempts WHERE exercise = ? AND counts ORDER BY id DESC LIMIT 1", exercise
         )
         try:
             return None if text is None else from_json(text)
-        except (ValueError, KeyError, TypeError):  # in the form of another version
+        except DamagedData:  # in the form of another version
             return None
+
+    def failures(self) -> dict[tuple[str, str], int]:
+        """How often each check failed, by exercise and check; of results that can still be read."""
+        from course.model.result import Outcome, from_json  # as above
+
+        found: dict[tuple[str, str], int] = {}
+        for exercise, text in self._run("SELECT exercise, result FROM attempts WHERE counts"):
+            with contextlib.suppress(DamagedData):  # in the form of another version
+                for check in from_json(text).checks:
+                    if check.outcome is Outcome.FAILED:
+                        found[exercise, check.id] = found.get((exercise, check.id), 0) + 1
+        return found
 
     def passed_ids(self) -> frozenset[str]:
         return frozenset(
-            row[0] for row in self._rows("SELECT exercise FROM exercises WHERE passed_at NOTNULL")
+            row[0] for row in self._run("SELECT exercise FROM exercises WHERE passed_at NOTNULL")
         )
 
     def current(self) -> str | None:
@@ -166,7 +170,7 @@ class Progress:
 
     def mark_chapter_shown(self, slug: str) -> None:
         with self._writing():
-            self._run("INSERT OR IGNORE INTO chapters_shown (slug, at) VALUES (?, ?)", slug, _now())
+            self._run("INSERT OR IGNORE INTO chapters_shown (slug, at) VALUES (?, ?)", slug, now())
 
     def _hints(self, exercise: str) -> int:
         return int(self._value("SELECT hints FROM exercises WHERE exercise = ?", exercise) or 0)
@@ -175,30 +179,14 @@ class Progress:
         """The first time stays."""
         self._run("INSERT OR IGNORE INTO exercises (exercise) VALUES (?)", exercise)
         self._run(
-            f"UPDATE exercises SET {column} = coalesce({column}, ?) WHERE exercise = ?", _now(), exercise
+            f"UPDATE exercises SET {column} = coalesce({column}, ?) WHERE exercise = ?", now(), exercise
         )
 
-    @contextlib.contextmanager
-    def _writing(self) -> Iterator[None]:
-        """All or nothing; waits for another process that is writing."""
-        with _storage():
-            self._database.execute("BEGIN IMMEDIATE")
-            try:
-                yield
-                self._database.execute("COMMIT")
-            finally:
-                if self._database.in_transaction:  # an error came between
-                    self._database.execute("ROLLBACK")
-
-    def _run(self, statement: str, *values: object) -> None:
-        self._database.execute(statement, values)
-
-    def _rows(self, query: str, *values: object) -> list[tuple[Any, ...]]:
-        with _storage():
-            return self._database.execute(query, values).fetchall()
+    def _refusals(self) -> contextlib.AbstractContextManager[None]:
+        return _storage()
 
     def _one(self, query: str, *values: object) -> tuple[Any, ...] | None:
-        rows = self._rows(query, *values)
+        rows = self._run(query, *values)
         return rows[0] if rows else None
 
     def _value(self, query: str, *values: object) -> Any:
@@ -239,7 +227,7 @@ def _connect(file: Path) -> sqlite3.Connection:
     except sqlite3.OperationalError:
         _leave_wal(database)
     except sqlite3.DatabaseError:
-        pass  # damaged: said by whoever asks next
+        pass  # damaged: the next reader says so
     return database
 
 
@@ -256,35 +244,23 @@ def _leave_wal(database: sqlite3.Connection) -> None:
 
 
 def _prepare(database: sqlite3.Connection) -> None:
-    version = _pragma(database, "user_version")
+    version = pragma(database, "user_version")
     tables = {row[0] for row in database.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     if version == 0 and not tables:
-        _begin(database)
+        begin(database, _SCHEMA)
         return
-    if _pragma(database, "application_id") != APPLICATION:
+    if pragma(database, "application_id") != APPLICATION:
         raise _Damaged("a database of something else")
     if version > SCHEMA_VERSION:
         raise UsageError(
             f"your progress was saved by a newer ros2course (its form is {version})",
             "upgrade ros2course, then try again; your progress is left as it is",
         )
-    if version != SCHEMA_VERSION or _TABLES - tables or _pragma(database, "quick_check(1)") != "ok":
+    if version != SCHEMA_VERSION or _TABLES - tables or pragma(database, "quick_check(1)") != "ok":
         raise _Damaged("not whole")
 
 
 _TABLES = frozenset({"attempts", "exercises", "chapters_shown", "current"})
-
-
-def _begin(database: sqlite3.Connection) -> None:
-    with contextlib.suppress(sqlite3.OperationalError):  # a disk without shared memory: plain journal
-        database.execute("PRAGMA journal_mode = WAL")
-    if _pragma(database, "journal_mode") != "wal":
-        database.execute("PRAGMA journal_mode = DELETE")
-    database.executescript(_SCHEMA)
-
-
-def _pragma(database: sqlite3.Connection, name: str) -> Any:
-    return database.execute(f"PRAGMA {name}").fetchone()[0]
 
 
 def _set_aside(file: Path) -> Path:
@@ -298,20 +274,6 @@ def _set_aside(file: Path) -> Path:
         with contextlib.suppress(FileNotFoundError):
             Path(f"{file}{suffix}").rename(f"{aside}{suffix}")
     return aside
-
-
-@contextlib.contextmanager
-def _one_at_a_time(state: Path) -> Iterator[None]:
-    """Only while opening: two processes must not both begin a file, or both set one aside."""
-    state.mkdir(parents=True, exist_ok=True)
-    flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
-    descriptor = os.open(state / "progress.lock", flags, 0o644)
-    try:
-        with contextlib.suppress(OSError):  # a network disk without locks: then without
-            fcntl.flock(descriptor, fcntl.LOCK_EX)
-        yield
-    finally:
-        os.close(descriptor)
 
 
 @contextlib.contextmanager
@@ -334,7 +296,3 @@ def _advice(error: str) -> str:
     if "locked" in said:
         return "another ros2course is busy with it: wait until it has ended, then try again"
     return "check the disk that holds the course home, then try again"
-
-
-def _now() -> str:
-    return datetime.now(timezone.utc).isoformat(timespec="seconds")

@@ -1,6 +1,6 @@
 """Terminal output in the documents, as it really is.
 
-    .venv/bin/python docs/pictures.py           write it anew
+    .venv/bin/python docs/pictures.py           write it again
     .venv/bin/python docs/pictures.py --check   say whether it is still so (exit 1 if not)
 
 Between `<!-- check:begin -->` and `<!-- check:end -->` of the README stands what two real checks of

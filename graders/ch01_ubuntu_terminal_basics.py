@@ -1,4 +1,4 @@
-"""Grader of chapter 1: files, redirection, grep, an alias, and the permission to execute."""
+"""Graders of chapter 1: files, redirection, grep, an alias, and the permission to execute."""
 
 from __future__ import annotations
 
@@ -6,13 +6,24 @@ import re
 import stat
 from pathlib import Path
 
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.files import expect_file, expect_lines, expect_mode, expect_text
-from course.grading.expect.shell import BASHRC, complaints, expect_ran, expect_shell
-from course.grading.explain.names import listed, nearest
+from course.api import (
+    BASHRC,
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    Recording,
+    complaints,
+    expect_file,
+    expect_lines,
+    expect_mode,
+    expect_ran,
+    expect_shell,
+    expect_text,
+    listed,
+    nearest,
+)
 
 CHAPTER = Path(__file__).parents[1] / "chapters" / "01-ubuntu-terminal-basics"
 EMPTY = "a_folder/an_empty_file.txt"
@@ -33,23 +44,23 @@ GREETING = "Howdy! You have made me a program."
 files = Grader("01-files", builds=None)
 
 
-@files.check("empty_file", "`~/a_folder/an_empty_file.txt` is there, and empty")
+@files.check("empty_file", "`~/a_folder/an_empty_file.txt` exists and is empty")
 def empty_file(recording: Recording) -> None:
-    make = "`mkdir ~/a_folder`, if there is no such folder yet; then `touch ~/a_folder/an_empty_file.txt`."
+    make = "Run `mkdir ~/a_folder` if there is no such folder yet, then `touch ~/a_folder/an_empty_file.txt`."
     found = expect_file(recording, EMPTY, advice=make)
     if found.size:
         raise Failure(
             Feedback(
-                summary="`an_empty_file.txt` is not empty: something was written into it.",
+                summary="`an_empty_file.txt` is not empty.",
                 expected="0 bytes",
                 seen=f"`{found.lines[0][:60]}`" if found.lines else f"{found.size} bytes",
                 where=(Location(EMPTY),),
-                advice="Remove it with `rm`, and make it again with `touch`.",
+                advice="Remove it with `rm`, and create it again with `touch`.",
             )
         )
 
 
-@files.check("stuff", "`~/a_folder/file_with_stuff.txt` holds the line `stuff`")
+@files.check("stuff", "`~/a_folder/file_with_stuff.txt` contains the line `stuff`")
 def stuff(recording: Recording) -> None:
     write = "`echo stuff > ~/a_folder/file_with_stuff.txt` writes it."
     found = expect_text(
@@ -60,13 +71,13 @@ def stuff(recording: Recording) -> None:
     written = next((line for line in found.lines if line.strip()), None)
     raise Failure(
         Feedback(
-            summary="`file_with_stuff.txt` does not hold the line `stuff`."
+            summary="`file_with_stuff.txt` does not contain the line `stuff`."
             if written
             else "`file_with_stuff.txt` is empty.",
             expected="stuff",
             seen=written[:120] if written else "nothing",
             where=(Location(STUFF, 1 if written else None),),
-            advice=f"Just the word, in small letters and without quotation marks. {write}",
+            advice=f"Write only the word, in lowercase and without quotation marks. {write}",
         )
     )
 
@@ -74,7 +85,7 @@ def stuff(recording: Recording) -> None:
 redirect = Grader("01-redirect", builds=None)
 
 
-@redirect.check("listing", "`~/result_of_ls.txt` holds the listing of `~`")
+@redirect.check("listing", "`~/result_of_ls.txt` contains the listing of `~`")
 def listing(recording: Recording) -> None:
     found = expect_text(recording, LISTING, advice="`cd ~`, then `ls > result_of_ls.txt`.")
     # `ls -l` prints the name last; -p and -F put a sign after it.
@@ -87,7 +98,7 @@ def listing(recording: Recording) -> None:
         raise Failure(overwritten(found.lines))
     raise Failure(
         Feedback(
-            summary=f"The listing is not that of `~`: it lacks {listed(missing)}.",
+            summary=f"The listing is not the one of `~`: it lacks {listed(missing)}.",
             expected="every name that `ls ~` prints",
             seen=found.lines[0][:120] if found.lines else "an empty file",
             where=(Location(LISTING),),
@@ -98,12 +109,13 @@ def listing(recording: Recording) -> None:
 
 def overwritten(lines: tuple[str, ...]) -> Feedback:
     return Feedback(
-        summary="Only `done` is left in the file: the second `>` emptied it first, and the listing is gone.",
+        summary="Only `done` is left in the file: the second `>` erased the listing.",
         expected="the listing, and `done` after it",
         seen=listed(lines[:3]),
         where=(Location(LISTING, 1),),
-        advice="Write the listing once more with `>`, and then add to it with two: `echo done >> "
-        "result_of_ls.txt`.",
+        advice=(
+            "Write the listing again with `>`, then add to it with `>>`: `echo done >> result_of_ls.txt`."
+        ),
     )
 
 
@@ -126,11 +138,13 @@ def appended(recording: Recording) -> None:
             expected="done",
             seen=lines[-1][:120] if lines else "nothing",
             where=(Location(LISTING, elsewhere or len(found.lines) or None),),
-            advice="The word needs a line of its own."
+            advice="The word must be on its own line."
             if glued
-            else "Write just `done`: in small letters, and nothing else on the line."
+            else "Write only `done`, in lowercase, with nothing else on the line."
             if close
-            else "`echo done >> result_of_ls.txt` adds it to the end; two `>`, or the listing is lost.",
+            else (
+                "`echo done >> result_of_ls.txt` adds it to the end. A single `>` would erase the listing."
+            ),
         )
     )
 
@@ -139,7 +153,7 @@ grep = Grader("01-grep", builds=None)
 
 
 def in_the_shop() -> tuple[str, ...]:
-    """The starter's lines: what a learner searches."""
+    """The lines of the starter, in which learners search."""
     return tuple((CHAPTER / "starter" / grep.exercise / SHOP).read_text(encoding="utf-8").splitlines())
 
 
@@ -148,7 +162,7 @@ def robocop_file(recording: Recording) -> None:
     expect_text(recording, FOUND, advice="`cd ~`, then `grep robocop a_file.whatever > robocop.txt`.")
 
 
-@grep.check("lines", "it holds just the lines that `grep robocop` prints", points=2, needs="file")
+@grep.check("lines", "it contains exactly the lines that `grep robocop` prints", points=2, needs="file")
 def robocop_lines(recording: Recording) -> None:
     shop = in_the_shop()
     wanted = [line for line in shop if "robocop" in line]
@@ -174,18 +188,18 @@ def robocop_lines(recording: Recording) -> None:
 def why_not(
     seen: list[str], wanted: list[str], shop: tuple[str, ...], now: tuple[str, ...]
 ) -> tuple[str, str] | None:
-    """What was done instead, and what to do."""
+    """What the learner did instead, and what to do."""
     plain = "`grep robocop a_file.whatever > robocop.txt` does it."
     if not seen and now != shop:
         return (
-            "`robocop.txt` is empty, and so `a_file.whatever` may be: it is not what it was.",
-            "`ros2course reset 01-grep` brings `a_file.whatever` back; only `robocop.txt` goes after `>`.",
+            "`robocop.txt` is empty, and `a_file.whatever` has changed since you got it.",
+            "`ros2course reset 01-grep` restores `a_file.whatever`. Write only `robocop.txt` after `>`.",
         )
     if not seen:
-        return "`robocop.txt` is empty: nothing was found.", f"Is the word spelt `robocop`? {plain}"
+        return "`robocop.txt` is empty: nothing was found.", f"Did you spell the word `robocop`? {plain}"
     if seen == [line for line in shop if "robocop" in line.lower()]:
         return (
-            "The lines with `Robocop` and `ROBOCOP` are in it too: capitals were taken for small letters.",
+            "The lines with `Robocop` and `ROBOCOP` are in it too: grep ignored upper and lower case.",
             f"Leave the option `-i` out. {plain}",
         )
     if all(re.match(r"\d+:", line) for line in seen):
@@ -193,17 +207,17 @@ def why_not(
     if all(line.startswith(f"{SHOP}:") for line in seen):
         return "Each line begins with the name of the file.", f"Leave the option `-H` out. {plain}"
     if seen == list(shop):
-        return "`robocop.txt` holds the whole of `a_file.whatever`.", plain
+        return "`robocop.txt` contains all of `a_file.whatever`.", plain
     if seen == [line for line in wanted if re.search(r"\brobocop\b", line)]:
-        return "The line with `robocops` is missing: it holds `robocop` too.", f"Leave `-w` out. {plain}"
+        return "The line with `robocops` is missing: it contains `robocop` too.", f"Leave `-w` out. {plain}"
     if seen == [line for line in shop if "robocop" not in line]:
         return "These are the lines without `robocop`.", f"Leave the option `-v` out. {plain}"
     if len(seen) > len(wanted) and seen == wanted * (len(seen) // len(wanted)):
         return "The lines are in it more than once: `>>` added them to what was there.", plain
     if seen == [str(len(wanted))]:
-        return "`robocop.txt` holds the number of the lines, not the lines.", f"Leave `-c` out. {plain}"
+        return "`robocop.txt` contains the number of lines, not the lines.", f"Leave `-c` out. {plain}"
     if "\x1b" in seen[0]:
-        return "The lines hold signs that colour them on a terminal.", f"Leave `--color` out. {plain}"
+        return "The lines contain codes that color them on a terminal.", f"Leave `--color` out. {plain}"
     return None
 
 
@@ -251,7 +265,7 @@ def unknown_alias(recording: Recording) -> Feedback:
         advice = "It works too, but the task is about an alias: `alias say_hello='echo hello'`."
     elif commented:
         summary = "The line with `say_hello` begins with `#`, so bash skips it."
-        advice = "Take the `#` away."
+        advice = "Remove the `#`."
     else:
         summary = "A new terminal does not know the alias `say_hello`."
         advice = "Add a line to `~/.bashrc`: `alias`, the name, `=`, and the command in quotation marks."
@@ -268,11 +282,11 @@ def spaces(recording: Recording) -> Feedback | None:
     for number, line in enumerate(recording.home.file(BASHRC).lines, 1):
         if re.match(r"\s*alias\s+say_hello(\s+=|\s*=\s)", line):
             return Feedback(
-                summary="There is a space beside the `=`, so bash does not see an alias.",
+                summary="There is a space next to the `=`, so bash does not define the alias.",
                 expected="alias say_hello='echo hello'",
                 seen=line.strip(),
                 where=(Location(BASHRC, number),),
-                advice="Take away the spaces beside the `=`.",
+                advice="Remove the spaces around the `=`.",
             )
     return None
 
@@ -307,7 +321,7 @@ def prints(recording: Recording) -> None:
     lost = any("command not found" in line for line in printed)
     raise Failure(
         Feedback(
-            summary="The alias stands for something that is not a command."
+            summary="The alias runs something that is not a command."
             if lost
             else "`say_hello` prints nothing."
             if not printed
@@ -315,9 +329,9 @@ def prints(recording: Recording) -> None:
             expected="hello",
             seen=printed[0][:120] if printed else "nothing",
             where=tuple(Location(BASHRC, n) for n in where[-1:]),
-            advice="`echo` prints what follows it: the command in the quotation marks is `echo hello`."
+            advice="`echo` prints its arguments: put `echo hello` in the quotation marks."
             if lost or not printed
-            else "Just the word, in small letters: `echo hello`.",
+            else "Print only the word, in lowercase: `echo hello`.",
             details=meant[-1:],
         )
     )
@@ -334,7 +348,7 @@ def start_it(arena: Arena) -> None:
 
 @executable.check("executable", "you may execute `~/howdy.sh`")
 def may_be_executed(recording: Recording) -> None:
-    expect_file(recording, HOWDY, advice="`ros2course reset 01-executable` brings it back.")
+    expect_file(recording, HOWDY, advice="`ros2course reset 01-executable` restores it.")
     mode = recording.home.file(HOWDY).mode
     others = mode & (stat.S_IXGRP | stat.S_IXOTH)
     expect_mode(
@@ -343,8 +357,8 @@ def may_be_executed(recording: Recording) -> None:
         has=stat.S_IXUSR,
         summary="Others may execute `howdy.sh`, but its owner may not."
         if others
-        else "`howdy.sh` may not be executed: its owner has no `x`.",
-        advice="`chmod u+x ~/howdy.sh` gives it to the owner; `u` stands for *user*, the owner.",
+        else "`howdy.sh` is not executable: its owner has no `x`.",
+        advice="`chmod u+x ~/howdy.sh` lets the owner execute it; `u` stands for *user*, the owner.",
     )
 
 
@@ -362,7 +376,9 @@ def runs(recording: Recording) -> None:
             expected=GREETING,
             seen=ran.printed[-1][:120] if ran.printed else "nothing",
             where=(Location(HOWDY, 1 if broken else None),),
-            advice="`ros2course reset 01-executable` brings the file back. Then only `chmod`, no editor.",
+            advice=(
+                "`ros2course reset 01-executable` restores the file. Then use only `chmod`, not an editor."
+            ),
         )
     )
 
@@ -373,6 +389,6 @@ def not_for_all(recording: Recording) -> None:
         recording,
         HOWDY,
         lacks=stat.S_IWOTH,
-        summary="Everybody may write to `howdy.sh`, and so change what it does in your name.",
-        advice="`chmod 755 ~/howdy.sh` takes that back: 7 for you, 5 (read and execute) for all others.",
+        summary="Anyone may write to `howdy.sh`, so anyone can change what it does in your name.",
+        advice="`chmod 755 ~/howdy.sh` fixes that: 7 for you, 5 (read and execute) for everyone else.",
     )

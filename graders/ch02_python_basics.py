@@ -1,31 +1,50 @@
-"""Grader of chapter 2: a script, a class, and what makes a package of them."""
+"""Graders of chapter 2: a script, a class, and the package that contains them."""
 
 from __future__ import annotations
 
+import ast
+import builtins
+import random
 import re
 import stat
 import sysconfig
-from dataclasses import replace
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
-from course.arena.arena import Arena
-from course.arena.process import Process
-from course.errors import OurFault
-from course.evidence.events import OutputLine
-from course.evidence.recording import Recording
-from course.evidence.sources import Sources
-from course.evidence.topic_view import expect_period
-from course.feedback import Failure, Feedback, Location, NotApplicable
-from course.grading.author import Grader
-from course.grading.expect.files import expect_mode, expect_text
-from course.grading.expect.lint import expect_no_findings, expect_readable
-from course.grading.expect.probes import answered, expect_answer, expect_importable
-from course.grading.expect.programs import expect_clean_interrupt, expect_running
-from course.grading.expect.shell import BASHRC, expect_ran
-from course.grading.explain.names import listed, nearest
-from course.grading.explain.python_code import calls, functions, text_places
-from course.grading.explain.setup_py import entry_points, joined_entry_points
-from course.grading.explain.tracebacks import Crash, crash
+from course.api import (
+    BASHRC,
+    Arena,
+    Crash,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    NotApplicable,
+    OurFault,
+    Process,
+    Recording,
+    Sources,
+    answered,
+    calls,
+    crash,
+    entry_points,
+    expect_answer,
+    expect_clean_interrupt,
+    expect_importable,
+    expect_mode,
+    expect_period,
+    expect_ran,
+    expect_running,
+    expect_text,
+    functions,
+    listed,
+    nearest,
+    replace,
+    slips,
+    text_places,
+)
+from lib.lint import expect_no_findings, expect_readable
 
 PROBES = Path(__file__).with_name("probes")
 PROJECT = "ros2_tutorials_preamble/python/minimalist_package"
@@ -64,25 +83,27 @@ def made(recording: Recording) -> None:
             else f"There is no virtual environment in `~/{ENVIRONMENT}`.",
             expected=f"a virtual environment in ~/{ENVIRONMENT}",
             seen=f"one in ~/{other}" if other else "none",
-            advice=f"`python3 -m venv ~/{ENVIRONMENT}` makes it. One that exists cannot be renamed.",
+            advice=f"`python3 -m venv ~/{ENVIRONMENT}` creates it. You cannot rename an existing one.",
         )
     )
 
 
-@venv.check("runs", "its Python runs, and is not the system's", needs="made")
+@venv.check("runs", "its Python runs, and is not the system's Python", needs="made")
 def its_python_runs(recording: Recording) -> None:
     view = recording.process("venv")
     if "apart" in view.text:
         return
     if view.started and (view.exited is None or view.exited.signal):
-        raise OurFault(f"the Python of ~/{ENVIRONMENT} did not come to its end")
+        raise OurFault(f"the Python of ~/{ENVIRONMENT} did not end")
     raise Failure(
         Feedback(
             summary=f"`~/{ENVIRONMENT}` has no Python that runs.",
             expected=f"~/{ENVIRONMENT}/bin/python3",
             seen=view.text[-1][:120] if view.text else "no such program",
-            advice=f"Remove it (`rm -r ~/{ENVIRONMENT}`) and make it again: it may have been moved, or the "
-            "Python that it was made with is gone.",
+            advice=(
+                f"Remove it (`rm -r ~/{ENVIRONMENT}`) and create it again. It may have been moved, or "
+                "its Python is gone."
+            ),
         )
     )
 
@@ -92,8 +113,8 @@ def dqrobotics(recording: Recording) -> None:
     ended = recording.process("dqrobotics").exited
     if ended is None or ended.code != 0:
         raise NotApplicable(
-            "It is not installed. With the environment active, and where the internet can be reached, "
-            "`pip install dqrobotics` does it."
+            "It is not installed. Activate the environment and run `pip install dqrobotics`. You "
+            "need internet access."
         )
 
 
@@ -131,7 +152,7 @@ ask("hint", lambda: "return" in main.__annotations__)
 
 @script.scenario
 def run_import_and_execute_it(arena: Arena) -> None:
-    """Both ways of starting it go at once; five lines are four intervals."""
+    """Start it in both ways at once; five lines make four intervals."""
     program = arena.python(SCRIPT, name="script")
     direct = arena.execute(SCRIPT, name="direct")
     arena.probe(IMPORT_SCRIPT, cwd=PROJECT, timeout=5)
@@ -143,11 +164,11 @@ def run_import_and_execute_it(arena: Arena) -> None:
 
 
 def lines(arena: Arena, program: Process) -> int:
-    return sum(1 for line in arena.timeline.of(OutputLine) if line.process == program.name)
+    return len(arena.lines(program))
 
 
 def only(recording: Recording, *files: str) -> Sources:
-    """The sources of these files alone."""
+    """The sources of these files only."""
     return Sources({name: text for name, text in recording.sources.files.items() if name in files})
 
 
@@ -167,11 +188,13 @@ def howdy(recording: Recording) -> None:
         Feedback(
             summary=f"It prints `{other[:80]}`, not `{HOWDY}`."
             if other is not None
-            else "It runs, and prints nothing.",
+            else "It runs, but prints nothing.",
             expected=HOWDY,
             seen=other[:120] if other is not None else "nothing",
             where=tuple(call.where for call in calls(only(recording, SCRIPT), "print"))[:2],
-            advice='Just the word with its mark, each time on a line of its own: `print("Howdy!")`.',
+            advice=(
+                'Print only the word with its exclamation mark, each time on its own line: `print("Howdy!")`.'
+            ),
         )
     )
 
@@ -221,7 +244,7 @@ def runs_when_imported(recording: Recording, seen: str) -> Feedback:
     )
 
 
-@script.check("main", "`main()` says what it returns", needs="imports")
+@script.check("main", "`main()` states its return type", needs="imports")
 def main_with_a_hint(recording: Recording) -> None:
     main = recording.probe().answer("main")
     if main is None or main.error is not None:
@@ -237,11 +260,11 @@ def main_with_a_hint(recording: Recording) -> None:
     defined = [node.lineno for node in functions(only(recording, SCRIPT), "main")]
     raise Failure(
         Feedback(
-            summary="`main()` does not say what it returns.",
+            summary="`main()` does not state its return type.",
             expected="def main() -> None:",
             seen="def main():",
             where=(Location(SCRIPT, defined[0] if defined else None),),
-            advice="It returns nothing, and that is called `None`: write `-> None` before the colon.",
+            advice="It returns nothing, so its return type is `None`: write `-> None` before the colon.",
         )
     )
 
@@ -253,13 +276,17 @@ def shebang(recording: Recording) -> None:
     if expect_text(recording, SCRIPT).dos_line_ends and first.startswith("#!"):
         raise Failure(
             Feedback(
-                summary="The lines of the file end as in Windows, so the first one names a program that does "
-                "not exist.",
+                summary=(
+                    "The file has Windows line endings, so its first line names a program that does "
+                    "not exist."
+                ),
                 expected="nothing after `python3`",
-                seen="an invisible sign after it",
+                seen="an invisible character after it",
                 where=(Location(SCRIPT, 1),),
-                advice="Let your editor save the file with the line ends of Linux (LF), or take the signs "
-                "out: `sed -i 's/\\r$//' minimalist_script.py`.",
+                advice=(
+                    "Save the file with Linux line endings (LF) in your editor, or remove the "
+                    "characters: `sed -i 's/\\r$//' minimalist_script.py`."
+                ),
             )
         )
     if re.match(r"#!\s*/\S+", first) and re.search(r"\bpython3(\.\d+)?$", first.strip()):
@@ -267,15 +294,15 @@ def shebang(recording: Recording) -> None:
     later = next((n for n, line in enumerate(text, 1) if line.lstrip().startswith("#!")), None)
     if later and later > 1:
         summary, advice = (
-            f"The line with `#!` is line {later}; it counts only as the very first.",
+            f"The line with `#!` is line {later}, but it works only as the very first line.",
             "Move it up.",
         )
     elif first.startswith("#!"):
         summary = f"The first line does not name python3: `{first[:60]}`."
         advice = "Write `#!/usr/bin/env python3`: it finds the python3 that is on the PATH."
     else:
-        summary = "The first line does not say which program reads the file."
-        advice = "Begin the file with `#!/usr/bin/env python3`. Without it, bash reads the file itself."
+        summary = "The first line does not say which program runs the file."
+        advice = "Begin the file with `#!/usr/bin/env python3`. Without it, bash runs the file itself."
     raise Failure(
         Feedback(
             summary=summary,
@@ -293,7 +320,7 @@ def direct(recording: Recording) -> None:
         recording,
         SCRIPT,
         has=stat.S_IXUSR,
-        summary="`minimalist_script.py` may not be executed: its owner has no `x`.",
+        summary="`minimalist_script.py` is not executable: its owner has no `x`.",
         advice="`chmod u+x minimalist_script.py`, as in chapter 1.",
     )
     view = recording.process("direct")
@@ -307,7 +334,7 @@ def direct(recording: Recording) -> None:
             summary="`./minimalist_script.py` does not print `Howdy!`.",
             seen=view.text[-1][:120] if view.text else "nothing",
             where=(Location(SCRIPT, 1),),
-            advice="Type it yourself in a terminal, and read what it says.",
+            advice="Run it yourself in a terminal, and read its output.",
             details=view.text[-6:],
         )
     )
@@ -322,7 +349,7 @@ def use_it(arena: Arena) -> None:
 
 
 def place(recording: Recording, name: str) -> Location:
-    """Where the class has a method of this name, else where the class begins."""
+    """The place of the class's method of this name, or else of the class."""
     sources = only(recording, CLASS, INIT)
     files = [file for file in (CLASS, INIT) if "class MinimalistClass" in sources.files.get(file, "")]
     file = files[0] if files else CLASS
@@ -355,7 +382,7 @@ def exported(recording: Recording) -> None:
     answer = recording.probe().answer("export")
     if answer is not None and answer.error is None:
         return
-    expect_text(recording, INIT, advice="`touch __init__.py` makes it; then write the import into it.")
+    expect_text(recording, INIT, advice="`touch __init__.py` creates it; then write the import in it.")
     error = answer.error if answer is not None and answer.error else ""
     missing = "has no attribute" in error
     raise Failure(
@@ -369,8 +396,10 @@ def exported(recording: Recording) -> None:
             where=(
                 Location(answer.file, answer.line) if answer is not None and answer.file else Location(INIT),
             ),
-            advice="Write that line into `minimalist_package/__init__.py`: what is imported there belongs to "
-            "the package.",
+            advice=(
+                "Write that line in `minimalist_package/__init__.py`: the names imported there "
+                "belong to the package."
+            ),
         )
     )
 
@@ -385,16 +414,18 @@ def reference(recording: Recording) -> None:
                 summary="The class has no `attribute_reference`.",
                 expected='attribute_reference: str = "Hello "',
                 where=(where,),
-                advice="It stands in the class itself, before `__init__` and without `self.`, so that it "
-                "is there without any object.",
+                advice=(
+                    "Set it in the class itself, before `__init__` and without `self.`, so that it "
+                    "exists without any object."
+                ),
             )
         )
-    advice = 'The text ends with a space: `"Hello "`.'
+    advice = 'The string ends with a space: `"Hello "`.'
     what = "MinimalistClass.attribute_reference"
     expect_answer(recording, "reference", "Hello ", what, advice=advice, where=where)
 
 
-@minimalist_class.check("attributes", "objects keep both numbers", points=2, needs="class")
+@minimalist_class.check("attributes", "objects store both numbers", points=2, needs="class")
 def attributes(recording: Recording) -> None:
     where = place(recording, "__init__")
     given = "MinimalistClass(private_attribute_arg=2.5, attribute_arg=1.5)"
@@ -411,7 +442,7 @@ def attributes(recording: Recording) -> None:
 @minimalist_class.check("apart", "two objects do not share their numbers", needs="attributes")
 def apart(recording: Recording) -> None:
     shares = (
-        "Set what belongs to one object with `self.`, in `__init__`. All objects share what is set as "
+        "Set the attributes of an object with `self.` in `__init__`. All objects share "
         "`MinimalistClass.attribute`, and also a list in the class itself."
     )
     where = place(recording, "__init__")
@@ -476,7 +507,7 @@ def static(recording: Recording) -> None:
             Feedback(
                 summary="`static_method` is not a static method: it lacks the line `@staticmethod` above it."
                 if decorated
-                else "`static_method` wants an argument, such as `self`; a static method has none.",
+                else "`static_method` expects an argument such as `self`; a static method has no `self`.",
                 expected="MinimalistClass.static_method() and MinimalistClass().static_method() both work",
                 seen=(answer.error if decorated and answer else bare.error if bare else None),
                 where=(where,),
@@ -492,7 +523,7 @@ def static(recording: Recording) -> None:
             question,
             "Hello World!",
             what,
-            advice="It returns the text; printing is not asked.",
+            advice="It must return the string, not print it.",
             where=where,
         )
 
@@ -523,7 +554,7 @@ def names(recording: Recording) -> None:
     expect_no_findings(
         recording,
         NAMING,
-        "A name is not written as usual",
+        "A name does not follow PEP 8",
         advice="Classes are `LikeThis`; functions, methods, arguments, variables and files are `like_this`.",
     )
 
@@ -544,7 +575,7 @@ def docstrings(recording: Recording) -> None:
         recording,
         DOCSTRINGS,
         "A docstring is missing",
-        advice='A line right below the `def` or `class`, in three quotation marks: `"""Return the half."""`.',
+        advice='Add a line in triple quotes right below the `def` or `class`: `"""Return the half."""`.',
     )
 
 
@@ -552,7 +583,7 @@ unit_tests = Grader("02-unit-tests", builds=None, ros=False)
 
 TEST = f"{PROJECT}/test/test_minimalist_class.py"
 SOLUTION = Path(__file__).parents[1] / "solutions" / "02-python-basics"
-# What is wrong with each broken class, and the change of the right one that makes it so.
+# The fault of each broken class, and the change to the right class that causes it.
 FAULTS = {
     "the default of attribute_arg is 11.0": ("attribute_arg: float = 10.0,", "attribute_arg: float = 11.0,"),
     "the default of private_attribute_arg is 21.0": ("= 20.0", "= 21.0"),
@@ -563,49 +594,95 @@ FAULTS = {
         "        _ = private",
     ),
     "get_private_attribute() returns 20.0 always": ("return self._private_attribute\n", "return 20.0\n"),
-    "static_method() returns another text": ("Hello World!", "Hello!"),
-    "attribute_reference is another text": ('"Hello "', '"Bye "'),
+    "static_method() returns a different string": ("Hello World!", "Hello!"),
+    "attribute_reference is a different string": ('"Hello "', '"Bye "'),
 }
 NOTICED = 6
 
 
+# Equivalent classes in other words. With only one, a test could pass once and then always fail.
+RIGHT = tuple(f"right, version {number}" for number in range(1, 5))
+SIZE = 4000
+DRAW = random.SystemRandom()
+
+
 @unit_tests.scenario
 def run_the_tests_on_right_and_broken_classes(arena: Arena) -> None:
-    """The reference class takes the place of the learner's: first as it is, then with a fault."""
-    if not (arena.home / PACKAGE).is_dir():
+    """Replace the learner's class by the reference class, unchanged or with a fault.
+
+    The order is random and each run has a place of its own, so that a test can tell them apart by what the
+    class does, and by nothing else.
+    """
+    if not arena.files.is_folder(PACKAGE):
         return
-    (arena.home / INIT).write_text((SOLUTION / INIT).read_text(encoding="utf-8"), encoding="utf-8")
-    right = (SOLUTION / CLASS).read_text(encoding="utf-8")
-    for name in ("right", *FAULTS):
-        (arena.home / CLASS).write_text(with_fault(right, name), encoding="utf-8")
-        tests = arena.python_module("unittest", "discover", "-v", "test", name=name, cwd=PROJECT)
-        ended = tests is not None and tests.wait(10)
-        if tests and not ended:
-            tests.close()
-        if name == "right" and not ended:
-            return
+    init, right = ((SOLUTION / name).read_text(encoding="utf-8") for name in (INIT, CLASS))
+    tests = "\n".join(arena.files.text(file) or "" for file in arena.files.below(f"{PROJECT}/test"))
+    for name in DRAW.sample((*RIGHT, *FAULTS), len(RIGHT) + len(FAULTS)):
+        with arena.fresh({INIT: init, CLASS: in_other_words(with_fault(right, name))}):
+            run = arena.python_module(
+                "unittest", "discover", "-v", "test", name=name, cwd=PROJECT, through=Report(tests)
+            )
+            if run and not run.wait(10) and name in RIGHT:
+                return
 
 
 def with_fault(right: str, name: str) -> str:
     old, new = FAULTS.get(name, ("", ""))
     if old not in right:
-        raise OurFault(f"the reference class no longer holds `{old}`")
+        raise OurFault(f"the reference class no longer contains `{old}`")
     return right.replace(old, new) if old else right
 
 
-def tests_run(recording: Recording) -> int:
-    """How many tests unittest says it found."""
-    found = (re.fullmatch(r"Ran (\d+) tests? in .*", line) for line in recording.process("right").text)
-    return next((int(match[1]) for match in reversed([match for match in found if match])), 0)
+def in_other_words(text: str) -> str:
+    """The same class without comments, with its methods in random order, in a file of the same size."""
+    tree = ast.parse(text)
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            node.body.sort(key=lambda part: isinstance(part, ast.FunctionDef) and 1 + DRAW.random())
+    code = f"{ast.unparse(tree)}\n# "
+    return code + "".join(DRAW.choices("0123456789abcdef", k=SIZE - len(code)))
+
+
+# The lines of unittest's output that are kept, each once; mostly about the first failed test.
+FACTS = {
+    "ran": r"(Ran) [1-9]\d* tests? in .*",
+    "failed": r"(?:FAIL|ERROR): (\w+) .*",
+    "line": rf'  File ".*/{re.escape(TEST)}", line (\d+).*',
+    "error": r"(\w+Error)\b.*",
+    "word": r"\w+Error: .*?'([\w.]+)'.*",
+}
+
+
+class Report:
+    """Drops all other output, which may contain our class that the tests ran on.
+
+    A name in a fact is kept only if the word is Python's or in the learner's `tests`.
+    """
+
+    def __init__(self, tests: str) -> None:
+        lines = map(str, range(1, len(tests.splitlines()) + 1))
+        self._known = {"Ran", Path(TEST).stem, *dir(builtins), *lines, *re.findall(r"[\w.]+", tests)}
+        self._told: set[str] = set()
+
+    def __call__(self, line: str) -> str | None:
+        found = {fact: re.fullmatch(pattern, line) for fact, pattern in FACTS.items()}
+        told = {fact: match[1] for fact, match in found.items() if match and match[1] in self._known}
+        new = [f"{fact}={word}" for fact, word in told.items() if fact not in self._told]
+        self._told.update(told)
+        return " ".join(new) or None
+
+
+def fact(recording: Recording, run: str, name: str) -> str | None:
+    words = " ".join(recording.process(run).text).split()
+    return next((word.partition("=")[2] for word in words if word.startswith(f"{name}=")), None)
 
 
 @unit_tests.check("found", "unittest finds your tests")
 def found(recording: Recording) -> None:
-    expect_text(recording, TEST, advice="Make the folder `test` beside the package, and the file in it.")
-    lost = recording.missing_program("right")
-    if lost or recording.process("right").started is None:
+    expect_text(recording, TEST, advice=("Create the folder `test` next to the package, and the file in it."))
+    if not any(recording.process(name).started for name in (*RIGHT, *FAULTS)):
         expect_text(recording, CLASS)
-    if tests_run(recording) > 0:
+    if any(fact(recording, name, "ran") for name in (*RIGHT, *FAULTS)):
         return
     text = recording.home.file(TEST).lines
     defs = [n for n, line in enumerate(text, 1) if re.match(r"\s*def ", line)]
@@ -618,34 +695,38 @@ def found(recording: Recording) -> None:
             advice="A test is a method whose name begins with `test`, as in `def test_method(self):`."
             if derived
             else "Tests are methods of a class such as `class TestIt(unittest.TestCase):`.",
-            details=recording.process("right").text[-6:],
         )
     )
 
 
 @unit_tests.check("right", "they pass on a class that is right", needs="found")
 def right(recording: Recording) -> None:
-    view = recording.process("right")
-    if view.exited is None or view.exited.signal is not None:
+    ends = {name: recording.process(name).exited for name in RIGHT if recording.process(name).started}
+    if any(end is None or end.signal is not None for end in ends.values()):
         raise Failure(
             Feedback(
-                summary="The tests do not come to an end.",
+                summary="The tests never end.",
                 where=(Location(TEST),),
                 advice="Look for a loop that never ends, or for an `input()` that waits.",
             )
         )
-    if view.exited.code == 0:
-        return
-    found = crash(view.traceback(), recording.packages, recording.sources)
-    failed = [line for line in view.text if line.startswith(("FAIL:", "ERROR:"))]
-    raise Failure(
-        Feedback(
-            summary="On a class that does all that 02-class asks, your tests fail: "
-            f"{failed[0].split(' (')[0].lower() if failed else 'they could not be run'}.",
-            where=(found.where,) if found and found.where else (Location(TEST),),
-            advice="Compare what this test expects with the table of 02-class.",
-            details=found.shown if found else view.text[-6:],
-        )
+    failed = next((name for name, end in ends.items() if end and end.code != 0), None)
+    if failed:
+        raise Failure(why_it_failed(recording, failed))
+
+
+def why_it_failed(recording: Recording, run: str) -> Feedback:
+    test, line, error, word = (fact(recording, run, name) for name in ("failed", "line", "error", "word"))
+    text = recording.home.file(TEST).lines
+    number = int(line) if line and int(line) <= len(text) else None
+    kind = f" with {error}" if error else ""
+    return Feedback(
+        summary="On a class that does all that 02-class asks, your tests fail: "
+        + (f"`{test}` ends{kind}{f' about `{word}`' if word else ''}." if test else "they do not run."),
+        seen=text[number - 1].strip() if number else None,
+        where=(Location(TEST, number),),
+        advice="Compare what this test expects with the table of 02-class. Run `python3 -m unittest discover "
+        "-v test` on your own class to see the whole message.",
     )
 
 
@@ -660,12 +741,14 @@ def notices(recording: Recording) -> None:
     raise Failure(
         Feedback(
             summary=f"Your tests pass on {len(missed)} of {len(FAULTS)} broken classes."
-            + ("" if asserts else " They call the class, but they compare nothing."),
+            + ("" if asserts else " They call the class, but they do not compare anything."),
             expected=f"at least {NOTICED} noticed",
             seen=f"{len(FAULTS) - len(missed)} noticed",
             where=(Location(TEST),),
-            advice="For each fault below, write a test that fails because of it. `self.assertEqual` compares "
-            "what came with what should have come.",
+            advice=(
+                "For each fault below, write a test that fails because of it. `self.assertEqual` "
+                "compares a result with the expected value."
+            ),
             details=tuple(f"not noticed: {fault}" for fault in missed),
         )
     )
@@ -686,7 +769,7 @@ def notices_all(recording: Recording) -> None:
 
 
 def unnoticed(recording: Recording) -> list[str]:
-    """The faults with which all tests pass."""
+    """The faults that no test notices."""
     ends = {fault: recording.process(fault).exited for fault in FAULTS}
     if None in ends.values():
         raise OurFault("not every broken class was tried")
@@ -700,7 +783,7 @@ ASYNC = f"{PACKAGE}/minimalist_async"
 COROUTINE = f"{ASYNC}/_unlikely_to_return.py"
 EXPORT = "from minimalist_package.minimalist_async import unlikely_to_return"
 AWAIT, CALLBACK = "async_await_example", "async_callback_example"
-# What each task returns, as graders/probes/ch02_async.py lets it draw.
+# What each task returns, with the numbers from graders/probes/ch02_async.py.
 WINS = {1: 0.0517, 2: 0.0271}
 Story = tuple[tuple[int, float] | str, ...]
 
@@ -722,10 +805,10 @@ def luck(command: str) -> str:
 
 
 def play_example(arena: Arena, example: str) -> None:
-    """It may lie in the subpackage, or beside it in the package."""
-    if (arena.home / file_of(example)).is_file():
+    """Start the example, which may be in the subpackage or next to it."""
+    if arena.files.is_file(file_of(example)):
         package = "minimalist_package.minimalist_async"
-    elif (arena.home / PACKAGE / f"{example}.py").is_file():
+    elif arena.files.is_file(f"{PACKAGE}/{example}.py"):
         package = "minimalist_package"
     else:
         return
@@ -757,7 +840,8 @@ def function(recording: Recording) -> None:
 def returns(recording: Recording) -> None:
     where = Location(COROUTINE)
     advice = (
-        "Draw, compare with `<`, and return the number itself when it is below; else wait and draw again."
+        "Draw a number and compare it with `<`. If it is below, return the number itself; "
+        "otherwise wait and draw again."
     )
     for question, what, wanted in (
         ("first", "await unlikely_to_return(tag)", 0.0271),
@@ -822,10 +906,10 @@ def in_order(recording: Recording) -> None:
             summary="The result of task2 is reported before that of task1."
             if second < first
             else "The result of task2 is reported before task1 has ended.",
-            expected="task1, then task2, although task2 has ended first",
+            expected="task1, then task2, although task2 ended first",
             seen=f"`{items[min(first, second)]}`, then `{items[max(first, second)]}`"[:200],
             where=(Location(file_of(AWAIT)),),
-            advice="`await` the first task and report what it gives, then the second.",
+            advice="`await` the first task and report its result, then the second.",
         )
     )
 
@@ -843,12 +927,14 @@ def callback_runs(recording: Recording) -> None:
         Feedback(
             summary="The program ends before its tasks do."
             if draws
-            else "The program ends, and no task has begun.",
+            else "The program ends before any task begins.",
             expected="it waits until both have returned",
             seen=f"{draws} draws, then the end",
             where=(Location(file_of(CALLBACK)),),
-            advice="When `async_main` returns, `asyncio.run` ends what still runs. Keep the tasks in a list, "
-            "and wait for them at the end: `await asyncio.wait(tasks)`.",
+            advice=(
+                "When `async_main` returns, `asyncio.run` cancels the tasks that still run. Keep the "
+                "tasks in a list, and wait for them at the end: `await asyncio.wait(tasks)`."
+            ),
         )
     )
 
@@ -858,7 +944,7 @@ def callback_together(recording: Recording) -> None:
     expect_together(recording, CALLBACK)
 
 
-@async_callback.check("as_they_come", "each result is reported when it comes", points=2, needs="runs")
+@async_callback.check("as_they_come", "each result is reported as soon as it arrives", points=2, needs="runs")
 def as_they_come(recording: Recording) -> None:
     items = story(recording, CALLBACK)
     first, second = (expect_report(recording, number, CALLBACK) for number in WINS)
@@ -867,10 +953,12 @@ def as_they_come(recording: Recording) -> None:
     raise Failure(
         Feedback(
             summary="The result of task2 is reported only after task1 has ended.",
-            expected="task2 first, as soon as it has ended",
+            expected="task2 first, as soon as it ends",
             where=(Location(file_of(CALLBACK)),),
-            advice="Let a callback report it, which is called when the task has ended: "
-            "`task.add_done_callback(partial(handle_return_callback, tag))`.",
+            advice=(
+                "Report it in a callback that runs when the task ends: "
+                "`task.add_done_callback(partial(handle_return_callback, tag))`."
+            ),
         )
     )
 
@@ -889,7 +977,7 @@ def won(items: Story, number: int) -> int:
 
 
 def expect_played(recording: Recording, example: str) -> None:
-    """The example is there, has ended by itself without an exception, and has drawn."""
+    """Expect that the example exists, drew numbers, and ended by itself without an exception."""
     if not recording.probe(example).ran:
         expect_text(recording, file_of(example))
     answered(recording, "ended", f"python3 {example}.py", example, where=Location(file_of(example)))
@@ -908,16 +996,18 @@ def not_begun(recording: Recording, example: str) -> Feedback:
     return Feedback(
         summary=f"The coroutine `{never[1]}` is called, but nothing awaits or runs it, so it does nothing."
         if never
-        else f"`{example}.py` ends, and neither task has begun.",
+        else f"`{example}.py` ends before either task begins.",
         where=(Location(file_of(example)),),
-        advice="`asyncio.run(async_main())` runs the first one; in it, `asyncio.create_task(...)` starts "
-        "others, and `await` on the task waits for it.",
+        advice=(
+            "`asyncio.run(async_main())` runs the first one. In it, `asyncio.create_task(...)` "
+            "starts others, and `await` waits for a task."
+        ),
         details=view.text[-4:],
     )
 
 
 def expect_together(recording: Recording, example: str) -> None:
-    """task2 has drawn before task1 has won."""
+    """Expect that task2 drew a number before task1 returned."""
     items = story(recording, example)
     begins = next((n for n, item in enumerate(items) if isinstance(item, tuple) and item[0] == 2), len(items))
     if begins < won(items, 1):
@@ -933,7 +1023,7 @@ def one_after_the_other(recording: Recording, example: str) -> Feedback:
             summary="`time.sleep` stops the whole program, so the second task waits for the first.",
             expected="both at the same time",
             where=tuple(blocking),
-            advice="`await asyncio.sleep(0.1)` lets the other task go on meanwhile.",
+            advice="`await asyncio.sleep(0.1)` lets the other task run in the meantime.",
         )
     return Feedback(
         summary="The second task begins only when the first has ended: together they take twice as long.",
@@ -956,15 +1046,18 @@ def expect_report(recording: Recording, number: int, example: str) -> int:
     ]
     if len(after) > own and tells(str(items[after[-1]]), WINS[number]):
         return after[-1]
+    late = slips.late_lambda(only(recording, file_of(example)))
     raise Failure(
         Feedback(
             summary=f"The result of {tag} is not reported."
             if len(after) <= own
-            else f"The last line about {tag} does not hold its result.",
+            else f"The last line about {tag} does not contain its result.",
             expected=f"a line with `{tag}` and the number that it returned",
             seen=str(items[after[-1]])[:120] if after else "no such line",
-            where=(Location(file_of(example)),),
-            advice="Print the tag and the result once the task has ended, besides what the task prints.",
+            where=late.where if late else (Location(file_of(example)),),
+            advice=late.text
+            if late
+            else "Print the tag and the result once the task ends, in addition to the task's own output.",
         )
     )
 
@@ -981,6 +1074,8 @@ COMMANDS = {
     AWAIT: f"minimalist_package.minimalist_async.{AWAIT}:main",
     CALLBACK: f"minimalist_package.minimalist_async.{CALLBACK}:main",
 }
+# What each of them prints, among other things.
+SIGNS = {"minimalist_script": HOWDY, AWAIT: "task1", CALLBACK: "task1"}
 VENV = ".venv_of_the_check"
 LIST = "import os, sysconfig\nprint('installed:', *sorted(os.listdir(sysconfig.get_path('purelib'))))\n"
 USE = "from minimalist_package import MinimalistClass\nprint(MinimalistClass(1.5, 2.5).method())\n"
@@ -989,7 +1084,7 @@ OFFLINE = ("--no-index", "--no-build-isolation", "--no-deps", "--no-cache-dir", 
 
 @installable.scenario
 def install_use_and_uninstall(arena: Arena) -> None:
-    """In an environment of its own, without any network."""
+    """Install, use and uninstall the package in a separate environment without a network."""
     with_pip = {"PYTHONPATH": sysconfig.get_path("purelib")}
     environment = str(arena.home / VENV)
     made = arena.python_module("venv", "--without-pip", environment, name="venv", ours=True)
@@ -1002,14 +1097,15 @@ def install_use_and_uninstall(arena: Arena) -> None:
     if not done or not done.wait(40):
         return
     alone = {"PYTHONPATH": ""}
-    programs = [arena.execute(f"{VENV}/bin/{name}", name=name, env=alone) for name in COMMANDS]
+    programs = {name: arena.execute(f"{VENV}/bin/{name}", name=name, env=alone) for name in COMMANDS}
     for name, code in (("list", LIST), ("use", USE)):
         ended = arena.execute(f"{VENV}/bin/python3", "-c", code, name=name, env=alone)
         if ended:
             ended.wait(10)
-    for program in programs:
+    for name, program in programs.items():
         if program:
-            arena.until(lambda p=program: lines(arena, p), timeout=5, while_running=program)
+            wanted = partial(does_its_work, name, partial(arena.lines, program))
+            arena.until(wanted, timeout=10, while_running=program)
             program.close()
     away = arena.python_module(
         "pip", *pip, "uninstall", "-y", "minimalist_package", name="uninstall", env=with_pip, ours=True
@@ -1020,20 +1116,25 @@ def install_use_and_uninstall(arena: Arena) -> None:
             last.wait(10)
 
 
+def does_its_work(name: str, printed: Callable[[], tuple[str, ...]]) -> bool:
+    """Whether this command printed the output of its program, possibly after other output."""
+    return any(SIGNS[name] in line for line in printed())
+
+
 @installable.check("installs", "`pip install ./minimalist_package` works")
 def installs(recording: Recording) -> None:
-    expect_text(recording, SETUP, advice="Make it in the project folder, beside the package.")
+    expect_text(recording, SETUP, advice="Create it in the project folder, next to the package.")
     made, view = recording.process("venv"), recording.process("install")
     if made.exited is None or made.exited.code != 0:
         raise NotApplicable(
-            "This machine can make no virtual environment: the package python3-venv is missing."
+            "This computer cannot create a virtual environment: the package python3-venv is missing."
         )
     if view.exited is not None and view.exited.code == 0:
         return
     if view.exited is None or view.exited.signal:
         raise Failure(
             Feedback(
-                summary="pip does not come to an end.",
+                summary="pip never ends.",
                 where=(Location(SETUP),),
                 advice="`setup.py` must not wait for anything, nor start your program.",
             )
@@ -1042,8 +1143,9 @@ def installs(recording: Recording) -> None:
 
 
 def why_not_installed(recording: Recording) -> Feedback:
-    joined = joined_entry_points(recording.sources, PROJECT)
-    bare = [entry for entry in entry_points(recording.sources, PROJECT) if ":" not in entry.target]
+    entries = entry_points(recording.sources, PROJECT)
+    joined = next((entry for entry in entries if entry.is_joined), None)
+    bare = [entry for entry in entries if ":" not in entry.target]
     lines = recording.process("install").text
     errors = [
         line.strip() for line in lines if re.search(r"Error\b|error:", line) and "subprocess" not in line
@@ -1058,7 +1160,7 @@ def why_not_installed(recording: Recording) -> Feedback:
         )
     if bare:
         return Feedback(
-            summary=f"The entry point `{bare[0].name}` names a module and no function in it.",
+            summary=f"The entry point `{bare[0].name}` names a module but no function in it.",
             seen=bare[0].text,
             where=(bare[0].where,),
             advice=f"End it with `:main`: `{bare[0].text}:main`.",
@@ -1066,14 +1168,14 @@ def why_not_installed(recording: Recording) -> Feedback:
     return Feedback(
         summary=f"pip cannot install the project: {errors[-1] if errors else 'it does not say why'}",
         where=(Location(SETUP, int(place[-1]) if place else None),),
-        advice="Look at this place of `setup.py`, and at the line before.",
+        advice="Check this line of `setup.py` and the line before it.",
         details=tuple(errors[:4]),
     )
 
 
 @installable.check("commands", "the three commands run", points=3, needs="installs")
 def commands(recording: Recording) -> None:
-    joined = joined_entry_points(recording.sources, PROJECT)
+    joined = any(entry.is_joined for entry in entry_points(recording.sources, PROJECT))
     for name, target in COMMANDS.items():
         view = recording.process(name)
         if recording.missing_program(name):
@@ -1081,13 +1183,12 @@ def commands(recording: Recording) -> None:
         failed = crash(view.traceback(), recording.packages, recording.sources)
         if failed:
             raise Failure(crashed_command(recording, name, failed))
-        wanted = HOWDY if name == "minimalist_script" else "task1"
-        if not any(wanted in line for line in view.text):
+        if not does_its_work(name, lambda view=view: view.text):  # type: ignore[misc]
             raise Failure(
                 Feedback(
-                    summary=f"The command `{name}` starts, and does not do what the program does.",
-                    expected=f"a line with `{wanted}`",
-                    seen=view.text[0][:120] if view.text else "no output",
+                    summary=f"The command `{name}` starts, but does not do what the program does.",
+                    expected=f"a line with `{SIGNS[name]}`",
+                    seen=view.text[-1][:120] if view.text else "no output",
                     where=text_places(recording.sources.below(PROJECT), name)[:1],
                     advice=f"Its entry point should be `{name} = {target}`.",
                 )
@@ -1127,7 +1228,7 @@ def crashed_command(recording: Recording, name: str, failed: Crash) -> Feedback:
     )
     if lost and known:
         return Feedback(
-            summary=f"The command `{name}` finds no `{lost[1]}`: it was not installed.",
+            summary=f"The command `{name}` cannot find `{lost[1]}`: it was not installed.",
             expected="packages=find_packages(exclude=['test'])",
             where=packages_line(recording),
             advice="`packages` must name the subpackage too; `find_packages` finds each folder that has an "
@@ -1137,7 +1238,9 @@ def crashed_command(recording: Recording, name: str, failed: Crash) -> Feedback:
     return Feedback(
         summary=f"The command `{name}` stops with an error: {failed.error}",
         where=(entry.where,) if entry else (Location(SETUP),),
-        advice="An entry point reads `command = package.module:function`. Are all three parts right?",
+        advice=(
+            "An entry point has the form `command = package.module:function`. Are all three parts right?"
+        ),
         details=failed.shown,
     )
 
@@ -1150,10 +1253,14 @@ def importable(recording: Recording) -> None:
     failed = crash(view.traceback(), recording.packages, recording.sources)
     raise Failure(
         Feedback(
-            summary="Outside of the project folder the package cannot be used: "
-            f"{failed.error if failed else 'its class does not do what it should'}",
+            summary=(
+                "The package does not work outside the project folder: "
+                f"{(failed.error if failed else 'its class does not do what it should')}"
+            ),
             where=packages_line(recording),
-            advice="`packages=find_packages(exclude=['test'])` in `setup.py` names all that is needed.",
+            advice=(
+                "`packages=find_packages(exclude=['test'])` in `setup.py` names everything that is needed."
+            ),
             details=failed.shown if failed else view.text[-3:],
         )
     )
@@ -1166,7 +1273,7 @@ def no_test(recording: Recording) -> None:
         return
     raise Failure(
         Feedback(
-            summary="`test` was installed too, as a package of its own beside yours.",
+            summary="`test` was installed too, as a separate package.",
             expected="minimalist_package alone",
             seen=listed(name for name in names if "." not in name),
             where=packages_line(recording),
@@ -1196,7 +1303,7 @@ def uninstalls(recording: Recording) -> None:
             expected="name='minimalist_package' in setup.py",
             seen=listed(left) if left else listed(before[:4]),
             where=text_places(recording.sources.below(PROJECT), "name")[:1] or (Location(SETUP),),
-            advice="The `name` in `setup.py` is what pip knows the project by.",
+            advice="pip knows the project by the `name` in `setup.py`.",
             details=recording.process("uninstall").text[-3:],
         )
     )

@@ -1,4 +1,4 @@
-"""Grader of chapter 3: an interactive bash knows ROS 2, from one line of `.bashrc`."""
+"""Grader of chapter 3: one line of `.bashrc` makes ROS 2 known to an interactive bash."""
 
 from __future__ import annotations
 
@@ -6,21 +6,29 @@ import re
 from collections.abc import Iterable
 from pathlib import PurePosixPath
 
-from course.arena.arena import Arena
-from course.errors import OurFault
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location, NotApplicable
-from course.grading.author import Grader
-from course.grading.expect.shell import BASHRC, complaints, expect_ran, expect_shell
-from course.grading.explain.names import listed
-from course.grading.explain.sourcing import TRACE, Sourced, environments
+from course.api import (
+    BASHRC,
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    NotApplicable,
+    OurFault,
+    Recording,
+    complaints,
+    expect_ran,
+    expect_shell,
+    listed,
+)
+from lib.sourcing import TRACE, Sourced, environments
 
 DISTRO = "echo $ROS_DISTRO"
 USAGE = "ros2"
 # Some of the commands that each distribution has.
 COMMANDS = ("node", "pkg", "run", "topic")
-ELSEWHERE = "The line names a file of the machine that the submission comes from."
-ADVICE = "`ros2course init` prints the line that is right on this machine."
+ELSEWHERE = "The line names a file on the computer that the submission comes from."
+ADVICE = "`ros2course init` prints the right line for this computer."
 SETUP = r"[^\s;#'\"]*setup\.(?:bash|sh|zsh)"
 
 environment = Grader("03-environment", builds=None, ros=False)
@@ -41,7 +49,7 @@ def reads(recording: Recording) -> None:
     expect_shell(recording)
 
 
-@environment.check("once", "`~/.bashrc` sources ROS 2 once, and only once", needs="reads")
+@environment.check("once", "`~/.bashrc` sources ROS 2 exactly once", needs="reads")
 def once(recording: Recording) -> None:
     found = environments(recording)
     if len(found) == 1:
@@ -60,18 +68,18 @@ def repeated(found: tuple[Sourced, ...]) -> Feedback:
         expected="one line",
         seen=f"{len(found)} lines",
         where=tuple(dict.fromkeys(one.where for one in found))[:4],
-        advice=f"Keep one of them, and take the others out. {ADVICE}",
+        advice=f"Keep one of them, and remove the others. {ADVICE}",
     )
 
 
 def missing(recording: Recording) -> Feedback:
-    """Why nothing is sourced: the likeliest of what is written there."""
+    """Why nothing is sourced: the most likely cause in the file."""
     for summary, advice, places in reasons(recording):
         if places:
             return Feedback(summary=summary, where=places[:2], advice=advice)
     return Feedback(
         summary="`~/.bashrc` does not source ROS 2.",
-        expected="source /opt/ros/jazzy/setup.bash, or where ROS 2 is on this machine",
+        expected="source /opt/ros/jazzy/setup.bash, or the path of ROS 2 on this computer",
         where=(Location(BASHRC),),
         advice=f"Add the line to its end. {ADVICE}",
     )
@@ -80,18 +88,18 @@ def missing(recording: Recording) -> Feedback:
 def reasons(recording: Recording) -> Iterable[tuple[str, str, tuple[Location, ...]]]:
     yield (
         "The line that sources ROS 2 begins with `#`, so bash skips it.",
-        "Take the `#` away.",
+        "Remove the `#`.",
         places(recording, rf"\s*#+\s*(source|\.)\s+{SETUP}"),
     )
     yield (
-        "`setup.bash` is run, not sourced, so what it sets is gone at its end.",
-        f"Put just the word `source` before the path. {ADVICE}",
+        "`setup.bash` is run, not sourced, so everything it sets is lost when it ends.",
+        f"Put only the word `source` before the path. {ADVICE}",
         places(recording, rf"\s*((ba|z)?sh\s+)?[/~.$]{SETUP}"),
     )
     yield (
-        "`~/.bashrc` holds the line that sources ROS 2, but bash does not get to it.",
-        "Look at the lines before it: does one end the reading, as `return` does, or is there a condition "
-        "that does not hold?",
+        "`~/.bashrc` contains the line that sources ROS 2, but bash never reaches it.",
+        "Check the lines before it: does one stop bash from reading on, as `return` does, or is "
+        "there an `if` that is not true?",
         places(recording, rf".*(source|\.)\s+{SETUP}"),
     )
     others = sorted(name for name in recording.home.inside() if name != BASHRC)
@@ -142,12 +150,12 @@ def wrong_distro(line: Sourced, seen: str, wanted: str, lacks: str | None) -> st
     named = PurePosixPath(line.target).parent.name
     other = bool(re.fullmatch(r"/opt/ros/[a-z]+", str(PurePosixPath(line.target).parent))) and named != wanted
     if lacks and other:
-        return f"The line is for `{named}`, which is not installed here; in use is `{wanted}`."
+        return f"The line is for `{named}`, which is not installed here. This course uses `{wanted}`."
     if lacks:
         return f"The line names a file that does not exist: {line.target}."
     if seen:
-        return f"A new terminal has the distribution `{seen}`; in use is `{wanted}`."
-    return f"{line.target} is sourced, and `ROS_DISTRO` is not set afterwards."
+        return f"A new terminal has the distribution `{seen}`, but this course uses `{wanted}`."
+    return f"{line.target} is sourced, but `ROS_DISTRO` is not set afterwards."
 
 
 def not_here(recording: Recording, lacks: str | None) -> None:
@@ -163,7 +171,7 @@ def finds_ros2(recording: Recording) -> None:
         return
     raise Failure(
         Feedback(
-            summary="A new terminal does not find `ros2`."
+            summary="A new terminal cannot find `ros2`."
             if ran.code == 127
             else "`ros2` does not print its commands.",
             expected="usage: ros2 ...",

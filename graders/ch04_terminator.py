@@ -8,15 +8,10 @@ from typing import Any
 
 from configobj import ConfigObj, ConfigObjError
 
-from course.evidence.home_files import HomeFile
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.files import expect_text
-from course.grading.explain.names import listed, nearest
+from course.api import Failure, Feedback, Grader, HomeFile, Location, Recording, expect_text, listed, nearest
 
 CONFIG = ".config/terminator/config"
-ENOUGH = 3
+ENOUGH, LONGEST_LINE = 3, 2000
 SAVE = "In Terminator: right mouse button, Preferences, Layouts, Add, Save."
 
 layout = Grader("04-layout", builds=None)
@@ -31,7 +26,7 @@ class Part:
     parent: str
 
 
-@layout.check("reads", "`~/.config/terminator/config` is there, and can be read")
+@layout.check("reads", "`~/.config/terminator/config` exists and can be read")
 def reads(recording: Recording) -> None:
     found = expect_text(recording, CONFIG, advice=f"{SAVE} The exercise's text says how to start it.")
     if not (found.text or "").strip():
@@ -42,6 +37,16 @@ def reads(recording: Recording) -> None:
                 advice=SAVE,
             )
         )
+    for number, line in enumerate(found.lines, 1):
+        if len(line) > LONGEST_LINE:  # the longer a line, the slower Terminator parses it
+            raise Failure(
+                Feedback(
+                    summary=f"Line {number} is longer than any line that Terminator writes.",
+                    seen=f"{line[:60]}...",
+                    where=(Location(CONFIG, number),),
+                    advice="Remove the file, and save the layout again in Terminator.",
+                )
+            )
     try:
         parsed(found)
     except ConfigObjError as error:
@@ -52,21 +57,24 @@ def reads(recording: Recording) -> None:
                 summary="Terminator cannot read this file.",
                 seen=found.lines[number - 1].strip()[:120] if number else None,
                 where=(Location(CONFIG, number),),
-                advice="Simplest: remove the file, and save the layout once more in Terminator. If you "
-                "edited it by hand: does each heading close as many brackets as it opens?",
+                advice=(
+                    "The simplest way is to remove the file and save the layout again in Terminator. "
+                    "If you edited it by hand, check that each heading closes as many brackets as it "
+                    "opens."
+                ),
                 details=(str(first),),
             )
         ) from None
 
 
 def parsed(file: HomeFile) -> Mapping[str, Any]:
-    """As Terminator reads it. Raises ConfigObjError."""
+    """The file as Terminator parses it. Raises ConfigObjError."""
     config: Mapping[str, Any] = ConfigObj(list(file.lines), interpolation=False)
     return config
 
 
 def layouts(config: Mapping[str, Any]) -> dict[str, tuple[Part, ...]]:
-    """The parts of each layout; what is no layout is left out."""
+    """The parts of each layout; anything else is left out."""
     section = config.get("layouts")
     entries = section.items() if isinstance(section, Mapping) else ()
     return {name: parts(entry) for name, entry in entries if isinstance(entry, Mapping)}
@@ -78,7 +86,7 @@ def parts(entry: Mapping[str, Any]) -> tuple[Part, ...]:
 
 
 def window_of(part: Part, every: Mapping[str, Part]) -> str | None:
-    """The window that a part lies in; None if it lies in nothing that there is."""
+    """The window that contains a part; None if nothing does."""
     seen: set[str] = set()
     while part.kind != "Window":
         if part.name in seen or part.parent not in every:
@@ -89,7 +97,7 @@ def window_of(part: Part, every: Mapping[str, Part]) -> str | None:
 
 
 def terminals(entry: tuple[Part, ...]) -> dict[str | None, int]:
-    """How many terminals each window holds; under None, those in no window."""
+    """The number of terminals in each window; None for those without a window."""
     every = {part.name: part for part in entry}
     counts: dict[str | None, int] = {}
     for part in entry:
@@ -121,7 +129,7 @@ def no_layouts(config: Mapping[str, Any], file: HomeFile) -> Feedback:
     return Feedback(
         summary=f"The file has no section `[layouts]`; it has `[{close}]`."
         if close and close != "layouts"
-        else "No layout is kept in this file.",
+        else "This file contains no layout.",
         expected="[layouts]",
         seen=listed([f"[{name}]" for name in config]),
         where=(heading(file, close or "layouts"),),
@@ -136,16 +144,21 @@ def too_few(name: str, entry: tuple[Part, ...], file: HomeFile) -> Feedback:
     orphan = next((p for p in entry if p.kind == "Terminal" and window_of(p, every) is None), None)
     windows = len([window for window in counts if window is not None])
     if orphan and sum(counts.values()) >= ENOUGH:
-        summary = f"In the layout `{name}`, `{orphan.name}` lies in `{orphan.parent}`, which is in no window."
+        summary = (
+            f"In the layout `{name}`, `{orphan.name}` is in `{orphan.parent}`, which is not in any window."
+        )
         advice = (
             f"Set its `parent` to one of {listed(sorted(p.name for p in entry if p.kind != 'Terminal'))}."
         )
     elif windows > 1:
-        summary = f"The layout `{name}` has {windows} windows, and none of them holds {ENOUGH} terminals."
-        advice = "Divide one window (Ctrl+Shift+E, Ctrl+Shift+O) in place of opening others, then save it."
+        summary = f"The layout `{name}` has {windows} windows, and none of them has {ENOUGH} terminals."
+        advice = (
+            "Split one window (Ctrl+Shift+E, Ctrl+Shift+O) instead of opening more windows, then "
+            "save the layout."
+        )
     else:
         summary = f"The layout `{name}` has too few terminals: {sum(counts.values()) - lost}."
-        advice = f"Divide the window until it holds {ENOUGH}, then save the layout again. {SAVE}"
+        advice = f"Split the window until it has {ENOUGH}, then save the layout again. {SAVE}"
     return Feedback(
         summary=summary,
         expected=f"{ENOUGH} terminals in one window",

@@ -1,22 +1,30 @@
-"""Grader of chapter 5: a workspace that colcon has built, and that each new terminal knows."""
+"""Grader of chapter 5: a workspace that colcon built and that every new terminal knows."""
 
 from __future__ import annotations
 
 import re
 
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location, NotApplicable
-from course.grading.author import Grader
-from course.grading.expect.shell import BASHRC, complaints, expect_ran, expect_shell
-from course.grading.explain.names import listed
-from course.grading.explain.sourcing import TRACE, Sourced, environments, sourced, workspaces
+from course.api import (
+    BASHRC,
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    NotApplicable,
+    Recording,
+    complaints,
+    expect_ran,
+    expect_shell,
+    listed,
+)
+from lib.sourcing import TRACE, Sourced, environments, sourced, workspaces
 
 WS = "ros2_tutorial_workspace"
 MADE = ("build", "install", "log")
 LINE = f"source ~/{WS}/install/setup.bash"
 OVERLAY = "echo $COLCON_PREFIX_PATH"
-SUBMITTED = "A submission brings no build: only your own machine can tell."
+SUBMITTED = "A submission does not include a build, so only your own computer can check this."
 
 workspace = Grader("05-workspace", builds=None, ros=False)
 
@@ -39,7 +47,7 @@ def src(recording: Recording) -> None:
             summary=f"There is no folder `~/{WS}/src`" + (f"; there is `~/{close}`." if close else "."),
             expected=f"~/{WS}/src",
             seen=f"~/{close}" if close else "no such folder",
-            advice=f"`mkdir -p ~/{WS}/src` makes it; `mv` renames one that has another name.",
+            advice=f"`mkdir -p ~/{WS}/src` creates it. If it has a different name, rename it with `mv`.",
         )
     )
 
@@ -62,7 +70,7 @@ def built(recording: Recording) -> None:
 
 def built_in_src(inside: list[str]) -> Feedback:
     return Feedback(
-        summary=f"colcon was run in `src`: {listed(inside)} lie there.",
+        summary=f"colcon was run in `src`: it left {listed(inside)} there.",
         expected=f"~/{WS}/install",
         seen=f"~/{WS}/src/{inside[0]}",
         advice=f"Clean up: `cd ~/{WS}/src`, then `rm -r {' '.join(inside)}`. Build one folder higher: "
@@ -74,7 +82,7 @@ def not_built(recording: Recording, missing: list[str]) -> Feedback:
     home = recording.home
     away = [name for name in MADE if home.file(name).kind == "folder"]
     if len(missing) == len(MADE) and len(away) == len(MADE):
-        summary = f"colcon was run in `~`, not in `~/{WS}`: {listed(away)} lie there."
+        summary = f"colcon was run in `~`, not in `~/{WS}`: it left {listed(away)} there."
         advice = f"`cd ~`, then `rm -r {' '.join(away)}`; then `cd ~/{WS}` and `colcon build`."
     elif len(missing) == len(MADE):
         summary = f"`~/{WS}` was not built yet: it has no {listed(missing)}."
@@ -89,8 +97,9 @@ def half_built() -> Feedback:
     return Feedback(
         summary=f"`build` and `install` in `~/{WS}` are not what colcon makes.",
         expected="both as `colcon build` makes them, with `install/setup.bash`",
-        advice=f"Nothing needs to be made by hand: `cd ~/{WS}`, then `rm -r {' '.join(MADE)}`, then "
-        "`colcon build`.",
+        advice=(
+            f"Do not create them by hand: `cd ~/{WS}`, then `rm -r {' '.join(MADE)}`, then `colcon build`."
+        ),
     )
 
 
@@ -110,7 +119,7 @@ def sources(recording: Recording) -> None:
                 summary=f"The workspace is sourced {len(found)} times.",
                 expected="one line",
                 where=tuple(one.where for one in found)[:4],
-                advice="Keep the last one, and take the others out.",
+                advice="Keep the last one, and remove the others.",
             )
         )
     written = mentions(recording)
@@ -120,7 +129,7 @@ def sources(recording: Recording) -> None:
 
 
 def own(recording: Recording) -> tuple[Sourced, ...]:
-    """Where the workspace of the course is sourced; a relative path is taken for it."""
+    """Where the course's workspace is sourced; a relative path counts, too."""
     return tuple(
         one for one in workspaces(recording) if WS in one.target or not one.target.startswith(("/", "~"))
     )
@@ -136,16 +145,19 @@ def not_sourced(recording: Recording, written: tuple[Location, ...]) -> Feedback
     text = lines[(written[0].line or 1) - 1] if written else ""
     if text.lstrip().startswith("#"):
         summary = "The line begins with `#`, so bash skips it."
-        advice = "Take the `#` away."
+        advice = "Remove the `#`."
     elif "/src/" in text:
         summary = "The line names a `setup.bash` inside `src`; the right one is one folder higher."
-        advice = f"Write the line so: `{LINE}`."
+        advice = f"Write this line: `{LINE}`."
     elif written:
         summary = "The workspace is named in `~/.bashrc`, but it is not sourced there."
-        advice = f"Write the line so: `{LINE}`. And does a line before it end the reading, such as `return`?"
+        advice = (
+            f"Write this line: `{LINE}`. Then check whether a line before it, such as `return`, stops "
+            "bash from reading on."
+        )
     else:
         summary = "`~/.bashrc` does not source the workspace."
-        advice = f"Add to its end: `{LINE}`. With two `>` if you use `echo`."
+        advice = f"Add this line at its end: `{LINE}`. If you use `echo`, write `>>`."
     return Feedback(summary=summary, expected=LINE, where=written[:1] or (Location(BASHRC),), advice=advice)
 
 
@@ -155,10 +167,15 @@ def after(recording: Recording) -> None:
     if not under:
         raise Failure(
             Feedback(
-                summary="`~/.bashrc` no longer sources ROS 2, only this: was it written with one `>`?",
+                summary=(
+                    "`~/.bashrc` no longer sources ROS 2, only the workspace: did you write it with "
+                    "a single `>`?"
+                ),
                 where=(over.where,),
-                advice="A single `>` empties a file first. Put the line of chapter 3 back, above this one "
-                "(`ros2course init` prints it), and your alias of chapter 1.",
+                advice=(
+                    "A single `>` erases the file first. Put the line from chapter 3 back above this "
+                    "one (`ros2course init` prints it), and your alias from chapter 1."
+                ),
             )
         )
     places = order(recording)
@@ -168,7 +185,7 @@ def after(recording: Recording) -> None:
                 summary="The workspace is sourced before ROS 2.",
                 expected="ROS 2 first, then the workspace",
                 where=(over.where, under[0].where),
-                advice="Swap the two lines: what is sourced last is found first.",
+                advice="Swap the two lines: the workspace that is sourced last is searched first.",
             )
         )
 
@@ -194,7 +211,7 @@ def overlay(recording: Recording) -> None:
             expected=LINE,
             seen=text.strip()[:120],
             where=(line.where,),
-            advice=f"The line is `{LINE}`, with nothing around it.",
+            advice=f"Write exactly `{LINE}`, with nothing around it.",
             details=(lacks,) if lacks else (),
         )
     )
@@ -202,9 +219,9 @@ def overlay(recording: Recording) -> None:
 
 def why_not(text: str, line: Sourced, lacks: str | None) -> str:
     if lacks and re.search(r"[\"']~", text):
-        return "The path is in quotation marks, and there bash leaves `~` as it is."
+        return "The path is in quotation marks, and inside them bash does not expand `~`."
     if lacks and not line.target.startswith(("/", "~")):
-        return f"`{line.target}` is looked for in the folder in which the terminal opens."
+        return f"bash looks for `{line.target}` in the folder where the terminal opens."
     if lacks:
         return f"The line names a file that does not exist: {line.target}."
-    return "The workspace is sourced, and yet a new terminal does not have it in its environment."
+    return "The workspace is sourced, but it is not in the environment of a new terminal."

@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-import configparser
-
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.manifests import expect_build_type, expect_manifest
-from course.grading.expect.probes import answered, expect_importable
-from course.grading.explain.installed_packages import not_installed
-from course.grading.explain.names import listed, nearest
-from course.grading.explain.python_code import text_places
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    Recording,
+    answered,
+    expect_build_type,
+    expect_importable,
+    expect_manifest,
+    listed,
+    nearest,
+    read_setup_cfg,
+    text_places,
+)
+from lib.installed_packages import not_installed
 
 PACKAGE = "the_simplest_python_package"
 SCRIPTS = f"$base/lib/{PACKAGE}"
 SCRIPT_FOLDERS = (("develop", "script_dir"), ("install", "install_scripts"))
 LINT_TESTS = ("test_copyright.py", "test_flake8.py", "test_pep257.py")
-AGAIN = "or create the package again in an empty place, and compare."
+AGAIN = "or create the package again in an empty folder, and compare."
 
 IMPORTED = "import"
 
@@ -27,7 +33,7 @@ simplest = Grader("07-simplest-package", ros=False)
 
 @simplest.scenario
 def import_it(arena: Arena) -> None:
-    """From elsewhere, so that it is found only if it is installed."""
+    """Import it from another folder, so that Python finds it only if it is installed."""
     arena.probe(f"import importlib\nask({IMPORTED!r}, lambda: importlib.import_module({PACKAGE!r}).__file__)")
 
 
@@ -58,7 +64,7 @@ def package_format(recording: Recording) -> None:
             summary=f"package.xml is of format {found.format}, not 3.",
             expected='<package format="3">',
             where=text_places(recording.sources, "<package")[:1] or (found.where,),
-            advice='Write `<package format="3">`. `ros2 pkg create` does so, unless it is told otherwise.',
+            advice='Write `<package format="3">`, as `ros2 pkg create` does by default.',
         )
     )
 
@@ -77,8 +83,10 @@ def marker(recording: Recording) -> None:
             where=(Location(f"{folder(recording)}/resource"),),
             advice=f"Rename it to `{PACKAGE}`."
             if near
-            else f"Make it, in the package's folder: `touch resource/{PACKAGE}`. setup.py has to list it "
-            "in `data_files`.",
+            else (
+                f"Create it in the package's folder: `touch resource/{PACKAGE}`. setup.py must list "
+                "it in `data_files`."
+            ),
         )
     )
 
@@ -92,7 +100,7 @@ def module(recording: Recording) -> None:
     answered(recording, IMPORTED, f"import {PACKAGE}")
 
 
-@simplest.check("setup_cfg", "setup.cfg sends programs to where ROS looks", needs="build_type")
+@simplest.check("setup_cfg", "setup.cfg installs programs where ROS looks", needs="build_type")
 def setup_cfg(recording: Recording) -> None:
     file = f"{folder(recording)}/setup.cfg"
     text = recording.sources.files.get(file)
@@ -103,11 +111,9 @@ def setup_cfg(recording: Recording) -> None:
 
 
 def setting(text: str, section: str, key: str) -> str | None:
-    """A value of setup.cfg; setuptools takes a dash in a key for an underscore."""
-    parser = configparser.ConfigParser(interpolation=None)
-    try:
-        parser.read_string(text)
-    except configparser.Error:
+    """A value of setup.cfg; setuptools reads a dash in a key as an underscore."""
+    parser = read_setup_cfg(text)
+    if parser is None:
         return None
     return parser.get(section, key, fallback=parser.get(section, key.replace("_", "-"), fallback=None))
 
@@ -118,9 +124,11 @@ def misdirected(
     line = f"{key}={SCRIPTS}"
     places = tuple(place for place in text_places(recording.sources, key) if place.file == file)
     return Feedback(
-        summary="The package has no setup.cfg: programs would not come to where `ros2 run` looks for them."
+        summary=(
+            "The package has no setup.cfg, so its programs are not installed where `ros2 run` looks for them."
+        )
         if text is None
-        else f"setup.cfg does not send programs to `{SCRIPTS}`, where `ros2 run` looks for them.",
+        else f"setup.cfg does not install programs to `{SCRIPTS}`, where `ros2 run` looks for them.",
         expected=f"[{section}] {line}",
         seen=f"[{section}] {key}={found}" if found else f"no `{key}` under [{section}]",
         where=places[:1] or (Location(file),),
@@ -128,7 +136,7 @@ def misdirected(
     )
 
 
-@simplest.check("tests", "test/ holds the three tests of style", needs="build_type")
+@simplest.check("tests", "test/ contains the three style tests", needs="build_type")
 def lint_tests(recording: Recording) -> None:
     found = inside(recording, "test")
     missing = [name for name in LINT_TESTS if name not in found]
@@ -145,10 +153,10 @@ def lint_tests(recording: Recording) -> None:
     )
 
 
-@simplest.check("label", "description, licence and maintainer are real", bonus=True, needs="build_type")
+@simplest.check("label", "description, license and maintainer are real", bonus=True, needs="build_type")
 def label(recording: Recording) -> None:
     found = expect_manifest(recording, PACKAGE)
-    for tag, what in (("description", "the description"), ("license", "the licence")):
+    for tag, what in (("description", "the description"), ("license", "the license")):
         value = " ".join(found.values(tag))
         if "TODO" in value or not value:
             raise Failure(still_to_do(recording, what, value or "nothing", f"<{tag}"))
@@ -160,8 +168,9 @@ def still_to_do(recording: Recording, what: str, seen: str, near: str) -> Feedba
     file = f"{folder(recording)}/package.xml"
     places = tuple(place for place in text_places(recording.sources, near) if place.file == file)
     return Feedback(
-        summary=f"In package.xml, {what} is still to be written: `{seen}`.",
+        summary=f"In package.xml, {what} is still a placeholder: `{seen}`.",
         where=places[:1] or (Location(file),),
-        advice="Put something true there: what the package is for, a licence such as `MIT`, and an "
-        "e-mail address of yours.",
+        advice=(
+            "Fill in real values: what the package is for, a license such as `MIT`, and your e-mail address."
+        ),
     )

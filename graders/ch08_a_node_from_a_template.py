@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.manifests import expect_build_type
-from course.grading.expect.programs import expect_clean_end, expect_executable
-from course.grading.explain.python_code import calls
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    Recording,
+    calls,
+    expect_build_type,
+    expect_clean_end,
+    expect_executable,
+)
 
 PACKAGE = "python_package_with_a_node"
 PROGRAM = "sample_python_node"
@@ -20,7 +25,7 @@ template = Grader("08-template-node", ros=False)
 @template.scenario
 def run_it_once(arena: Arena) -> None:
     program = arena.run(PACKAGE, PROGRAM)
-    if program and not program.wait(5):
+    if program and not program.wait(10):
         arena.interrupt(program)
 
 
@@ -41,7 +46,7 @@ def modules(recording: Recording) -> list[str]:
 def no_program(recording: Recording) -> Feedback:
     built = recording.packages.get(PACKAGE)
     return Feedback(
-        summary=f"No executable found: the package holds no program at all, so no `{PROGRAM}` either.",
+        summary=f"No executable found: the package contains no program at all, so no `{PROGRAM}` either.",
         expected=PROGRAM,
         seen="a package without a program",
         where=(Location(f"{built.source}/{PACKAGE}"),) if built else (),
@@ -68,7 +73,7 @@ def greeting(recording: Recording) -> None:
             expected=GREETING,
             seen=text[0] if text else "nothing",
             where=tuple(call.where for call in calls(recording.sources, "print"))[:2],
-            advice="Print exactly these words: capitals, underscores and the full stop count."
+            advice="Print exactly these words: capital letters, underscores and the period count."
             if text
             else "Does the entry point name the function that prints, and does that function call `print`?",
         )

@@ -1,14 +1,18 @@
-"""Grader of chapter 9: a build newer than its sources, which a terminal knows once it has sourced it."""
+"""Grader of chapter 9: a build newer than its sources, known to a terminal that sourced it."""
 
 from __future__ import annotations
 
-from course.arena.arena import Arena
-from course.errors import OurFault
-from course.evidence.home_files import HomeEntry
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location, NotApplicable
-from course.grading.author import Grader
-from course.grading.explain.names import listed
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    NotApplicable,
+    OurFault,
+    Recording,
+    listed,
+)
 
 WS = "ros2_tutorial_workspace"
 PACKAGE = "python_package_with_a_node"
@@ -18,7 +22,7 @@ RESULT = f"{WS}/build/{PACKAGE}/colcon_build.rc"
 RUN = f"ros2 run {PACKAGE} {PROGRAM}"
 BUILD = f"`cd ~/{WS}`, then `colcon build`, then `source install/setup.bash`."
 ANEW = f"`cd ~/{WS}`, then `rm -r build install log`, then `colcon build`."
-# A file system may keep times to no more than this.
+# The times in a file system may not be more exact than this.
 SAME_TIME = 0.01
 
 source = Grader("09-source", builds=None, ros=False)
@@ -37,7 +41,9 @@ def run_it_before_and_after(arena: Arena) -> None:
 @source.check("built", f"`{PACKAGE}` is built in `~/{WS}`")
 def built(recording: Recording) -> None:
     if not recording.local:
-        raise NotApplicable("A submission brings no build: only your own machine can tell.")
+        raise NotApplicable(
+            "A submission does not include a build, so only your own computer can check this."
+        )
     home = recording.home
     isolated, merged = f"{WS}/install/{PACKAGE}", f"{WS}/install/share/{PACKAGE}"
     if home.file(f"{WS}/install/setup.bash").is_file and any(
@@ -50,17 +56,17 @@ def built(recording: Recording) -> None:
 def not_built(recording: Recording) -> Feedback:
     home = recording.home
     if home.file(f"{WS}/src/install").exists:
-        summary = "colcon was run in `src`: an `install` lies there."
+        summary = "colcon was run in `src`: it left an `install` folder there."
         advice = f"`cd ~/{WS}/src`, then `rm -r build install log`; then {BUILD}"
     elif not home.file(SOURCE).exists:
         summary = f"There is no package `{PACKAGE}` in `~/{WS}/src`."
-        advice = "Chapter 8 makes it: `ros2course next 08-template-node`."
+        advice = "You create it in chapter 8: `ros2course next 08-template-node`."
     elif not home.file(f"{WS}/install/setup.bash").is_file:
         summary = f"`~/{WS}` is not built: there is no `install/setup.bash`."
         advice = BUILD
     else:
         summary = f"`{PACKAGE}` is not among the packages that were built."
-        advice = f"{BUILD} Read its last lines: a package that failed is named there."
+        advice = f"{BUILD} Read its last lines: they name any package that failed."
     names = home.inside(f"{WS}/install")
     inside = [name for name in names if home.file(f"{WS}/install/{name}").kind == "folder"]
     return Feedback(
@@ -75,7 +81,7 @@ def not_built(recording: Recording) -> Feedback:
 def runs(recording: Recording) -> None:
     before, after = recording.process("before"), recording.process("after")
     if before.exited is None or not any(f"'{PACKAGE}' not found" in line for line in before.text):
-        raise OurFault(f"without the workspace, `{RUN}` does not say that there is no such package")
+        raise OurFault(f"without the workspace, `{RUN}` does not report that the package is missing")
     if after.exited is not None and after.exited.code == 0 and any(line.strip() for line in after.text):
         return
     text = [line.strip() for line in after.text if line.strip()]
@@ -84,9 +90,9 @@ def runs(recording: Recording) -> None:
         Feedback(
             summary=f"After sourcing, `ros2 run` still says: {lost}."
             if lost
-            else f"`{PROGRAM}` does not come to an end."
+            else f"`{PROGRAM}` never ends."
             if after.exited is None or after.exited.signal
-            else f"`{PROGRAM}` is found, and ends with an error.",
+            else f"`{PROGRAM}` starts, but ends with an error.",
             expected=f"Hi from {PACKAGE}.",
             seen=text[-1][:120] if text else "nothing",
             where=(Location(f"{SOURCE}/setup.py"),),
@@ -102,26 +108,28 @@ def fresh(recording: Recording) -> None:
     if result.is_file and (result.text or "0").strip() != "0":
         raise Failure(
             Feedback(
-                summary="The last build of the package failed; what is installed is from an earlier one.",
+                summary=(
+                    "The last build of the package failed. The installed files are from an earlier build."
+                ),
                 where=(Location(SOURCE),),
-                advice=f"`cd ~/{WS}`, then `colcon build`, and read what it says.",
+                advice=f"`cd ~/{WS}`, then `colcon build`, and read its output.",
             )
         )
     since = changed_since(recording, build_time(recording))
     if since:
-        names = [entry.path.removeprefix(f"{SOURCE}/") for entry in since]
+        names = [path.removeprefix(f"{SOURCE}/") for path in since]
         raise Failure(
             Feedback(
                 summary=f"You changed {listed(names[:3])} after the last build.",
                 expected="a build after the last change",
-                where=tuple(Location(entry.path) for entry in since[:3]),
-                advice=f"What runs is still the old program. {BUILD}",
+                where=tuple(Location(path) for path in since[:3]),
+                advice=f"The old program still runs. {BUILD}",
             )
         )
 
 
 def build_time(recording: Recording) -> float:
-    """When colcon last built the package, or, if only `install` is left, when that was written."""
+    """When colcon last built the package; if only `install` is left, when that was written."""
     entries = recording.home.entries
     if RESULT in entries:
         return entries[RESULT].modified
@@ -129,8 +137,8 @@ def build_time(recording: Recording) -> float:
     return max((entry.modified for entry in installed if entry.kind == "file"), default=0.0)
 
 
-def changed_since(recording: Recording, time: float) -> list[HomeEntry]:
-    """What was changed after `time`, the last one first.
+def changed_since(recording: Recording, time: float) -> list[str]:
+    """The paths of files that changed after `time`, the latest first.
 
     Tests need no build, and neither do files that the build only links to.
     """
@@ -145,4 +153,4 @@ def changed_since(recording: Recording, time: float) -> list[HomeEntry]:
         and not entry.path.startswith(tuple(spared))
         and not entry.path.endswith(".pyc")
     ]
-    return sorted(late, key=lambda entry: -entry.modified)
+    return [entry.path for entry in sorted(late, key=lambda entry: -entry.modified)]

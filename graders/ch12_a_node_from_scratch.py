@@ -6,22 +6,25 @@ import re
 
 import pytest
 
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.evidence.topic_view import LogLine, expect_period
-from course.feedback import Failure, Feedback
-from course.grading.author import Grader
-from course.grading.expect.counts import expect_counting
-from course.grading.expect.graph import expect_node
-from course.grading.expect.logs import expect_logged
-from course.grading.expect.manifests import expect_dependency
-from course.grading.expect.programs import (
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    LogLine,
+    Recording,
+    cause_of_silence,
     expect_clean_end,
     expect_clean_interrupt,
+    expect_dependency,
     expect_executable,
+    expect_logged,
+    expect_node,
+    expect_period,
     expect_running,
+    slips,
 )
-from course.grading.explain.timers import timer_cause, timer_places
+from lib.counts import await_counted, expect_counting
 
 PACKAGE = "python_package_with_a_node"
 NODE = "print_forever_node"
@@ -36,18 +39,10 @@ print_forever = Grader("12-print-forever")
 
 @print_forever.scenario
 def five_messages_and_the_old_program(arena: Arena) -> None:
-    """Five messages are four intervals; the old program ends by itself."""
+    """Record five messages, which make four intervals; the old program ends by itself."""
     old = arena.run(PACKAGE, OLD)
     node = arena.run(PACKAGE, NODE)
-    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
-        arena.until(lambda: arena.logged("") or arena.printed("Print"), timeout=4, while_running=node)
-        arena.until(
-            lambda: arena.logged("Print") >= ENOUGH or arena.printed("Print") > ENOUGH + 1,
-            timeout=4,
-            while_running=node,
-        )
-        # What a quick node printed may reach the log a moment later.
-        arena.until(lambda: arena.logged("Print") >= ENOUGH, timeout=1, while_running=node)
+    await_counted(arena, node, "Print", ENOUGH, seconds=4)
     arena.interrupt(node)
     if old:
         old.wait(5)
@@ -79,24 +74,24 @@ def counts(recording: Recording) -> None:
         lines,
         LINE,
         first=FIRST,
-        begin="Begin with a count of 0, and add one after the message is logged, not before.",
-        step="Keep the count in the node (`self.count`) and add one each time the timer calls.",
+        begin="Start with a count of 0, and add one after you log the message, not before.",
+        step="Keep the count in the node (`self.count`), and add one in each call of the timer.",
     )
     if len(lines) < ENOUGH:
         raise Failure(too_few(recording, lines))
 
 
 def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:
-    cause = timer_cause(recording.sources)
+    cause = cause_of_silence(
+        recording, NODE, slips.logged_seldom, look_at="does a timer of 0.5 s call the function that logs?"
+    )
     return Feedback(
         summary=f"The node logged only {len(lines)} time{'s' if len(lines) > 1 else ''}; it "
-        "should go on forever.",
+        "should never stop.",
         expected="a message every 0.5 s",
         seen=f"{len(lines)} in all",
-        where=cause.where if cause else timer_places(recording.sources),
-        advice=cause.text
-        if cause
-        else "Let a timer of 0.5 s call the function that logs, with `create_timer`.",
+        where=cause.where,
+        advice=cause.text,
         details=tuple(line.text for line in lines[:3]),
     )
 
@@ -105,8 +100,8 @@ def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:
 def rate(recording: Recording) -> None:
     times = tuple(line.t for line in counted(recording))
     if len(times) < ENOUGH:
-        pytest.skip("there are too few messages to tell")
-    expect_period(times, 0.5, what="log messages", advice="The period of `create_timer` is in seconds: 0.5.")
+        pytest.skip("there are too few messages to judge")
+    expect_period(times, 0.5, what="log messages", program=recording)
 
 
 @print_forever.check("old_executable", "the old program still runs", needs="builds")
@@ -120,7 +115,7 @@ def old_executable(recording: Recording) -> None:
                 summary=f"`{OLD}` no longer prints `{GREETING}`",
                 expected=GREETING,
                 seen=text[0] if text else "nothing",
-                advice=f"Leave `{OLD}.py` as it was; the new node has a module of its own.",
+                advice=f"Leave `{OLD}.py` as it was. The new node has its own module.",
             )
         )
 

@@ -7,19 +7,25 @@ from functools import partial
 from itertools import pairwise
 from statistics import median
 
-from course.arena.arena import Arena
-from course.arena.process import Process
-from course.evidence.recording import Recording
-from course.evidence.topic_view import LogLine, expect_period
-from course.feedback import Failure, Feedback
-from course.grading.author import Grader
-from course.grading.expect.graph import expect_node
-from course.grading.expect.logs import expect_logged
-from course.grading.expect.one_program import about
-from course.grading.expect.programs import expect_clean_interrupt, expect_running
-from course.grading.explain.names import listed
-from course.grading.explain.python_code import text_places
-from course.grading.explain.timers import timer_cause, timer_places
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    LogLine,
+    Process,
+    Recording,
+    about,
+    cause_of_silence,
+    expect_clean_interrupt,
+    expect_logged,
+    expect_node,
+    expect_period,
+    expect_running,
+    listed,
+    text_places,
+    timer_places,
+)
 
 PACKAGE = "python_package_with_broken_nodes"
 HEARTBEAT, COUNTDOWN, NIGHT_WATCH = "heartbeat", "countdown", "night_watch"
@@ -34,14 +40,22 @@ repair = Grader("13-repair")
 
 @repair.scenario
 def all_three_at_once(arena: Arena) -> None:
-    """Five lines are four intervals; the countdown says four lines in the same time."""
+    """Record five lines, which make four intervals; the countdown logs its four lines meanwhile."""
+    asked = arena.ros.parameters(f"/{COUNTDOWN}")
     programs = {node: arena.run(PACKAGE, program(node)) for node in NODES}
     started = [found for found in programs.values() if found]
-    arena.until(lambda: len(arena.graph.nodes) >= sum(p.running for p in started), timeout=15)
+    arena.until(lambda: len(arena.ros.graph.nodes) >= sum(p.running for p in started), timeout=15)
     for node, text, count in ((HEARTBEAT, BEAT, ENOUGH), (NIGHT_WATCH, QUIET, ENOUGH), (COUNTDOWN, "L", 1)):
         # The pace counts from the first line on: on a busy machine that comes late.
         if arena.until(partial(heard, arena, programs[node], text, 1), timeout=6):
             arena.until(partial(heard, arena, programs[node], text, count), timeout=4)
+    countdown = programs[COUNTDOWN]
+    # One more word would come a period after the last one.
+    arena.until(partial(heard, arena, countdown, "L", 2), timeout=2 * PERIOD)
+    # A node that still answers keeps running. One that ends after its last word may take a while.
+    if countdown and asked.available:
+        answer = asked.list()
+        arena.until(lambda: answer.done or not countdown.running, timeout=6)
     for process in started:
         arena.interrupt(process)
 
@@ -51,7 +65,7 @@ def program(node: str) -> str:
 
 
 def heard(arena: Arena, process: Process | None, text: str, count: int) -> bool:
-    """Whether nothing more is to be expected of this program."""
+    """Whether we expect nothing more from this program."""
     return process is None or not process.running or arena.logged(text) >= count
 
 
@@ -97,9 +111,8 @@ def night_watch_reports(recording: Recording) -> None:
 def expect_every_half_second(recording: Recording, node: str, text: str) -> None:
     lines = with_text(recording, text)
     expect_logged(recording, program(node), lines, text, text)
-    cause = timer_cause(recording.sources)
-    advice = cause.text if cause else f"Leave the period of its timer at {PERIOD}, in seconds."
-    expect_period(tuple(line.t for line in lines), PERIOD, what=f"lines of {node}", advice=advice)
+    times = tuple(line.t for line in lines)
+    expect_period(times, PERIOD, what=f"lines of {node}", program=recording)
 
 
 @repair.check("countdown_counts", "countdown logs 3, 2, 1, Lift-off!", needs=("countdown_runs", "names"))
@@ -113,7 +126,7 @@ def countdown_counts(recording: Recording) -> None:
     if not PERIOD / 2 <= median(gaps) <= 2 * PERIOD or has_two_at_once(gaps):
         raise Failure(
             Feedback(
-                summary="The countdown does not say one word every half a second.",
+                summary="The countdown does not log one word every half second.",
                 expected=f"one every {PERIOD} s",
                 seen=", ".join(f"{gap:.2f} s" for gap in gaps),
                 where=timer_places(recording.sources),
@@ -131,7 +144,7 @@ def has_two_at_once(gaps: Sequence[float]) -> bool:
 
 
 def spoken_at(recording: Recording) -> tuple[float, ...]:
-    """When each word was said, by the terminal if it is there.
+    """When each word appeared, on the terminal if possible.
 
     What a node logs before others have found it, the log delivers in one go.
     """
@@ -144,15 +157,17 @@ def spoken_at(recording: Recording) -> tuple[float, ...]:
 def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
     if not said:
         expect_logged(recording, program(COUNTDOWN), (), COUNTED[0], COUNTED[-1])  # knows the usual causes
-    cause = timer_cause(recording.sources)
+    cause = cause_of_silence(
+        recording,
+        program(COUNTDOWN),
+        look_at="only one thing was wrong in this file. Compare the rest with its docstring.",
+    )
     return Feedback(
         summary=f"The countdown logs {listed(said[:6])}.",
         expected=", ".join(COUNTED),
         seen=", ".join(said[:6]),
-        where=cause.where if cause else timer_places(recording.sources),
-        advice=cause.text
-        if cause
-        else "Only one thing was wrong in this file. Compare the rest with what its docstring says.",
+        where=cause.where,
+        advice=cause.text,
     )
 
 
@@ -174,13 +189,16 @@ def lamp(recording: Recording) -> None:
     places = text_places(own, "put_out_the_lamp()") or text_places(own, LAMP)
     raise Failure(
         Feedback(
-            summary="The night watch puts out its lamp while it is still on duty."
+            summary="The night watch puts out its lamp before Ctrl+C."
             if before
             else "After Ctrl+C the lamp stays on: the program ends before it puts it out.",
             expected=f"{LAMP} after Ctrl+C, and not before",
             seen=f"{LAMP} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",
             where=places[:2],
-            advice="The lamp goes out behind `rclpy.spin`, once Ctrl+C was caught: put `spin` into a `try:`, "
-            "add `except KeyboardInterrupt:` with `pass`, and call `put_out_the_lamp()` after that.",
+            advice=(
+                "The lamp must go out after `rclpy.spin`, once Ctrl+C is caught: put `spin` in a "
+                "`try:` block, add `except KeyboardInterrupt:` with `pass`, and call "
+                "`put_out_the_lamp()` after it."
+            ),
         )
     )

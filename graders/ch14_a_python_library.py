@@ -1,4 +1,4 @@
-"""Grader of chapter 14: a library, tried as it is installed, from a folder where its sources do not lie."""
+"""Grader of chapter 14: a library, used as installed, from a folder without its sources."""
 
 from __future__ import annotations
 
@@ -10,17 +10,24 @@ import string
 from collections.abc import Callable
 from typing import Any
 
-from course.arena.arena import Arena
-from course.errors import OurFault
-from course.evidence.probe_view import Answer
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.probes import expect_importable
-from course.grading.explain.installed_packages import not_installed, packages_place
-from course.grading.explain.names import listed, nearest
-from course.grading.explain.python_code import functions, trees
-from course.grading.explain.tracebacks import learners_file
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    OurFault,
+    ProbeAnswer,
+    Recording,
+    expect_importable,
+    functions,
+    learners_file,
+    listed,
+    nearest,
+    packages_place,
+    trees,
+)
+from lib.installed_packages import not_installed
 
 PACKAGE = "python_package_with_a_library"
 LIBRARY = "sample_python_library"
@@ -84,7 +91,7 @@ def ask_the_installed_library(arena: Arena) -> None:
 
 
 def given(recording: Recording) -> dict[str, Any]:
-    """What the scenario drew, from its own notes: the probe runs beside the learner's code."""
+    """The values that the scenario drew, from its own notes, as the probe runs beside the learner's code."""
     mark = recording.marked(GIVEN)
     if mark is None:
         raise OurFault("the scenario did not note what it drew")
@@ -92,16 +99,18 @@ def given(recording: Recording) -> dict[str, Any]:
     return found
 
 
-def answer(recording: Recording, question: str) -> Answer:
+def answer(recording: Recording, question: str) -> ProbeAnswer:
     found = recording.probe().answer(question)
     if found is None:
         expect_importable(recording, f"import {MODULE}")
         raise Failure(
             Feedback(
-                summary="The library does not come to an end when it is used.",
+                summary="A program that uses the library never ends.",
                 where=(Location(f"{folder(recording)}/{PACKAGE}/{LIBRARY}"),),
-                advice="Look for a loop without end, for `input()` and for `sys.exit()`: a library only "
-                "defines, and returns.",
+                advice=(
+                    "Look for an endless loop, `input()` and `sys.exit()`. A library only defines "
+                    "functions and classes."
+                ),
             )
         )
     return found
@@ -113,7 +122,7 @@ def folder(recording: Recording) -> str:
 
 
 def place_of_error(recording: Recording, question: str) -> tuple[Location, ...]:
-    """The learner's line that led to the exception, by the frames that the probe saw."""
+    """The learner's line that led to the exception, from the frames that the probe saw."""
     frames = recording.probe().answer(f"{question} places")
     for file, line in reversed(frames.value if frames and isinstance(frames.value, list) else []):
         own = learners_file(str(file), recording.packages, recording.sources)
@@ -129,8 +138,18 @@ def installed(recording: Recording) -> None:
     if found.error:
         raise Failure(not_imported(recording, found.error))
     built = recording.packages.get(PACKAGE)
-    if built is None or not str(found.value).startswith(built.prefix):
-        raise OurFault(f"the library was imported from {found.value}")
+    if built is None:
+        raise OurFault(f"{PACKAGE} was not built")
+    if not str(found.value).startswith(built.prefix):
+        raise Failure(
+            Feedback(
+                summary=f"`import {MODULE}` gives something other than the installed library.",
+                expected=f"a module whose `__file__` is in the installed `{PACKAGE}`",
+                seen=str(found.value)[:200],
+                where=(Location(f"{folder(recording)}/{PACKAGE}/__init__.py"),),
+                advice="Let Python set `__file__`, and leave `sys.modules` and `sys.path` as they are.",
+            )
+        )
 
 
 def not_imported(recording: Recording, error: str) -> Feedback:
@@ -139,10 +158,13 @@ def not_imported(recording: Recording, error: str) -> Feedback:
         return not_installed(recording.sources, folder(recording), MODULE, error)
     private = next((name for name in inner_modules(recording) if f"No module named '{name}'" in error), None)
     if f"No module named '{LIBRARY}" in error:
-        advice = f"Name its package too: `{MODULE}`."
+        advice = f"Include its package in the name: `{MODULE}`."
     elif private:
-        advice = f"Name its package too: `{MODULE}.{private}`, or `.{private}`. The bare name is only found "
-        advice += "where that file happens to lie in the current folder."
+        advice = (
+            f"Include its package in the name: `{MODULE}.{private}`, or `.{private}`. Python finds "
+            "the bare name only "
+        )
+        advice += "when that file is in the current folder."
     else:
         advice = remedy(error)
     return Feedback(
@@ -179,7 +201,7 @@ def not_offered(recording: Recording, name: str, kind: str, *, is_module: bool) 
     return Feedback(
         summary=f"`{name}` is a file here, not the {kind} in it."
         if is_module
-        else f"The library offers no `{name}`" + (f"; it offers `{near}`." if near else "."),
+        else f"The library has no `{name}`" + (f"; it has `{near}`." if near else "."),
         expected=f"from {MODULE} import {name}",
         seen=f"it offers {listed(offered, 'nothing')}",
         where=(*defined_at(recording, near or name)[:1], Location(init)),
@@ -189,7 +211,7 @@ def not_offered(recording: Recording, name: str, kind: str, *, is_module: bool) 
 
 def advice_to_offer(recording: Recording, name: str, kind: str, near: str | None) -> str:
     if near:
-        return f"Correct the name of the {kind}, letter by letter, where it is defined and imported."
+        return f"Correct the name of the {kind} where it is defined and where it is imported."
     if not defined_at(recording, name):
         return f"Write the {kind} in its file, then import it in `__init__.py`."
     return f"In `__init__.py`, import it from its file: `from {MODULE}._... import {name}`."
@@ -204,7 +226,7 @@ def defined_at(recording: Recording, name: str) -> tuple[Location, ...]:
     )
 
 
-@library.check("class", f"`{CLASS}` keeps its name", needs="exports")
+@library.check("class", f"each `{CLASS}` keeps its own name", needs="exports")
 def class_(recording: Recording) -> None:
     wanted = given(recording)["NAMES"]
     found = answer(recording, "names")
@@ -218,19 +240,19 @@ def class_(recording: Recording) -> None:
     if seen == [wanted[1], wanted[1]]:
         summary, advice = (
             f"Two objects of `{CLASS}` share one name: the last that was given.",
-            ("Keep it in the object: `self._name = name` in `__init__`, not `SampleClass._name = ...`."),
+            ("Store it in the object: `self._name = name` in `__init__`, not `SampleClass._name = ...`."),
         )
     elif seen == [None, None]:
-        summary, advice = "`get_name()` returns nothing.", "It has to `return self._name`, not just print it."
+        summary, advice = "`get_name()` returns nothing.", "It must `return self._name`, not just print it."
     elif "bound method" in str(seen[0]):
         summary, advice = (
-            "`get_name()` returns itself, not the name.",
-            ("A method and what it returns need two names: keep the name in `self._name`."),
+            "`get_name()` returns the method itself, not the name.",
+            ("The method and the attribute need different names: store the name in `self._name`."),
         )
     else:
         summary, advice = (
-            "`get_name()` does not return the name that the object was made with.",
-            ("`__init__` keeps the name, `self._name = name`, and `get_name` returns it unchanged."),
+            "`get_name()` does not return the name that was given to the object.",
+            ("Store the name in `__init__` (`self._name = name`), and return it unchanged in `get_name`."),
         )
     raise Failure(
         Feedback(
@@ -254,25 +276,25 @@ def broken(recording: Recording, call: str, error: str, where: tuple[Location, .
 
 def remedy(error: str) -> str:
     every = (text for words, text in REMEDIES if all(word in error for word in words))
-    return next(every, "Look at the line named here: it is the one of yours that led to the error.")
+    return next(every, "The error came from this line of your code.")
 
 
 REMEDIES = (
     (
         ("circular import",),
-        "Two files import each other. Let the private files import nothing of the library.",
+        "Two files import each other. The private files must not import from the library.",
     ),
-    (("cannot import name",), "Is that name spelt the same here and where it is defined?"),
-    (("SyntaxError",), "Python cannot read the file. Look at this line, and at the end of the one before."),
-    (("NameError",), "Is that name spelt the same everywhere? Small and capital letters differ."),
-    (("for ^",), "Python writes powers with two stars: `a**2`."),
-    (("takes no arguments",), "`__init__` has two underscores on each side, and stands inside the class."),
+    (("cannot import name",), "Is that name spelled the same here and where it is defined?"),
+    (("SyntaxError",), "Python cannot read the file. Check this line and the end of the line before it."),
+    (("NameError",), "Is that name spelled the same everywhere? Upper and lower case matter."),
+    (("for ^",), "Powers in Python need two asterisks: `a**2`."),
+    (("takes no arguments",), "`__init__` has two underscores on each side, and belongs inside the class."),
     ((f"{FUNCTION}()",), f"It takes two numbers: `def {FUNCTION}(a, b):`."),
     (("takes", "given"), "The first argument of each method is `self`: `def get_name(self):`."),
     (("has no attribute 'get_name'",), "The class needs a method `get_name`, indented below `class`."),
-    (("has no attribute",), "Is it set in `__init__`, with `self.`, and spelt the same in both places?"),
+    (("has no attribute",), "Is it set in `__init__` with `self.`, and spelled the same in both places?"),
     (("missing", "argument"), "Compare its arguments with those in the task."),
-    (("'str' object is not callable",), "A method and what it returns need two names: `self._name`."),
+    (("'str' object is not callable",), "The method and the attribute need different names: `self._name`."),
 )
 # What Python adds to some messages: where the installed file lies, which says nothing to a learner.
 STORE_PATH = re.compile(r" \(/[^)]*\)")
@@ -292,7 +314,17 @@ def function(recording: Recording) -> None:
         if not same(value, (a + b) ** 2):
             raise Failure(miscalculated(pairs, values, (a, b, value), where))
     if len(values) != len(pairs):
-        raise OurFault(f"the probe gave {len(values)} values for {len(pairs)} pairs")
+        raise Failure(
+            Feedback(
+                summary=f"`{FUNCTION}` could not be called with all test values.",
+                expected=f"{len(pairs)} numbers, one for each pair",
+                seen=f"{len(values)}",
+                where=where,
+                advice=(
+                    "A library only defines functions and classes: do not change other modules or open files."
+                ),
+            )
+        )
 
 
 def same(value: object, wanted: float) -> bool:
@@ -302,12 +334,12 @@ def same(value: object, wanted: float) -> bool:
 
 
 FORMULAS: tuple[tuple[Callable[[float, float], float], str], ...] = (
-    (lambda a, b: a**2 + b**2, "The part in the middle is missing: 2·a·b."),
-    (lambda a, b: a**2 + a * b + b**2, "The part in the middle counts twice: 2·a·b, not a·b."),
-    (lambda a, b: (a - b) ** 2, "The part in the middle is added, not taken away."),
-    (lambda a, b: a + b, "That is the sum of both. The task asks for its square."),
+    (lambda a, b: a**2 + b**2, "The middle term is missing: 2·a·b."),
+    (lambda a, b: a**2 + a * b + b**2, "The middle term must be 2·a·b, not a·b."),
+    (lambda a, b: (a - b) ** 2, "The middle term is added, not subtracted."),
+    (lambda a, b: a + b, "That is the sum of both numbers. The task asks for the square of the sum."),
     (lambda a, b: 2 * a + 2 * a * b + 2 * b, "`a * 2` doubles a. The square is `a**2`."),
-    (lambda a, b: a**2 + 2 * a + b + b**2, "Between 2, a and b there are two `*`."),
+    (lambda a, b: a**2 + 2 * a + b + b**2, "Write a `*` between 2, a and b: `2 * a * b`."),
 )
 
 
@@ -320,9 +352,9 @@ def miscalculated(
         (text for formula, text in FORMULAS if all(same(each, formula(*pair)) for pair, each in every)), None
     )
     if value is None:
-        cause = "It returns nothing: begin the line with `return`. To print the result is not enough."
+        cause = "It returns nothing: begin the line with `return`. Printing the result is not enough."
     elif isinstance(value, str):
-        cause = "It returns a text. Return the number itself."
+        cause = "It returns a string. Return the number itself."
     elif isinstance(value, int) or (isinstance(value, float) and round(value, 6) == value):
         cause = "The result is rounded. Return it as it is."
     return Feedback(
@@ -330,18 +362,19 @@ def miscalculated(
         expected=f"{(a + b) ** 2!r}",
         seen=f"{value!r}"[:200],
         where=where,
-        advice=cause or "Write the three parts one by one: `a**2`, `2 * a * b` and `b**2`, and add them.",
+        advice=cause or "Write the three terms, `a**2`, `2 * a * b` and `b**2`, and add them.",
     )
 
 
 @library.check("no_tests", "the tests are not installed with it", needs="installed")
 def no_tests(recording: Recording) -> None:
-    found = answer(recording, "beside").value or []
+    told = answer(recording, "beside").value
+    found = [name for name in told if isinstance(name, str)] if isinstance(told, list) else []
     if "test" not in found:
         return
     raise Failure(
         Feedback(
-            summary="The folder test is installed as if it were a library.",
+            summary="The folder test is installed like a library.",
             expected=f"{PACKAGE} alone",
             seen=listed(name for name in found if "." not in name),
             where=packages_place(recording.sources, folder(recording)),

@@ -1,6 +1,6 @@
 """Grader of chapter 15: a node that uses the library of chapter 14.
 
-The wording of the log is free. A line with three numbers is the function's, another one the class's.
+The log may use any words. A line with three numbers belongs to the function, any other to the class.
 """
 
 from __future__ import annotations
@@ -10,18 +10,26 @@ from collections import Counter
 from dataclasses import dataclass
 from itertools import combinations
 
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.evidence.topic_view import LogLine, expect_period
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.graph import expect_node
-from course.grading.expect.logs import expect_logged
-from course.grading.expect.manifests import expect_dependency
-from course.grading.expect.programs import expect_clean_interrupt, expect_running
-from course.grading.explain.names import listed
-from course.grading.explain.python_code import calls
-from course.grading.explain.timers import timer_cause, timer_places
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    LogLine,
+    Process,
+    Recording,
+    calls,
+    cause_of_silence,
+    expect_clean_interrupt,
+    expect_dependency,
+    expect_logged,
+    expect_node,
+    expect_period,
+    expect_running,
+    listed,
+    slips,
+)
 
 LIBRARY = "python_package_with_a_library"
 PACKAGE = "python_package_that_uses_the_library"
@@ -35,7 +43,7 @@ FEW_DECIMALS = 8  # a drawn number has many more
 EXACT = 1e-9
 ENOUGH = 5
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?!\w)")
-DECIMAL = re.compile(r"\d\.\d|\{")  # what stands in no line with a name
+DECIMAL = re.compile(r"\d\.\d|\{")  # what is not in a line with a name
 LIST = re.compile(r"\[(['\"]).\1, ")  # how Python shows a list of letters
 WHOLE = ("randint", "randrange", "choice", "getrandbits")
 MOST_NUMBERS = 6  # of a line that are looked at
@@ -46,12 +54,22 @@ user = Grader("15-use-library")
 
 @user.scenario
 def five_times_two_lines(arena: Arena) -> None:
-    """Five of each kind are four intervals. One pair more, as the node may also say something else."""
+    """Record five lines of each kind, which make four intervals. Other output does not count."""
     node = arena.run(PACKAGE, NODE)
-    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
-        arena.until(lambda: arena.logged("") or arena.printed("."), timeout=4, while_running=node)
-        arena.until(lambda: arena.logged("") >= 2 * ENOUGH + 2, timeout=4, while_running=node)
+    if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
+        arena.until(lambda: any(heard(arena, node)), timeout=6, while_running=node)
+        # The log may come later than the terminal's lines: one more of each kind.
+        arena.until(lambda: min(heard(arena, node)) > ENOUGH, timeout=4, while_running=node)
     arena.interrupt(node)
+
+
+def heard(arena: Arena, node: Process) -> tuple[int, int]:
+    """The number of lines with numbers, and with names, on the node's terminal."""
+    texts = [line.rpartition("]: ")[2] for line in arena.lines(node)]
+    return (
+        sum(bool(DECIMAL.search(text)) for text in texts),
+        sum(bool(TEN_LETTERS.search(text)) for text in texts),
+    )
 
 
 @dataclass(frozen=True)
@@ -77,7 +95,7 @@ def within(value: float, limits: tuple[float, float]) -> bool:
 
 
 def lines_of(recording: Recording) -> tuple[LogLine, ...]:
-    """A message of several lines counts as several."""
+    """The lines of all messages."""
     return tuple(
         LogLine(message.t, message.node, message.level, text)
         for message in recording.log
@@ -90,7 +108,7 @@ def sums(recording: Recording) -> tuple[Sum, ...]:
 
 
 def as_sum(line: LogLine) -> Sum | None:
-    """A stands before B; C, and other numbers, may be anywhere. Else the last three count."""
+    """A comes before B; C and other numbers may be anywhere. Otherwise the last three numbers count."""
     numbers = [float(text) for text in NUMBER.findall(line.text)][-MOST_NUMBERS:]
     if len(numbers) < 3:
         return None
@@ -114,7 +132,7 @@ def node_name(recording: Recording) -> None:
     expect_node(recording, f"/{NODE}")
 
 
-@user.check("function", "it logs A, B and what the function returned", needs="starts")
+@user.check("function", "it logs A, B and the function's result", needs="starts")
 def function(recording: Recording) -> None:
     lines = tuple(found.line for found in sums(recording))
     if not lines and recording.log:
@@ -123,21 +141,21 @@ def function(recording: Recording) -> None:
 
 
 def no_numbers(recording: Recording) -> Feedback:
-    """The node logs, but nothing with A, B and C in it."""
+    """The node logs, but nothing with A, B and C."""
     texts = [line.text for line in lines_of(recording)]
     braces = next((text for text in texts if "{" in text), None)
     decimal = next((text for text in texts if DECIMAL.search(text)), None)
     printed = tuple(call.where for call in calls(recording.sources, "print"))
     if braces:
-        advice = "The braces were logged as they are: put an `f` before the string, `f'...'`."
+        advice = "The braces were logged as they are. Put an `f` before the string: `f'...'`."
     elif decimal:
-        advice = "Log A and B as well as what the function returned, all in one line."
+        advice = "Log A, B and the function's result, all in one line."
     elif printed:
-        advice = "Use the node's logger in place of `print`: `self.get_logger().info(...)`."
+        advice = "Use the node's logger instead of `print`: `self.get_logger().info(...)`."
     else:
         advice = f"In the callback, call `{FUNCTION}`, and log both numbers and its result."
     return Feedback(
-        summary="The node logs no line with the three numbers A, B and C.",
+        summary="The node never logs a line with the three numbers A, B and C.",
         expected=FUNCTION_LINE,
         seen=(braces or decimal or texts[0])[:200],
         where=printed[:2] or tuple(call.where for call in calls(recording.sources, FUNCTION))[:2],
@@ -159,11 +177,14 @@ def outside(recording: Recording, found: Sum) -> Feedback:
     return Feedback(
         summary="A and B are swapped: A is drawn from [1, 2], and B from [0, 1]."
         if swapped
-        else f"{name} is {value:g}; it should lie between {low} and {high}.",
+        else f"{name} is {value:g}; it should be between {low} and {high}.",
         expected="A in [0, 1], B in [1, 2]",
         seen=found.line.text[:200],
         where=drawn_at(recording)[:2],
-        advice=f"`random.uniform({low}, {high})` draws {name} from there. A is the first number of the line.",
+        advice=(
+            f"`random.uniform({low}, {high})` draws {name} from that range. A is the first number in "
+            "the line."
+        ),
     )
 
 
@@ -183,7 +204,7 @@ def wrong(recording: Recording, found: Sum) -> Feedback:
     decimals = max(len(repr(value).partition(".")[2]) for value in (found.a, found.b))
     if decimals <= FEW_DECIMALS and found.error < 0.1:
         return Feedback(
-            summary="The numbers were rounded before they were logged, so C is not right for A and B.",
+            summary="The numbers were rounded before they were logged, so C does not fit A and B.",
             expected=f"{(found.a + found.b) ** 2!r}",
             seen=found.line.text[:200],
             advice="Log them as they are: `{a}`, not `{a:.2f}`.",
@@ -193,8 +214,10 @@ def wrong(recording: Recording, found: Sum) -> Feedback:
         expected=f"{(found.a + found.b) ** 2!r} for A = {found.a!r} and B = {found.b!r}",
         seen=found.line.text[:200],
         where=tuple(call.where for call in calls(recording.sources, FUNCTION))[:2],
-        advice="Hand the very numbers that you log to the function of the library. If you do, it is the "
-        "library: `ros2course check 14-library`.",
+        advice=(
+            "Pass the numbers that you log to the function of the library. If you already do, the "
+            "library is wrong: run `ros2course check 14-library`."
+        ),
     )
 
 
@@ -214,37 +237,41 @@ def random_numbers(recording: Recording) -> None:
 
 def whole_numbers(found: Sum, where: Location) -> Feedback:
     return Feedback(
-        summary="Only whole numbers are drawn: A is 0 or 1, and B is 1 or 2.",
+        summary="Only integers are drawn: A is 0 or 1, and B is 1 or 2.",
         expected="any number in between, like 0.3745401188473625",
         seen=found.line.text[:200],
         where=(where,),
-        advice="`random.uniform(0, 1)` draws from all numbers between 0 and 1.",
+        advice="`random.uniform(0, 1)` draws any number between 0 and 1.",
     )
 
 
 def always(recording: Recording, what: str, value: str) -> Feedback:
     return Feedback(
         summary=f"{what} always the same: {value}.",
-        expected="another one in each line",
+        expected="a different one in each line",
         seen=value,
         where=drawn_at(recording)[:2],
-        advice="Draw in the timer's callback, so that it happens each time. What is drawn in `__init__`, or "
-        "at the top of the file, is drawn once.",
+        advice=(
+            "Draw in the timer's callback, so that it happens each time. A number drawn in "
+            "`__init__`, or at the top of the file, never changes."
+        ),
     )
 
 
 def too_few(recording: Recording, line: LogLine) -> Feedback:
-    cause = timer_cause(recording.sources)
+    cause = cause_of_silence(
+        recording, NODE, slips.logged_seldom, look_at="does a timer of 0.5 s call the function that logs?"
+    )
     return Feedback(
-        summary="The node says this only once; it should go on forever.",
+        summary="The node says this only once; it should repeat it forever.",
         expected="a line every 0.5 s",
         seen=line.text[:200],
-        where=cause.where if cause else timer_places(recording.sources),
-        advice=cause.text if cause else "Make a timer of 0.5 s with `create_timer`; its callback logs.",
+        where=cause.where,
+        advice=cause.text,
     )
 
 
-@user.check("class", "it logs a name of ten letters that the class returned", needs="starts")
+@user.check("class", "it logs a name of ten letters from the class", needs="starts")
 def class_(recording: Recording) -> None:
     lines = name_lines(recording)
     if not lines:
@@ -278,7 +305,7 @@ def name_lines(recording: Recording) -> list[LogLine]:
 
 
 def varying_names(lines: list[LogLine]) -> list[str]:
-    """Words of ten letters that are not in every line: those belong to the wording."""
+    """Words of ten letters that are not in every line; those in every line are not names."""
     found = [set(TEN_LETTERS.findall(line.text)) for line in lines]
     wording = set.intersection(*found) if len(found) > 1 else set()
     return [name for names in found for name in names - wording]
@@ -303,19 +330,19 @@ def odd_name(recording: Recording, lines: list[LogLine]) -> Feedback | None:
 def misread(recording: Recording, line: LogLine, what: str) -> Feedback:
     places = tuple(call.where for call in calls(recording.sources, "SampleClass"))
     return Feedback(
-        summary="`get_name` is named and not called: the method itself is logged."
+        summary="`get_name` is not called: the log shows the method itself."
         if what == "method"
-        else "The object is logged, not its name.",
+        else "The log shows the object, not its name.",
         expected=CLASS_LINE,
         seen=line.text[:200],
         where=places[:2],
-        advice="Put brackets after it: `get_name()` returns the name.",
+        advice="Add parentheses: `get_name()` returns the name.",
     )
 
 
 def a_list(recording: Recording, line: LogLine) -> Feedback:
     return Feedback(
-        summary="The name is a list of letters, not a text.",
+        summary="The name is a list of letters, not a string.",
         expected=f"{LETTERS} random letters",
         seen=line.text[:200],
         where=drawn_at(recording)[-1:],
@@ -326,8 +353,8 @@ def a_list(recording: Recording, line: LogLine) -> Feedback:
 def misspelt(recording: Recording, line: LogLine, name: str) -> Feedback:
     if not (name.isascii() and name.isalpha()):
         strange = [sign for sign in dict.fromkeys(name) if not (sign.isascii() and sign.isalpha())]
-        summary = f"The name `{name[:40]}` holds {listed(strange[:3])}: no ASCII letters."
-        advice = "Draw from `string.ascii_letters`: a to z and A to Z, and nothing else."
+        summary = f"The name `{name[:40]}` contains {listed(strange[:3])}, which are not ASCII letters."
+        advice = "Draw from `string.ascii_letters`, which is a to z and A to Z."
     else:
         summary = f"The name `{name[:40]}` has {len(name)} letters, not {LETTERS}."
         advice = f"`random.choices(string.ascii_letters, k={LETTERS})` draws {LETTERS} of them."
@@ -343,22 +370,26 @@ def misspelt(recording: Recording, line: LogLine, name: str) -> Feedback:
 def no_names(recording: Recording) -> Feedback:
     printed = tuple(call.where for call in calls(recording.sources, "print"))
     return Feedback(
-        summary="The node logs no second kind of line, the one with the name.",
+        summary="The node never logs the second kind of line, the one with the name.",
         expected=CLASS_LINE,
         seen="printed, not logged" if printed else "lines with numbers only" if recording.log else "nothing",
         where=printed[:2] or tuple(call.where for call in calls(recording.sources, "SampleClass"))[:2],
         advice="Use `self.get_logger().info(...)` for this line, too."
         if printed
-        else "In the callback, make a `SampleClass` with a random name, and log what `get_name()` returns.",
+        else (
+            "In the callback, make a `SampleClass` with a random name, and log the result of `get_name()`."
+        ),
     )
 
 
 @user.check("rate", "it logs both every 0.5 s", needs=("function", "class"))
 def rate(recording: Recording) -> None:
-    advice = "The period of `create_timer` is in seconds: 0.5."
-    kinds = (("lines of the function", [s.line for s in sums(recording)]), ("names", name_lines(recording)))
+    kinds = (
+        ("lines with the function's result", [s.line for s in sums(recording)]),
+        ("names", name_lines(recording)),
+    )
     for what, lines in kinds:
-        expect_period(tuple(line.t for line in lines), 0.5, what=what, advice=advice)
+        expect_period(tuple(line.t for line in lines), 0.5, what=what, program=recording)
 
 
 @user.check("declares", "package.xml declares rclpy and the library")

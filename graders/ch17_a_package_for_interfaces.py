@@ -1,19 +1,24 @@
 """Grader of chapter 17: a package that defines a message and a service.
 
-The types are recognised by the hashes that ROS itself announces for them (RIHS01); the .msg
+The types are recognized by the hashes that ROS itself announces for them (RIHS01); the .msg
 and .srv files only serve to say what differs.
 """
 
 from __future__ import annotations
 
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.manifests import expect_tag
-from course.grading.explain.interface_files import Section, compare, interface_file
-from course.grading.explain.names import nearest
-from course.grading.explain.python_code import text_places
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    Recording,
+    commands,
+    expect_tag,
+    nearest,
+    text_places,
+)
+from lib.interfaces import Section, compare, interface_file
 
 PACKAGE = "package_with_interfaces"
 MESSAGE = f"{PACKAGE}/msg/AmazingQuote"
@@ -32,7 +37,7 @@ interfaces = Grader("17-interfaces")
 
 @interfaces.scenario
 def offer_both_types(arena: Arena) -> None:
-    """A program of ours uses the learner's types; the graph tells their hashes."""
+    """Use the learner's types in a program of ours; the graph shows their hashes."""
     arena.keep(PACKAGE, EXPORTS)
     probe = arena.probe_types(MESSAGE, SERVICE)
     if arena.until(lambda: arena.printed("ready"), timeout=15, while_running=probe):
@@ -42,8 +47,8 @@ def offer_both_types(arena: Arena) -> None:
 
 
 def hashes_in(arena: Arena) -> list[str]:
-    messages = [endpoint.type_hash for endpoint in arena.graph.publishers("/probe/t0")]
-    services = [service.request_hash for service in arena.graph.services if service.name == "/probe/t1"]
+    messages = [endpoint.type_hash for endpoint in arena.ros.graph.publishers("/probe/t0")]
+    services = [service.request_hash for service in arena.ros.graph.services if service.name == "/probe/t1"]
     return [found for found in (*messages, *services) if found]
 
 
@@ -71,8 +76,15 @@ def service(recording: Recording) -> None:
     raise Failure(compare(file, (REQUEST_FIELDS, RESPONSE_FIELDS), PACKAGE, "WhatIsThePoint"))
 
 
+def called_with(recording: Recording, package: str) -> str | None:
+    """The first argument of `rosidl_generate_interfaces`."""
+    built = recording.packages.get(package)
+    called = commands(recording.sources, built.source, "rosidl_generate_interfaces") if built else ()
+    return next((one.words[0] for one in called if one.words), None)
+
+
 def unknown(recording: Recording, type_name: str) -> Feedback:
-    """The package builds, but it brings no such type: it is not listed, or called otherwise."""
+    """The package builds without this type: the file is not listed, or has another name."""
     _, kind, short = type_name.split("/")
     wanted = f"{kind}/{short}.{kind}"
     cmake = next((name for name in recording.sources.names if name.endswith(f"{PACKAGE}/{CMAKE}")), CMAKE)
@@ -87,18 +99,30 @@ def unknown(recording: Recording, type_name: str) -> Feedback:
             advice=f'Call `rosidl_generate_interfaces(${{PROJECT_NAME}} "{wanted}" ...)` before '
             "`ament_package()`.",
         )
+    target = called_with(recording, PACKAGE)
+    if target and target not in ("${PROJECT_NAME}", PACKAGE):
+        return Feedback(
+            summary=f"CMakeLists.txt generates the interfaces as `{target}`, so nobody finds `{type_name}`.",
+            expected="rosidl_generate_interfaces(${PROJECT_NAME} ...",
+            seen=f"rosidl_generate_interfaces({target} ...",
+            where=called[:1],
+            advice="The first argument of `rosidl_generate_interfaces` must be `${PROJECT_NAME}`.",
+        )
     if close:
         return Feedback(
             summary=f"The package has no `{short}`; it has `{close.rpartition('.')[0]}`.",
             expected=wanted,
             seen=close,
             where=(Location(next(name for name in recording.sources.names if name.endswith(close))),),
-            advice=f"Rename the file to `{short}.{kind}`, here and in CMakeLists.txt: the file's "
-            "name is the type's.",
+            advice=(
+                f"Rename the file to `{short}.{kind}`, here and in CMakeLists.txt: the file's name "
+                "becomes the type's name."
+            ),
         )
     return Feedback(
-        summary=f"The package builds, but it brings no `{type_name}`: `{wanted}` is not listed "
-        "in CMakeLists.txt.",
+        summary=(
+            f"The package builds, but without `{type_name}`: `{wanted}` is not listed in CMakeLists.txt."
+        ),
         expected=f'"{wanted}" in rosidl_generate_interfaces',
         where=called[:1],
         advice=f'Add the line `"{wanted}"` to `rosidl_generate_interfaces(...)` in CMakeLists.txt.',
@@ -136,7 +160,9 @@ def cmake_exports(recording: Recording) -> None:
             summary="CMakeLists.txt does not export the runtime: "
             "`ament_export_dependencies(rosidl_default_runtime)`.",
             where=places or text_places(recording.sources, "ament_package()"),
-            advice="Add `ament_export_dependencies(rosidl_default_runtime)` before `ament_package()`, "
-            "so that packages which use your types find what these need.",
+            advice=(
+                "Add `ament_export_dependencies(rosidl_default_runtime)` before `ament_package()`, "
+                "so that packages that use your types find their dependencies."
+            ),
         )
     )

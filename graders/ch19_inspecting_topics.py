@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from course.evidence.acts import Act
-from course.evidence.recording import Recording
-from course.grading.author import Grader
-from course.grading.expect.acts import expect_act
-from course.grading.mystery import AllOf, Answer, Mystery, Number, Text
-from course.grading.mystery.names import for_both, spellings
+from course.api import AllOf, Grader, Mystery, Number, Recording, Text
+from lib.following import Answer
+from lib.names import for_both, spellings
 
-WITH_SLASH = "That is the right one; its full name begins with a slash."
+WITH_SLASH = "That is the right one, but its full name begins with a slash."
 
 mystery = Mystery("19-inspect-topics", __file__)
 grader = Grader("19-inspect-topics", builds=None)
@@ -49,7 +46,7 @@ def answers(plan: Any) -> dict[str, Answer]:
         "type": Text(
             plan.type,
             f"{package}/{short}",
-            wrong={short: f"`{short}` alone could be of any package. Give the package too."},
+            wrong={short: f"`{short}` could be from any package. Give the package too."},
         ),
         "rate": Number(
             plan.rate, "10%", wrong={1 / plan.rate: "That is the time between two messages, in seconds."}
@@ -57,39 +54,39 @@ def answers(plan: Any) -> dict[str, Answer]:
         "publisher": Text(*spellings(plan.measurer), wrong=_not_publishers(plan)),
         "two-publishers": Text(*spellings(plan.shared), wrong=_not_shared(plan)),
         "pair": AllOf(plan.said, plan.heard, wrong=_not_of_the_pair(plan)),
-        "password": Text(plan.password, f"The password of tonight is {plan.password}"),
+        "password": Text(plan.password, f"Tonight's password is {plan.password}"),
         "philosopher": Text(plan.asked.philosopher, wrong=_other_philosophers(plan)),
         "waiting": Text(*spellings(plan.waiting), wrong=_not_waiting(plan)),
     }
 
 
 @mystery.acts
-def acts(plan: Any) -> list[Act]:
-    return [Act("published")]
+def acts(plan: Any) -> list[str]:
+    return ["published"]
 
 
-@grader.check("published", "you published the quote with the id 1994 that somebody waits for")
+@grader.check("published", "you published the quote with the id 1994 that a node waits for")
 def published(recording: Recording) -> None:
-    expect_act(
+    mystery.expect_act(
         recording,
         "published",
-        "Nobody has received an `AmazingQuote` with the id 1994 where it is waited for.",
+        "No `AmazingQuote` with the id 1994 arrived on the topic where a node waits for it.",
         near_miss="other_id",
     )
 
 
 def _not_publishers(plan: Any) -> dict[str, str]:
-    return for_both({plan.reader: "That node subscribes: it only listens to the topic."})
+    return for_both({plan.reader: "That node only subscribes to the topic."})
 
 
 def _not_shared(plan: Any) -> dict[str, str]:
-    alone = "One node publishes there, and another listens. That makes one publisher."
+    alone = "One node publishes there, and another subscribes. That makes one publisher."
     return for_both(
         {
             plan.measured: alone,
             plan.said: "One node publishes there.",
-            plan.heard: "Nobody publishes there: a node listens.",
-            plan.waiting: "Nobody publishes there: a node waits.",
+            plan.heard: "No node publishes there; one subscribes.",
+            plan.waiting: "No node publishes there; one waits for a message.",
             plan.quotes: "One node publishes there.",
             plan.notice: "One node publishes there, once.",
             "rosout": "That one belongs to ROS: every node has a publisher on it.",
@@ -100,20 +97,22 @@ def _not_shared(plan: Any) -> dict[str, str]:
 
 def _not_of_the_pair(plan: Any) -> dict[str, str]:
     others = (plan.measured, plan.shared, plan.notice, plan.quotes, plan.waiting)
-    no_twin = "No other topic has a name that is nearly the same."
+    no_twin = "No other topic has a similar name."
     whys = {spelling: no_twin for name in others for spelling in spellings(name)}
     return {**whys, plan.said.lstrip("/"): WITH_SLASH, plan.heard.lstrip("/"): WITH_SLASH}
 
 
 def _other_philosophers(plan: Any) -> dict[str, str]:
     others = (said for said in plan.recited if said != plan.asked)
-    return {said.philosopher: f"That one said the quote with the id {said.id}." for said in others}
+    return {said.philosopher: f"That is the author of the quote with the id {said.id}." for said in others}
 
 
 def _not_waiting(plan: Any) -> dict[str, str]:
     return for_both(
         {
-            plan.quotes: "Quotes come there all the time, so somebody publishes there.",
-            plan.heard: "Nobody publishes there either, but what is waited for there is no `AmazingQuote`.",
+            plan.quotes: "Quotes arrive there all the time, so some node publishes there.",
+            plan.heard: (
+                "No node publishes there either, but the node there does not wait for an `AmazingQuote`."
+            ),
         }
     )

@@ -2,40 +2,44 @@
 
 from __future__ import annotations
 
+import ast
 import secrets
 from functools import partial
 from math import inf, isclose
 from typing import Any
 
-from course.arena.arena import Arena
-from course.arena.process import Process
-from course.evidence.recording import Recording
-from course.evidence.ros_services import Client, Server
-from course.evidence.service_view import ServiceCall
-from course.evidence.topic_view import expect_period
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.callers import (
-    expect_answers_logged,
-    expect_calls,
-    expect_patience,
-    expect_waiting,
-)
-from course.grading.expect.counts import expect_counted
-from course.grading.expect.graph import expect_node
-from course.grading.expect.manifests import expect_dependency
-from course.grading.expect.one_program import about
-from course.grading.expect.programs import expect_clean_interrupt, expect_running
-from course.grading.expect.reactions import first_reaction
-from course.grading.expect.services import (
+from course.api import (
+    Arena,
+    Cause,
+    Client,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    Process,
+    Recording,
+    Server,
+    ServiceCall,
+    Sources,
+    about,
+    calls,
     expect_answers,
+    expect_clean_interrupt,
+    expect_dependency,
+    expect_node,
+    expect_period,
+    expect_running,
     expect_same_service,
     expect_service,
     expect_service_type,
+    slips,
+    text_places,
+    trees,
+    words,
 )
-from course.grading.explain.python_code import calls, text_places
-from course.grading.explain.services import case_sensitive
-from course.grading.stimulus import words
+from lib.callers import expect_answers_logged, expect_calls, expect_patience, expect_waiting
+from lib.counts import expect_counted, has_number
+from lib.deliveries import first_reaction
 
 PACKAGE = "python_package_that_uses_the_services"
 INTERFACES = "package_with_interfaces"
@@ -49,7 +53,9 @@ SERVER_NODE = "what_is_the_point_service_server"
 CLIENT_NODE = "what_is_the_point_service_client"
 SERVER = f"{SERVER_NODE}_node"
 CLIENT = f"{CLIENT_NODE}_node"
-COMPARE = "Compare its fields with chapter 17: names, types, order. `ros2course check 17` tells which."
+COMPARE = (
+    "Compare its fields with chapter 17: names, types, order. `ros2course check 17` shows the difference."
+)
 ANSWER = 42.0
 PERIOD = 0.5
 ENOUGH = 5
@@ -65,7 +71,7 @@ client = Grader("20-client")
 
 
 def about_server(recording: Recording) -> Recording:
-    """Without the client, which has a file of its own in the same package."""
+    """The server, without the client in the same package."""
     return about(recording, PACKAGE, SERVER, the_node(recording, SERVER_NODE))
 
 
@@ -74,7 +80,7 @@ def about_client(recording: Recording) -> Recording:
 
 
 def the_node(recording: Recording, name: str) -> str:
-    """What the one node that ran is called, right or not."""
+    """The name of the one node that ran, whether it is right or wrong."""
     nodes = recording.seen_nodes()
     return nodes[0].lstrip("/") if len(nodes) == 1 else name
 
@@ -84,11 +90,11 @@ def the_node(recording: Recording, name: str) -> str:
 
 @server.scenario
 def nine_questions(arena: Arena) -> None:
-    """One question, to see that it is answered at all; then eight at once, from two clients."""
-    clients = (arena.client(SERVICE, TYPE), arena.client(SERVICE, TYPE))
+    """Ask one question, to see whether it is answered at all, then eight at once from two clients."""
+    clients = (arena.ros.client(SERVICE, TYPE), arena.ros.client(SERVICE, TYPE))
     node = arena.run(PACKAGE, SERVER)
-    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
-        arena.until(lambda: offers_something(arena) or ready(*clients), timeout=4, while_running=node)
+    if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
+        arena.until(lambda: offers_something(arena) or ready(*clients), timeout=8, while_running=node)
         if arena.until(lambda: ready(*clients), timeout=1, while_running=node):
             ask_all(arena, clients, node)
     arena.interrupt(node)
@@ -99,7 +105,7 @@ def ready(*clients: Client) -> bool:
 
 
 def offers_something(arena: Arena) -> bool:
-    return any(service.servers for service in arena.graph.services)
+    return any(service.servers for service in arena.ros.graph.services)
 
 
 def ask_all(arena: Arena, clients: tuple[Client, Client], node: Process) -> None:
@@ -111,12 +117,17 @@ def ask_all(arena: Arena, clients: tuple[Client, Client], node: Process) -> None
         clients[index % 2].call(quote=question)
     asked = len(others) + 1
     arena.until(lambda: sum(one.answered for one in clients) == asked, timeout=4, while_running=node)
-    arena.until(lambda: arena.logged("") >= asked, timeout=0.5, while_running=node)
+    arena.until(lambda: has_counted(arena, node, asked), timeout=2, while_running=node)
+
+
+def has_counted(arena: Arena, node: Process, number: int) -> bool:
+    """Whether the node's terminal shows this number."""
+    return any(has_number(line.rpartition("]: ")[2], number) for line in arena.lines(node))
 
 
 @server.check("starts", "the node starts and keeps running")
 def server_starts(recording: Recording) -> None:
-    """Until it is called: what it does then, `answers` judges."""
+    """Expect it to run until it is called; `answers` judges the rest."""
     own = about_server(recording)
     called = first_reaction(own, SERVER, (call.asked for call in own.service(SERVICE).calls))
     expect_running(own, SERVER, until=called)
@@ -129,7 +140,7 @@ def server_name(recording: Recording) -> None:
 
 @server.check("offers", f"it offers the service {SERVICE}", needs="starts")
 def offers(recording: Recording) -> None:
-    remedy = f"Make it: `self.create_service(WhatIsThePoint, '{SERVICE}', self.callback)`."
+    remedy = f"Create it: `self.create_service(WhatIsThePoint, '{SERVICE}', self.callback)`."
     expect_service(about_server(recording), "server", SERVICE, remedy=remedy)
 
 
@@ -168,6 +179,24 @@ def settings(recording: Recording) -> tuple[Location, ...]:
     return tuple(place for axis in "xyz" for place in text_places(recording.sources, f"point.{axis} ="))[:1]
 
 
+# Functions that make capital and lowercase letters the same.
+FOLDS = {"lower", "upper", "casefold", "IGNORECASE", "I"}
+
+
+def case_sensitive(sources: Sources) -> Cause | None:
+    """`'life' in text`, without anything that ignores the difference between `Life` and `life`."""
+    found = [(file, node) for file, tree in trees(sources) for node in ast.walk(tree)]
+    if any(isinstance(node, ast.Attribute) and node.attr in FOLDS for _, node in found):
+        return None
+    for file, node in found:
+        if isinstance(node, ast.Constant) and node.value == "life":
+            return Cause(
+                "`'life' in text` does not find `Life` or `LIFE`: look in `text.lower()`.",
+                (Location(file, node.lineno),),
+            )
+    return None
+
+
 @server.check("life", "quotes about life get a point whose sum is 42", points=2, needs="answers")
 def life(recording: Recording) -> None:
     asked = [call for call in recording.service(SERVICE).calls if is_about_life(call)]
@@ -175,17 +204,22 @@ def life(recording: Recording) -> None:
     if not wrong:
         return
     own = about_server(recording)
-    cause = case_sensitive(own.sources, "life") if len(wrong) < len(asked) else None
+    some = len(wrong) < len(asked)
+    cause = case_sensitive(own.sources) if some else slips.other_response(own.sources)
     raise Failure(
         Feedback(
-            summary=f"«{wrong[0].request.quote.quote}» is about life, but x + y + z is {total(wrong[0]):g}.",
+            summary=(
+                f'"{wrong[0].request.quote.quote}" is about life, but x + y + z is {total(wrong[0]):g}.'
+            ),
             expected="42",
             seen=f"{total(wrong[0]):g}",
             where=cause.where if cause else settings(own),
             advice=cause.text
             if cause
-            else "Look for `life` anywhere in `request.quote.quote.lower()`, and choose two numbers "
-            "as you like: the third is 42 minus both.",
+            else (
+                "Look for `life` anywhere in `request.quote.quote.lower()`. Then choose any two "
+                "numbers: the third is 42 minus both."
+            ),
             details=tuple(shown(call) for call in wrong[:SHOWN]),
         )
     )
@@ -200,10 +234,10 @@ def other(recording: Recording) -> None:
     always = len(wrong) == len(asked) and all(map(is_42, recording.service(SERVICE).calls))
     raise Failure(
         Feedback(
-            summary="The sum of the point is always 42, whatever the quote says."
+            summary="The sum of the point is 42 for every quote."
             if always
-            else f"«{wrong[0].request.quote.quote}» is not about life, but x + y + z is 42.",
-            expected="42 for quotes that hold `life`, and no other",
+            else f'"{wrong[0].request.quote.quote}" is not about life, but x + y + z is 42.',
+            expected="42 only for quotes that contain `life`",
             seen=shown(wrong[0]),
             where=settings(about_server(recording)),
             advice="Only `if 'life' in request.quote.quote.lower():` may the sum be 42.",
@@ -211,7 +245,7 @@ def other(recording: Recording) -> None:
     )
 
 
-@server.check("random", "that point is another one each time", needs="answers")
+@server.check("random", "that point is different each time", needs="answers")
 def random_point(recording: Recording) -> None:
     asked = [call for call in recording.service(SERVICE).calls if not is_about_life(call)]
     points = {(call.response.point.x, call.response.point.y, call.response.point.z) for call in asked}
@@ -223,13 +257,13 @@ def random_point(recording: Recording) -> None:
         Feedback(
             summary="Every quote that is not about life gets the same point."
             if len(points) == 1
-            else "The same quote gets the same point again; it should be a random one each time.",
+            else "The same quote gets the same point again. It should be random each time.",
             expected="a random point at each call",
             seen=shown(asked[0]),
             where=seeds or settings(own),
-            advice="After `random.seed` the same numbers come again: leave it out."
+            advice="`random.seed` makes the same numbers come again: remove it."
             if seeds
-            else "Draw the numbers in the callback, at each call: `random.uniform(0.0, 100.0)`.",
+            else "Draw the numbers in the callback, in each call: `random.uniform(0.0, 100.0)`.",
         )
     )
 
@@ -254,20 +288,20 @@ def server_interrupt(recording: Recording) -> None:
 
 @client.scenario
 def late_then_silent(arena: Arena) -> None:
-    """The service comes when the client has said that it waits; later it stops answering for a while."""
+    """Start the service after the client has logged that it waits; later, pause its answers."""
     node = arena.run(PACKAGE, CLIENT)
-    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
+    if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
         arena.until(lambda: arena.logged(""), timeout=6, while_running=node)
         arena.mark(COMES)
         oracle = Oracle()
-        shop = arena.serve(SERVICE, TYPE, oracle)
+        shop = arena.ros.serve(SERVICE, TYPE, oracle)
         if serve_enough(arena, shop, oracle, node):
             fall_silent(arena, shop, oracle, node)
     arena.interrupt(node)
 
 
 def serve_enough(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> bool:
-    """Until both kinds of quote came; whether the last answer reaches the log."""
+    """Serve until both kinds of quotes came; return whether the last answer reached the log."""
     end = arena.timeline.now() + LONGEST
     while not enough(shop, oracle) and node.running and arena.timeline.now() < end:
         if not arena.until(partial(more_than, shop, shop.requests), timeout=3, while_running=node):
@@ -305,14 +339,14 @@ def fall_silent(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> No
 
 
 def moment(recording: Recording, mark: str) -> float:
-    """When the scenario reached this point; never, when it did not."""
+    """When the scenario reached this point; infinity if it did not."""
     found = recording.marked(mark)
     return found.t if found else inf
 
 
 @client.check("starts", "the node starts and keeps running")
 def client_starts(recording: Recording) -> None:
-    """Until it calls: what comes then, `survives` judges."""
+    """Expect it to run until it calls; `survives` judges the rest."""
     asked = recording.service(SERVICE).requests
     expect_running(about_client(recording), CLIENT, until=asked[0].asked if asked else inf)
 
@@ -324,7 +358,7 @@ def client_name(recording: Recording) -> None:
 
 @client.check("uses", f"it has a client of {SERVICE}", needs="starts")
 def uses(recording: Recording) -> None:
-    remedy = f"Make it in `__init__`: `self.create_client(WhatIsThePoint, '{SERVICE}')`."
+    remedy = f"Create it in `__init__`: `self.create_client(WhatIsThePoint, '{SERVICE}')`."
     expect_service(about_client(recording), "client", SERVICE, remedy=remedy)
 
 
@@ -333,7 +367,7 @@ def client_type(recording: Recording) -> None:
     expect_service_type(about_client(recording), "client", SERVICE, TYPE)
 
 
-@client.check("waits", "it says that it waits while there is no service", needs="right_type")
+@client.check("waits", "it logs that it waits while there is no service", needs="right_type")
 def waits(recording: Recording) -> None:
     expect_waiting(about_client(recording), CLIENT, moment(recording, COMES))
 
@@ -352,17 +386,17 @@ def asks(recording: Recording) -> None:
 @client.check("rate", "it calls twice per second", needs="asks")
 def rate(recording: Recording) -> None:
     times = tuple(call.asked for call in answered_ones(recording))
-    expect_period(times, PERIOD, what="calls", advice="The period of `create_timer` is in seconds: 0.5.")
+    expect_period(times, PERIOD, what="calls", program=about_client(recording))
 
 
 def answered_ones(recording: Recording) -> tuple[ServiceCall, ...]:
-    """What came before the arena fell silent, and so was answered."""
+    """The calls before the arena's pause, which were answered."""
     until = moment(recording, SILENCE)
     return tuple(call for call in recording.service(SERVICE).requests if call.answered and call.asked < until)
 
 
 def digits(call: ServiceCall) -> dict[str, str]:
-    """What must be in the log: the numbers that the scenario gave, without their points."""
+    """The digits that must be in the log: the scenario's numbers without decimal points."""
     return {axis: str(int(getattr(call.response.point, axis))) for axis in "xyz"}
 
 
@@ -372,18 +406,20 @@ def filling(own: Recording) -> tuple[Location, ...]:
     return places[:1] or tuple(call.where for call in calls(own.sources, "call_async"))[:1]
 
 
-@client.check("quotes", "every request brings a quote", needs="asks")
+@client.check("quotes", "every request contains a quote", needs="asks")
 def quotes(recording: Recording) -> None:
     empty = [call for call in recording.service(SERVICE).requests if not call.request.quote.quote.strip()]
     if empty:
         raise Failure(
             Feedback(
                 summary="The quote in the request is empty.",
-                expected="a text in `request.quote.quote`",
+                expected="a string in `request.quote.quote`",
                 seen=f"an empty string, {len(empty)} times",
                 where=filling(about_client(recording)),
-                advice="Fill it before the call: `request.quote.quote = '...'`. The request has one field, "
-                "`quote`, which is an AmazingQuote.",
+                advice=(
+                    "Set it before the call: `request.quote.quote = '...'`. The request has one "
+                    "field, `quote`, which is an AmazingQuote."
+                ),
             )
         )
 
@@ -396,13 +432,13 @@ def both_kinds(recording: Recording) -> None:
         return
     raise Failure(
         Feedback(
-            summary=f"Not one of {len(asked)} quotes holds the word `life`."
+            summary=f"None of {len(asked)} quotes contains the word `life`."
             if kinds == {False}
-            else f"All of {len(asked)} quotes hold the word `life`.",
+            else f"All of {len(asked)} quotes contain the word `life`.",
             expected="both kinds",
             seen=asked[0][:120],
             where=filling(about_client(recording)),
-            advice="Take turns, or draw one at each call: `random.choice([..., ...])`.",
+            advice="Alternate between them, or draw one for each call: `random.choice([..., ...])`.",
             details=tuple(dict.fromkeys(asked))[:SHOWN],
         )
     )
@@ -413,7 +449,7 @@ def logs(recording: Recording) -> None:
     expect_answers_logged(about_client(recording), CLIENT, answered_ones(recording), digits)
 
 
-@client.check("goes_on", "it goes on when an answer does not come", points=2, needs="logs")
+@client.check("goes_on", "it goes on when an answer does not arrive", points=2, needs="logs")
 def goes_on(recording: Recording) -> None:
     expect_patience(about_client(recording), CLIENT, SERVICE, moment(recording, AGAIN), PERIOD, digits)
 

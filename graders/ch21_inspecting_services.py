@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from course.grading.mystery import AllOf, Answer, Mystery, Number, Text
-from course.grading.mystery.names import for_both, spellings
+from course.api import AllOf, Mystery, Number, Text
+from lib.following import Answer
+from lib.names import for_both, spellings
 
 # The id in the request that the lesson gives.
 ASKED_ID = 42
@@ -32,7 +33,7 @@ RESPONSES = {
 }
 NESTED = ("header", "stamp", "frame_id", "pose", "position", "orientation", "info", "data", "covariance")
 
-RUNG_WITH_FALSE = "That is what it answers to `data: false`."
+RUNG_WITH_FALSE = "That is the answer to `data: false`."
 
 mystery = Mystery("21-inspect-services", __file__)
 
@@ -81,22 +82,22 @@ def answers(plan: Any) -> dict[str, Answer]:
 
 
 def _quoted(word: str) -> tuple[str, str]:
-    """As it is, and as `ros2 service call` prints it."""
+    """The text as it is, and as `ros2 service call` prints it."""
     return word, f"'{word}'"
 
 
 def _nearly_the_type(name: str) -> dict[str, str]:
     package, _, short = name.split("/")
     return {
-        short: "It might be of any package. Give the full name, as ROS prints it.",
-        f"{package}/{short}": "Nearly: between the two it says of which kind it is.",
-        f"{package}/msg/{short}": "Nearly: `msg` is for messages, and this is a service.",
+        short: "It could be from any package. Give the full name, as ROS prints it.",
+        f"{package}/{short}": "Almost: the kind of interface goes between the two.",
+        f"{package}/msg/{short}": "Almost: `msg` is for messages, and this is a service.",
     }
 
 
 def _not_of_the_request(plan: Any) -> dict[str, str]:
-    answered = "That field stands below the dashes: it is answered, not asked."
-    nested = "That one stands further right: it belongs to the field above it."
+    answered = "That field is below the dashes: it belongs to the response, not to the request."
+    nested = "That one is indented further: it belongs to the field above it."
     own = {*REQUESTS[plan.fields_type], *RESPONSES[plan.fields_type]}
     return {
         **{name: nested for name in NESTED if name not in own},
@@ -112,20 +113,26 @@ def _not_the_owner(plan: Any) -> dict[str, str]:
 def _other_numbers(plan: Any) -> dict[float, str]:
     _, y, z = plan.point
     return {
-        plan.x(0): f"That is the answer for the id 0. The {ASKED_ID} did not arrive: compare what "
-        "`ros2 service call` prints behind `making request`.",
+        plan.x(0): (
+            f"That is the answer for the id 0. The {ASKED_ID} did not arrive: check what `ros2 "
+            "service call` prints after `making request`."
+        ),
         y: "That is y.",
         z: "That is z.",
     }
 
 
 def _not_silent(plan: Any) -> dict[str, str]:
-    awake = {name: "That one does answer: call it, and see." for name in plan.chores}
-    nobody = {plan.wanted: "That one has no server at all. Here one is asked for that has, and is silent."}
+    awake = {name: "That one does answer: call it to see." for name in plan.chores}
+    nobody = {
+        plan.wanted: (
+            "That one has no server at all. The question asks for one that has a server but does not answer."
+        )
+    }
     return for_both({**awake, **nobody})
 
 
 def _not_wanted(plan: Any) -> dict[str, str]:
     offered = "That one has a server: `ros2 service info` counts it."
-    silent = {plan.silent: "That one has a server; it only does not answer."}
+    silent = {plan.silent: "That one has a server; the server just does not answer."}
     return for_both({**dict.fromkeys(plan.owners, offered), **silent})

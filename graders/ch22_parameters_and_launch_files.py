@@ -2,39 +2,51 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import json
+import secrets
 from math import inf
 from typing import TYPE_CHECKING
 
-from course.arena.arena import Arena
-from course.arena.process import Process
-from course.errors import OurFault
-from course.evidence.recording import Recording
-from course.evidence.ros_parameters import Parameters
-from course.evidence.ros_services import Call
-from course.evidence.sources import Sources
-from course.evidence.topic_view import Message
-from course.feedback import Failure, Feedback
-from course.grading.author import Grader
-from course.grading.expect.configured import expect_followed, expect_pace, expect_pace_kept, expect_texts
-from course.grading.expect.graph import expect_endpoint, expect_node, expect_same_definition, expect_type
-from course.grading.expect.launches import (
+from course.api import (
+    Arena,
+    Call,
+    Failure,
+    Feedback,
+    Grader,
+    Message,
+    OurFault,
+    Parameters,
+    Process,
+    Recording,
+    Sources,
+    TopicView,
+    calls,
+    cause_of_silence,
+    expect_clean_interrupt,
+    expect_declared,
+    expect_dependency,
+    expect_endpoint,
     expect_launch_file,
     expect_launch_parameter,
     expect_launched,
     expect_launched_node,
+    expect_node,
     expect_own_launch_parameter,
+    expect_parameter,
+    expect_period,
+    expect_running,
+    expect_same_definition,
+    expect_set,
+    expect_type,
     launch_file,
+    replace,
+    timer_places,
+    words,
 )
-from course.grading.expect.manifests import expect_dependency
-from course.grading.expect.parameters import expect_declared, expect_parameter, expect_set
-from course.grading.expect.programs import expect_clean_interrupt, expect_running
-from course.grading.explain.python_code import calls
-from course.grading.explain.timers import timer_cause, timer_places
-from course.grading.stimulus import words
+from lib.configured import expect_followed, expect_period_kept, expect_texts
 
 if TYPE_CHECKING:
-    from course.evidence.recorder import Listener
+    from course.api import Listener
 
 PACKAGE = "python_package_that_uses_parameters_and_launch_files"
 EXECUTABLE = "amazing_quote_configurable_publisher_node"
@@ -42,7 +54,9 @@ NODE = f"/{EXECUTABLE}"
 INTERFACES = "package_with_interfaces"
 QUOTE = f"{INTERFACES}/msg/AmazingQuote"
 QUOTE_HASH = "RIHS01_6eb8a339124c22e6ee8541e6132c3bccee5a2125c643270c85cae174a4aaeb21"
-COMPARE = "Compare its fields with chapter 17: names, types, order. `ros2course check 17` tells which."
+COMPARE = (
+    "Compare its fields with chapter 17: names, types, order. `ros2course check 17` shows the difference."
+)
 TEXTS = ("quote", "philosopher_name")
 DEFAULTS: dict[str, str | float] = {
     "quote": "Use the force, Pikachu!",
@@ -50,17 +64,10 @@ DEFAULTS: dict[str, str | float] = {
     "topic_name": "amazing_quote",
     "period": 0.5,
 }
-# On the command line of the second run.
-GIVEN: dict[str, str | float] = {
-    "quote": "All who wander have set a parameter.",
-    "philosopher_name": "The command line",
-    "topic_name": "quotes_by_request",
-    "period": 0.2,
-}
-TOPIC, GIVEN_TOPIC = f"/{DEFAULTS['topic_name']}", f"/{GIVEN['topic_name']}"
+TOPIC = f"/{DEFAULTS['topic_name']}"
 NOT_TAKEN = (
-    "`--ros-args -p` replaces the default value. For that, call `rclpy.init(args=args)`, declare "
-    "without `ignore_override`, and do not set the parameter yourself."
+    "`--ros-args -p` replaces the default value if you call `rclpy.init(args=args)`, declare "
+    "the parameter without `ignore_override`, and do not set it yourself."
 )
 PERIOD, GIVEN_PERIOD, LATER_PERIOD = 0.5, 0.2, 0.05
 SECOND_RUN = f"{EXECUTABLE} with other values"
@@ -83,20 +90,31 @@ launch = Grader("22-launch")
 
 @parameters.scenario
 def defaults_then_others(arena: Arena) -> None:
-    """The node as it is; then with values from the command line, and with changes while it runs."""
-    asked = arena.parameters(NODE)
-    quotes, others = arena.subscribe(TOPIC, QUOTE), arena.subscribe(GIVEN_TOPIC, QUOTE)
-    if as_it_is(arena, asked, quotes):
-        arena.mark(SECOND_RUN)
-        with_others(arena, asked, others)
+    """Run the node with its defaults; then with values from the command line, and changes meanwhile."""
+    asked, values = arena.ros.parameters(NODE), other_values()
+    quotes, others = arena.ros.subscribe(TOPIC, QUOTE), arena.ros.subscribe(f"/{values['topic_name']}", QUOTE)
+    with arena.fresh():
+        goes_on = as_it_is(arena, asked, quotes)
+    if goes_on:
+        arena.mark(SECOND_RUN, json.dumps(values))
+        with arena.fresh():
+            with_others(arena, asked, others, values)
+
+
+def other_values() -> dict[str, str | float]:
+    """Values for the second run's command line. A program that counts its runs cannot know them."""
+    topic = f"quotes_by_request_{secrets.randbelow(10**6)}"
+    texts = {name: words(4) for name in TEXTS}
+    return {**texts, "topic_name": topic, "period": GIVEN_PERIOD}
 
 
 def as_it_is(arena: Arena, asked: Parameters, quotes: Listener) -> bool:
     """Whether the node told its parameters and published, so that a second run can show more."""
     node = arena.run(PACKAGE, EXECUTABLE)
     told = False
-    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
+    if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
         told = ask(arena, asked, node)
+        arena.until(lambda: arena.ros.graph.topics_of("publisher"), timeout=8, while_running=node)
         arena.until(lambda: quotes.count, timeout=4, while_running=node)
         if quotes.count:
             arena.until(lambda: quotes.count >= ENOUGH, timeout=5, while_running=node)
@@ -105,8 +123,8 @@ def as_it_is(arena: Arena, asked: Parameters, quotes: Listener) -> bool:
 
 
 def ask(arena: Arena, asked: Parameters, node: Process) -> bool:
-    """Ask for names and values, again and again: what is asked before ROS has matched both sides is lost."""
-    if not arena.until(lambda: asked.node in arena.graph.nodes, timeout=2, while_running=node):
+    """Ask for names and values repeatedly: requests are lost until ROS has matched both sides."""
+    if not arena.until(lambda: asked.node in arena.ros.graph.nodes, timeout=6, while_running=node):
         return False
     arena.until(lambda: asked.available, timeout=4, while_running=node)
     return any(answers(arena, (*asked.get(*DEFAULTS), asked.list()), node) for _ in range(ATTEMPTS))
@@ -116,11 +134,11 @@ def answers(arena: Arena, calls: tuple[Call, ...], node: Process) -> bool:
     return arena.until(lambda: all(call.done for call in calls), timeout=1, while_running=node)
 
 
-def with_others(arena: Arena, asked: Parameters, others: Listener) -> None:
+def with_others(arena: Arena, asked: Parameters, others: Listener, values: dict[str, str | float]) -> None:
     # What is asked of the first one, which is still known for a moment, is never answered.
-    arena.until(lambda: asked.node not in arena.graph.nodes, timeout=2)
-    node = arena.run(PACKAGE, EXECUTABLE, params=GIVEN, name=SECOND_RUN)
-    arena.until(lambda: asked.node in arena.graph.nodes, timeout=15, while_running=node)
+    arena.until(lambda: asked.node not in arena.ros.graph.nodes, timeout=2)
+    node = arena.run(PACKAGE, EXECUTABLE, params=values, name=SECOND_RUN)
+    arena.until(lambda: asked.node in arena.ros.graph.nodes, timeout=15, while_running=node)
     if node and ask(arena, asked, node):
         arena.until(lambda: others.count, timeout=3, while_running=node)
         if others.count:
@@ -146,13 +164,26 @@ def change(
 
 
 def second_run(recording: Recording) -> float:
-    """When the run with other values began; never, when it did not come to it."""
+    """When the run with other values began; infinity if it did not."""
     found = recording.marked(SECOND_RUN)
     return found.t if found else inf
 
 
+def given(recording: Recording) -> dict[str, str | float]:
+    """The values of the second run."""
+    found = recording.marked(SECOND_RUN)
+    if found is None:
+        raise OurFault("the run with other values is missing")
+    values: dict[str, str | float] = json.loads(found.detail)
+    return values
+
+
+def given_topic(recording: Recording) -> str:
+    return f"/{given(recording)['topic_name']}"
+
+
 def node_alone(recording: Recording) -> Recording:
-    """Without the launch file, which names the same parameters: no cause is to be looked for there."""
+    """The node without the launch file, which has the same parameters but is never the cause."""
     files = recording.sources.files
     own = {path: text for path, text in files.items() if "/launch/" not in path}
     return replace(recording, sources=Sources(own, recording.sources.others))
@@ -198,13 +229,13 @@ def defaults(recording: Recording) -> None:
             expect_parameter(node_alone(recording), NODE, name, default, t=second_run(recording))
         except Failure as failure:
             written = f"`self.declare_parameter('{name}', {default!r})`."
-            advice = failure.feedback.advice or f"The default value stands where it is declared: {written}"
+            advice = failure.feedback.advice or f"The default value is set where it is declared: {written}"
             raise Failure(replace(failure.feedback, advice=advice)) from None
 
 
 @parameters.check("topic_exists", f"by default it publishes on {TOPIC}", needs="starts")
 def topic_exists(recording: Recording) -> None:
-    remedy = "Make a publisher, on the topic that the parameter `topic_name` names."
+    remedy = "Make a publisher on the topic in the parameter `topic_name`."
     expect_endpoint(recording, "publisher", TOPIC, remedy=remedy)
 
 
@@ -219,28 +250,38 @@ def publishes(recording: Recording) -> None:
     came = as_it_was(recording)
     if len(came) > 1:
         return
-    cause = timer_cause(recording.sources)
+    cause = cause_of_silence(
+        recording,
+        EXECUTABLE,
+        look_at="does the timer's callback reach `publish(...)`, and is its period in seconds?",
+    )
     raise Failure(
         Feedback(
-            summary="One message came, and then no more."
+            summary="One message arrived, and then no more."
             if came
-            else "The publisher exists, but no message comes.",
+            else "The publisher exists, but no message arrives.",
             expected="a message every 0.5 s",
             seen=f"{len(came)} messages",
-            where=cause.where if cause else timer_places(recording.sources),
-            advice=cause.text
-            if cause
-            else "Does the timer's callback reach `publish(...)`? And is its period in seconds?",
+            where=cause.where,
+            advice=cause.text,
         )
     )
 
 
 @parameters.check("rate", "by default it publishes twice per second", needs="publishes")
 def rate(recording: Recording) -> None:
-    expect_pace(recording, tuple(m.t for m in as_it_was(recording)), PERIOD, parameter="period")
+    expect_pace(recording, recording.topic(TOPIC).between(0.0, second_run(recording)), PERIOD)
 
 
-@parameters.check("says", "the messages carry the quote and the philosopher's name", needs="publishes")
+def expect_pace(recording: Recording, topic: TopicView, period: float) -> None:
+    advice = "Hand `create_timer` what the parameter says: `self.get_parameter('period').value`."
+    where = timer_places(recording.sources)[:2]
+    expect_period(
+        topic, period, what="messages", advice=advice, where=where, program=recording, written=False
+    )
+
+
+@parameters.check("says", "the messages contain the quote and the philosopher's name", needs="publishes")
 def says(recording: Recording) -> None:
     told = recording.parameters(NODE).at(second_run(recording))
     wanted = {name: str(told[name].value if name in told else DEFAULTS[name]) for name in TEXTS}
@@ -257,7 +298,7 @@ def others_start(recording: Recording) -> None:
 
 @parameters.check("others_taken", "its parameters then have those values", needs="others_start")
 def others_taken(recording: Recording) -> None:
-    for name, value in GIVEN.items():
+    for name, value in given(recording).items():
         try:
             expect_parameter(node_alone(recording), NODE, name, value)
         except Failure as failure:
@@ -267,19 +308,22 @@ def others_taken(recording: Recording) -> None:
 
 @parameters.check("others_topic", "it publishes on the topic that topic_name names", needs="others_taken")
 def others_topic(recording: Recording) -> None:
-    if recording.topic(GIVEN_TOPIC).messages:
+    topic = given_topic(recording)
+    if recording.topic(topic).messages:
         return
     elsewhere = [message for message in recording.messages(TOPIC) if message.t > second_run(recording)]
     raise Failure(
         Feedback(
-            summary=f"With `topic_name` set to `{GIVEN['topic_name']}` the node still publishes on `{TOPIC}`."
+            summary=f"With `topic_name` set to `{topic[1:]}`, the node still publishes on `{TOPIC}`."
             if elsewhere
-            else f"With `topic_name` set to `{GIVEN['topic_name']}` nothing comes on that topic.",
-            expected=GIVEN_TOPIC,
+            else f"With `topic_name` set to `{topic[1:]}`, nothing arrives on that topic.",
+            expected=topic,
             seen=TOPIC if elsewhere else "no message",
             where=tuple(call.where for call in calls(recording.sources, "create_publisher"))[:2],
-            advice="Hand `create_publisher` what the parameter says, "
-            "`self.get_parameter('topic_name').value`, in place of a name of your own.",
+            advice=(
+                "Pass the parameter's value to `create_publisher`, "
+                "`self.get_parameter('topic_name').value`, instead of a fixed name."
+            ),
         )
     )
 
@@ -287,16 +331,15 @@ def others_topic(recording: Recording) -> None:
 @parameters.check("others_rate", "it publishes as often as period says", needs="others_topic")
 def others_rate(recording: Recording) -> None:
     until, _ = set_at(recording, "period")
-    times = tuple(message.t for message in recording.messages(GIVEN_TOPIC) if message.t < until)
-    expect_pace(recording, times, GIVEN_PERIOD, parameter="period")
+    expect_pace(recording, recording.topic(given_topic(recording)).between(0.0, until), GIVEN_PERIOD)
 
 
-@parameters.check("others_say", "its messages carry the texts that were given", needs="others_topic")
+@parameters.check("others_say", "its messages contain the given texts", needs="others_topic")
 def others_say(recording: Recording) -> None:
     until, _ = set_at(recording, TEXTS[0])
-    for message in recording.messages(GIVEN_TOPIC):
+    for message in recording.messages(given_topic(recording)):
         if message.t < until:
-            expect_texts(recording, message, {name: str(GIVEN[name]) for name in TEXTS})
+            expect_texts(recording, message, {name: str(given(recording)[name]) for name in TEXTS})
 
 
 @parameters.check(
@@ -305,14 +348,14 @@ def others_say(recording: Recording) -> None:
 def changes(recording: Recording) -> None:
     for name in TEXTS:
         expect_set(recording, NODE, name)
-        expect_followed(node_alone(recording), NODE, GIVEN_TOPIC, name)
+        expect_followed(node_alone(recording), NODE, given_topic(recording), name)
 
 
 @parameters.check("period_stays", "a change of period does not change the rate", needs="others_rate")
 def period_stays(recording: Recording) -> None:
     _, since = set_at(recording, "period")
-    times = tuple(message.t for message in recording.messages(GIVEN_TOPIC) if message.t > since)
-    expect_pace_kept(node_alone(recording), times, GIVEN_PERIOD, parameter="period", value=LATER_PERIOD)
+    topic = recording.topic(given_topic(recording)).between(since, inf)
+    expect_period_kept(node_alone(recording), topic, GIVEN_PERIOD, parameter="period", value=LATER_PERIOD)
 
 
 @parameters.check("declares_messages", f"package.xml declares rclpy and {INTERFACES}")
@@ -331,9 +374,9 @@ def interrupt(recording: Recording) -> None:
 @launch.scenario
 def one_launch(arena: Arena) -> None:
     """The node's parameters tell what the launch file gave; what it does with them is chapter 23."""
-    asked = arena.parameters(FALCON)
+    asked = arena.ros.parameters(FALCON)
     launched = arena.launch(PACKAGE, LAUNCH_FILE)
-    if arena.until(lambda: arena.graph.nodes, timeout=15, while_running=launched):
+    if arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=launched):
         ask(arena, asked, launched)
     arena.interrupt(launched)
 
@@ -378,7 +421,7 @@ def falcon_period(recording: Recording) -> None:
     expect_launch_parameter(recording, LAUNCH_FILE, FALCON, "period", FALCON_PERIOD)
 
 
-@launch.check("texts", "quote and philosopher_name are of your own choice", needs="node_name")
+@launch.check("texts", "quote and philosopher_name are your own choice", needs="node_name")
 def falcon_texts(recording: Recording) -> None:
     for name in TEXTS:
         expect_own_launch_parameter(recording, LAUNCH_FILE, FALCON, name, DEFAULTS[name])

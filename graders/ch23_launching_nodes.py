@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.feedback import Failure
-from course.grading.author import Grader
-from course.grading.expect.graph import expect_endpoint, expect_type
-from course.grading.expect.launches import (
+from course.api import (
+    Arena,
+    Failure,
+    Grader,
+    Recording,
+    expect_endpoint,
     expect_launch_file,
     expect_launch_interrupt,
     expect_launched,
     expect_launched_node,
+    expect_period,
+    expect_type,
     launch_file,
+    named,
+    replace,
+    timer_places,
 )
-from course.grading.explain.parameters import named
-from course.grading.explain.timers import timer_places
 
 PACKAGE = "python_package_that_uses_parameters_and_launch_files"
 FILE = "peanut_butter_falcon_quote_publisher_launch.py"
@@ -32,14 +33,14 @@ launch = Grader("23-launch")
 
 @launch.scenario
 def one_launch(arena: Arena) -> None:
-    """Five messages are four intervals; then Ctrl+C, once.
+    """Record five messages, which make four intervals, then press Ctrl+C once.
 
-    Two messages are waited for so long that a period of 4 s is seen: who takes it for hertz has that.
+    It waits long enough for two messages 4 s apart: the period of learners who enter hertz.
     """
-    quotes = arena.subscribe(TOPIC, QUOTE)
+    quotes = arena.ros.subscribe(TOPIC, QUOTE)
     launched = arena.launch(PACKAGE, FILE)
-    if arena.until(lambda: arena.graph.nodes, timeout=15, while_running=launched) and arena.until(
-        lambda: arena.graph.publishers(TOPIC), timeout=4, while_running=launched
+    if arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=launched) and arena.until(
+        lambda: arena.ros.graph.publishers(TOPIC), timeout=4, while_running=launched
     ):
         arena.until(lambda: quotes.count >= 2, timeout=10, while_running=launched)
         if quotes.count >= 2:
@@ -63,7 +64,7 @@ def topic(recording: Recording) -> None:
     name = TOPIC.lstrip("/")
     given = named(launch_file(recording, FILE), name)
     remedy = (
-        "The launch file names it; the node must hand its parameter `topic_name` to `create_publisher`."
+        "The launch file sets it; the node must pass its parameter `topic_name` to `create_publisher`."
         if given
         else f"In the launch file: `'topic_name': '{name}'` among the `parameters`."
     )
@@ -74,11 +75,11 @@ def topic(recording: Recording) -> None:
 @launch.check("rate", "it publishes four times per second", points=2, needs="topic")
 def rate(recording: Recording) -> None:
     advice = (
-        "In the launch file: `'period': 0.25` among the `parameters`, and one `Node` only. In the node: "
-        "`create_timer` gets what the parameter says."
+        "In the launch file: `'period': 0.25` among the `parameters`, and only one `Node`. In "
+        "the node: pass the parameter's value to `create_timer`."
     )
     try:
-        recording.topic(TOPIC).expect_period(PERIOD, advice=advice)
+        expect_period(recording.topic(TOPIC), PERIOD, advice=advice)
     except Failure as failure:
         given = named(launch_file(recording, FILE), "period")
         where = given[:1] or timer_places(recording.sources)[:1]

@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
 
 import yaml
 
-from course.arena.arena import Arena
-from course.errors import OurFault
-from course.evidence.acts import Act
-from course.evidence.events import Acted
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.acts import expect_act
-from course.grading.expect.files import expect_text
-from course.grading.explain.names import listed, nearest
-from course.grading.mystery import Answer, Mystery, Number, OneOf, Text
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    Mystery,
+    Number,
+    OneOf,
+    OurFault,
+    Recording,
+    Text,
+    expect_text,
+    listed,
+    nearest,
+)
+from lib.following import Answer
 
 NODE = "/peanut_butter_falcon_quote_publisher_node"
 FILE = "ros2_tutorial_workspace/src/peanut_butter_falcon_quote_publisher_node.yaml"
@@ -27,7 +33,7 @@ KEY = "ros__parameters"
 # A file may be meant for one node, or for every node.
 KEYS = (NODE, NODE.lstrip("/"), "/**")
 WANTED = ("quote", "philosopher_name", "topic_name", "period", "use_sim_time")
-DUMP = f"`ros2 param dump {NODE} > ~/{FILE}` makes it, while the mystery is played."
+DUMP = f"`ros2 param dump {NODE} > ~/{FILE}` creates it while the mystery runs."
 LARGEST = 2**63
 ATTEMPTS = 5
 
@@ -64,16 +70,18 @@ def answers(plan: Any) -> dict[str, Answer]:
         "period": Number(plan.period, "1%", wrong={1 / plan.period: "That is how often per second."}),
         "philosopher": Text(plan.philosopher, wrong=_not_the_philosopher(plan)),
         "largest": Number(plan.high, 0.0, wrong=_not_the_largest(plan)),
-        "read-only": OneOf(plan.fixed, dict.fromkeys(_settable_names(plan), "Set it, and see: it is taken.")),
+        "read-only": OneOf(
+            plan.fixed, dict.fromkeys(_settable_names(plan), "Set it and see: the node accepts it.")
+        ),
     }
 
 
 _TYPES = {
-    "boolean": "A boolean is true or false, and nothing else.",
-    "double": "A double is a number with a point, and `ros2 param get` says `Double value`.",
-    "integer": "An integer is a whole number, and `ros2 param get` says `Integer value`.",
-    "string": "A string is a text, and `ros2 param get` says `String value`.",
-    "string array": "That would be several texts, in brackets.",
+    "boolean": "A boolean is either true or false.",
+    "double": "A double is a number with a decimal point, and `ros2 param get` prints `Double value`.",
+    "integer": "An integer is a whole number, and `ros2 param get` prints `Integer value`.",
+    "string": "A string is text, and `ros2 param get` prints `String value`.",
+    "string array": "That would be several strings, in square brackets.",
 }
 
 
@@ -85,25 +93,25 @@ def _not_integers(plan: Any) -> dict[str, str]:
     text = "That one is a string."
     return {
         **dict.fromkeys(("quote", "philosopher_name", "topic_name", plan.fixed), text),
-        "period": "That one is a double: it is written with a point.",
+        "period": "That one is a double: it has a decimal point.",
         "use_sim_time": "That one is a boolean.",
         "start_type_description_service": "That one is a boolean.",
-        plan.odd: "`ros2 param describe` names another type for that one, whatever it looks like.",
+        plan.odd: "`ros2 param describe` shows a different type for that one, despite its looks.",
     }
 
 
 def _not_the_philosopher(plan: Any) -> dict[str, str]:
     return {
         plan.quote: "That is the quote.",
-        plan.given[1]: "That came with the file that you have loaded. Start the mystery again, and look.",
+        plan.given[1]: "That value came from the file that you loaded. Start the mystery again and look.",
     }
 
 
 def _not_the_largest(plan: Any) -> dict[float, str]:
     return {
         plan.low: "That is the smallest.",
-        plan.set_to: "That is the value that it has at the start. Ask what it may have.",
-        1: "That is the step: from one value to the next.",
+        plan.set_to: "That is its value at the start. Find out which values it may have.",
+        1: "That is the step from one value to the next.",
     }
 
 
@@ -111,33 +119,30 @@ def _not_the_largest(plan: Any) -> dict[float, str]:
 
 
 @mystery.acts
-def acts(plan: Any) -> list[Act]:
-    return [Act("set"), Act("loaded")]
+def acts(plan: Any) -> list[str]:
+    return ["set", "loaded"]
 
 
 @grader.check("set", "you set the integer parameter to its largest value")
 def set_to_the_largest(recording: Recording) -> None:
-    expect_act(
-        at_home(recording),
+    mystery.expect_act(
+        recording,
         "set",
-        "The integer parameter was not yet set to the largest value that it may have.",
+        "The integer parameter was not yet set to its largest allowed value.",
         near_miss="set_other",
+        at_home=True,  # the node of this very check does it, too
     )
 
 
 @grader.check("loaded", "you loaded quote_of_the_day.yaml into the node")
 def loaded(recording: Recording) -> None:
-    expect_act(
-        at_home(recording),
+    mystery.expect_act(
+        recording,
         "loaded",
-        "The node never had both values of `quote_of_the_day.yaml`. `ros2 param load` brings them there.",
+        "The node never had both values of `quote_of_the_day.yaml`. `ros2 param load` sets them.",
         near_miss="other_quote",
+        at_home=True,
     )
-
-
-def at_home(recording: Recording) -> Recording:
-    """Without what the node of this very check saw: that was the grader's doing."""
-    return replace(recording, events=tuple(event for event in recording.events if isinstance(event, Acted)))
 
 
 # The file ----------------------------------------------------------------------------------------------
@@ -145,7 +150,7 @@ def at_home(recording: Recording) -> Recording:
 
 @dataclass(frozen=True)
 class Dump:
-    """What the file says. values: of our node. problem: why it is of no use."""
+    """The content of the file. values: those of our node. problem: why they cannot be used."""
 
     values: Mapping[str, Any] = field(default_factory=dict)
     problem: Feedback | None = None
@@ -161,6 +166,10 @@ class _NoAliases(yaml.SafeLoader):
         return super().compose_node(parent, index)
 
 
+# What reading YAML raises besides errors with a mark: of numbers, dates and keys that are none.
+_NOT_YAML = (yaml.YAMLError, ValueError, ArithmeticError, LookupError, AttributeError, RecursionError)
+
+
 def read_dump(text: str) -> Dump:
     """Never raises: the text is the learner's."""
     try:
@@ -168,7 +177,7 @@ def read_dump(text: str) -> Dump:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         return Dump(problem=_no_yaml(error.problem or error.context or "", mark.line + 1 if mark else None))
-    except (yaml.YAMLError, ValueError, RecursionError) as error:
+    except _NOT_YAML as error:
         return Dump(problem=_no_yaml(str(error), None))
     nodes = data if isinstance(data, dict) else {}
     inside = next((nodes[key] for key in KEYS if key in nodes), None)
@@ -186,7 +195,7 @@ def load_the_dump(arena: Arena) -> None:
     values = _settable(arena)
     if not values:
         return
-    asked = arena.parameters(NODE)
+    asked = arena.ros.parameters(NODE)
     arena.play(mystery.file)
     arena.until(lambda: asked.available, timeout=15)
     for _ in range(ATTEMPTS):
@@ -196,15 +205,12 @@ def load_the_dump(arena: Arena) -> None:
 
 
 def _settable(arena: Arena) -> dict[str, Any]:
-    file = arena.home / FILE
-    if not file.is_file():
-        return {}
-    values = read_dump(file.read_text(encoding="utf-8", errors="replace")).values
+    values = read_dump(arena.files.text(FILE) or "").values
     return {name: values[name] for name in WANTED if name in values and _is_plain(values[name])}
 
 
 def _is_plain(value: Any) -> bool:
-    """Whether ROS can be asked to set it; whether the node takes it, is the node's to say."""
+    """Whether this is a value that ROS can set; the node may still refuse it."""
     if isinstance(value, str):
         return "\0" not in value and value.encode(errors="ignore").decode() == value
     if isinstance(value, int):
@@ -212,7 +218,7 @@ def _is_plain(value: Any) -> bool:
     return isinstance(value, float)
 
 
-@grader.check("dump", "the file holds parameters of the node")
+@grader.check("dump", "the file contains parameters of the node")
 def dump(recording: Recording) -> None:
     text = expect_text(recording, FILE, advice=DUMP).text or ""
     problem = read_dump(text).problem if text.strip() else _empty()
@@ -231,7 +237,7 @@ def five(recording: Recording) -> None:
             raise Failure(_no_value(text, name, values[name]))
 
 
-@grader.check("loads", "a node takes what is in the file", needs="five")
+@grader.check("loads", "a node accepts the values in the file", needs="five")
 def loads(recording: Recording) -> None:
     results = {result.name: result for result in recording.parameters(NODE).sets}
     for name in WANTED:
@@ -248,8 +254,10 @@ def _empty() -> Feedback:
     return Feedback(
         summary=f"`~/{FILE}` is empty.",
         where=(Location(FILE),),
-        advice="bash makes the file first, and it stays empty if the node is not found. Play the "
-        f"mystery, then: {DUMP}",
+        advice=(
+            "bash creates the file first, and it stays empty if the node is not found. Start the "
+            f"mystery, then: {DUMP}"
+        ),
     )
 
 
@@ -257,7 +265,7 @@ def _no_yaml(what: str, line: int | None) -> Feedback:
     return Feedback(
         summary=f"`{PurePosixPath(FILE).name}` cannot be read as YAML: {what}.",
         where=(Location(FILE, line),),
-        advice=f"Only what `ros2 param dump` prints belongs in it. {DUMP}",
+        advice=f"It must contain only the output of `ros2 param dump`. {DUMP}",
     )
 
 
@@ -267,7 +275,7 @@ def _no_node(text: str, nodes: Mapping[Any, Any]) -> Feedback:
     return Feedback(
         summary=f"The file is for `{close}`, not for `{NODE}`."
         if close
-        else "The file does not say for which node it is.",
+        else "The file does not name the node that it is for.",
         expected=f"{NODE}:",
         seen=listed(names, "no name at the beginning of a line"),
         where=_places(text, close),
@@ -285,20 +293,20 @@ def _no_parameters(text: str, inside: Any) -> Feedback:
         expected=f"{KEY}:",
         seen=listed(names[:5], "nothing"),
         where=_places(text, close),
-        advice=f"It is written with two underscores between `ros` and `parameters`. {DUMP}",
+        advice=f"Write two underscores between `ros` and `parameters`. {DUMP}",
     )
 
 
 def _parameter_missing(text: str, name: str, values: Mapping[str, Any]) -> Feedback:
     close = nearest(name, [other for other in values if other not in WANTED])
     return Feedback(
-        summary=f"The file holds `{close}`, not `{name}`."
+        summary=f"The file contains `{close}`, not `{name}`."
         if close
         else f"The parameter `{name}` is not in the file.",
         expected=listed(WANTED),
         seen=listed(values, "no parameter"),
         where=_places(text, close),
-        advice=f"Let ROS write it: it forgets nothing. {DUMP}",
+        advice=f"Let ROS write the file, so that nothing is missing. {DUMP}",
     )
 
 
@@ -306,7 +314,7 @@ def _no_value(text: str, name: str, value: Any) -> Feedback:
     return Feedback(
         summary=f"`{name}` has no value in the file."
         if value is None
-        else f"The value of `{name}` is not a single text, number, true or false.",
+        else f"The value of `{name}` is not a single string, number, true or false.",
         seen=None if value is None else str(value)[:80],
         where=_places(text, name),
         advice=f"Write the value after the colon and a space. {DUMP}",
@@ -317,8 +325,10 @@ def _refused(recording: Recording, name: str, reason: str) -> Feedback:
     return Feedback(
         summary=f"The node refuses the file's value of `{name}`: {reason}",
         where=_places(expect_text(recording, FILE).text or "", name),
-        advice="A double is written with a point, a string may need quotation marks, and `true` and "
-        f"`false` must have none. {DUMP}",
+        advice=(
+            "A double needs a decimal point, a string may need quotation marks, and `true` and "
+            f"`false` must not have any. {DUMP}"
+        ),
     )
 
 

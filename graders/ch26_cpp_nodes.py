@@ -6,17 +6,23 @@ import re
 
 import pytest
 
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.evidence.topic_view import LogLine, expect_period
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.counts import expect_counting
-from course.grading.expect.graph import expect_node_called
-from course.grading.expect.logs import expect_logged
-from course.grading.expect.manifests import expect_dependency
-from course.grading.expect.programs import expect_clean_interrupt, expect_running
-from course.grading.explain.cpp_timers import cpp_timer_cause, timers_of
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    LogLine,
+    Recording,
+    cause_of_silence,
+    expect_clean_interrupt,
+    expect_dependency,
+    expect_logged,
+    expect_node,
+    expect_period,
+    expect_running,
+)
+from lib.counts import await_counted, expect_counting
 
 PACKAGE = "cpp_package_with_a_node"
 NODE = "print_forever_node"
@@ -31,17 +37,9 @@ cpp_node = Grader("26-cpp-node")
 
 @cpp_node.scenario
 def five_messages(arena: Arena) -> None:
-    """Five messages are four intervals."""
+    """Record five messages, which make four intervals."""
     node = arena.run(PACKAGE, NODE)
-    if node and arena.until(lambda: arena.graph.nodes, timeout=15, while_running=node):
-        arena.until(lambda: arena.logged("") or arena.printed("Print"), timeout=6, while_running=node)
-        arena.until(
-            lambda: arena.logged("Print") >= ENOUGH or arena.printed("Print") > ENOUGH + 1,
-            timeout=6,
-            while_running=node,
-        )
-        # What a quick node printed may reach the log a moment later.
-        arena.until(lambda: arena.logged("Print") >= ENOUGH, timeout=1, while_running=node)
+    await_counted(arena, node, "Print", ENOUGH, seconds=6)
     arena.interrupt(node)
 
 
@@ -54,9 +52,9 @@ def starts(recording: Recording) -> None:
     expect_running(recording, NODE)
 
 
-@cpp_node.check("node_name", "the node's name holds `print_forever`", needs="starts")
+@cpp_node.check("node_name", "the node's name contains `print_forever`", needs="starts")
 def node_name(recording: Recording) -> None:
-    expect_node_called(recording, NAME)
+    expect_node(recording, NAME, whole=False)
 
 
 @cpp_node.check("logs", "it logs `Printed N times.` at level INFO", needs="starts")
@@ -71,7 +69,7 @@ def counts(recording: Recording) -> None:
         lines,
         LINE,
         first=FIRST,
-        begin="Begin with `int count_ = 0;`, and add one after the message is logged, not before.",
+        begin="Start with `int count_ = 0;`, and add one after the message is logged, not before.",
         step="Keep the count in a member of the class, and add one each time: `count_++;`.",
     )
     if len(lines) < ENOUGH:
@@ -79,17 +77,15 @@ def counts(recording: Recording) -> None:
 
 
 def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:
-    cause = cpp_timer_cause(recording.sources)
-    timers = tuple(timer.where for timer in timers_of(recording.sources))
+    look_at = "does a timer of 0.5 s, from `create_wall_timer`, call the function that logs?"
+    cause = cause_of_silence(recording, NODE, look_at=look_at)
     return Feedback(
         summary=f"The node logged only {len(lines)} time{'s' if len(lines) > 1 else ''}; it "
-        "should go on forever.",
+        "should never stop.",
         expected="a message every 0.5 s",
         seen=f"{len(lines)} in all",
-        where=cause.where if cause else timers[:2],
-        advice=cause.text
-        if cause
-        else "Let a timer of 0.5 s call the function that logs, with `create_wall_timer`.",
+        where=cause.where,
+        advice=cause.text,
         details=tuple(line.text for line in lines[:3]),
     )
 
@@ -99,7 +95,7 @@ def rate(recording: Recording) -> None:
     times = tuple(line.t for line in counted(recording))
     if len(times) < ENOUGH:
         pytest.skip("there are too few messages to tell")
-    expect_period(times, 0.5, what="log messages", advice="Half a second is `500ms`, or `0.5s`.")
+    expect_period(times, 0.5, what="log messages", program=recording)
 
 
 @cpp_node.check("declares_rclcpp", "package.xml declares rclcpp")
@@ -112,7 +108,7 @@ def interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, NODE)
 
 
-@cpp_node.check("placeholder", "the folder for headers is one that git keeps", bonus=True, needs=())
+@cpp_node.check("placeholder", "git keeps the folder for headers", bonus=True, needs=())
 def placeholder(recording: Recording) -> None:
     if recording.home.inside(HEADERS):
         return

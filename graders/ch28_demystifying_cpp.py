@@ -1,15 +1,22 @@
-"""Grader of chapter 28: bounds and exceptions, who owns an object, and objects that nobody copies."""
+"""Graders of chapter 28: bounds and exceptions, owners of objects, and forwarding without copies."""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
 
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.native import expect_compiled, expect_no_warnings, expect_sound, native_answer
+from course.api import (
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    Recording,
+    expect_compiled,
+    expect_no_warnings,
+    expect_sound,
+    native_answer,
+)
 
 PROBES = Path(__file__).with_name("probes")
 CPP = "ros2_tutorials_preamble/cpp"
@@ -24,14 +31,14 @@ ANGLES = (0.0, 1.047198, 1.570796, 3.141593)
 
 @bounds.scenario
 def ask_and_run_bounds(arena: Arena) -> None:
-    program = arena.compile("bounds", f"{BOUNDS}/*.cpp")
+    program = arena.cpp.compile("bounds", f"{BOUNDS}/*.cpp")
     for name, arguments in (("inside", ("2", "0.5")), ("outside", ("9", "1.1")), ("half", ("5", "-3"))):
-        run = arena.run_native(program, *arguments, name=name)
+        run = arena.cpp.run(program, *arguments, name=name)
         if run:
             run.wait(10)
-    asked = arena.compile("functions", f"{BOUNDS}/*.cpp", ours=PROBES / "ch28_bounds.cpp", without=MAIN)
+    asked = arena.cpp.compile("functions", f"{BOUNDS}/*.cpp", ours=PROBES / "ch28_bounds.cpp", without=MAIN)
     for question in ("positions", "behind", "far", "angles"):
-        arena.ask_native(asked, question, name=question, timeout=10)
+        arena.cpp.ask(asked, question, name=question, timeout=10)
 
 
 @bounds.check("compiles", "the program compiles")
@@ -41,7 +48,7 @@ def bounds_compiles(recording: Recording) -> None:
 
 
 def expect_fitting(recording: Recording, program: str, file: str) -> None:
-    """The functions of the task can be called by a program of ours; `file` defines them."""
+    """Expect that our program can call the task's functions, which `file` defines."""
     said = "\n".join(recording.process(f"compile {program}").text)
     lost = re.search(r"undefined reference to `(\w+)\(", said)
     if lost is None:
@@ -53,7 +60,7 @@ def expect_fitting(recording: Recording, program: str, file: str) -> None:
             summary=f"`{name}` does not define `{lost[1]}`, so no other program can call it.",
             expected=f"`{lost[1]}` in {name}",
             where=(Location(file),),
-            advice=f"Move it to {name}, out of any `namespace`. `main.cpp` only calls it.",
+            advice=f"Move it to {name}, outside any `namespace`. `main.cpp` only calls it.",
         )
     )
 
@@ -72,18 +79,18 @@ def position(recording: Recording) -> None:
         return
     raise Failure(
         Feedback(
-            summary="`position_of` does not give the positions of the joints 0, 1 and 2."
+            summary="`position_of` does not return the positions of the joints 0, 1 and 2."
             if seen.error is None
-            else f"`position_of` throws where there is such a joint: {seen.error[:60]}",
+            else f"`position_of` throws for a joint that exists: {seen.error[:60]}",
             expected="0.25, -1.5 and 3",
             seen=numbers(seen.value) if seen.error is None else seen.error,
             where=(Location(JOINTS),),
-            advice="The first joint has the number 0, as the first element of a vector has.",
+            advice="The first joint has the number 0, like the first element of a vector.",
         )
     )
 
 
-@bounds.check("throws", "`position_of` throws where there is no such joint", points=2, needs="position")
+@bounds.check("throws", "`position_of` throws for a joint that does not exist", points=2, needs="position")
 def throws(recording: Recording) -> None:
     for question, joint in (("behind", "3"), ("far", "18446744073709551615")):
         what = f"position_of({{0.25, -1.5, 3}}, {joint})"
@@ -93,25 +100,28 @@ def throws(recording: Recording) -> None:
             what,
             question,
             "out_of_range",
-            "`positions.at(joint)` throws just this, and `positions[joint]` never does.",
+            "`positions.at(joint)` throws exactly this; `positions[joint]` never does.",
         )
 
 
-@bounds.check("angle", "`angle_of` throws where there is no such angle", points=2, needs="compiles")
+@bounds.check("angle", "`angle_of` throws for an angle that does not exist", points=2, needs="compiles")
 def angle(recording: Recording) -> None:
     seen = native_answer(recording, "angles", "angle_of(0.5)", "angles", where=Location(JOINTS))
     near = seen.error is None and all(abs(a - b) < 1e-4 for a, b in zip(seen.value, ANGLES, strict=True))
     if not near:
         raise Failure(
             Feedback(
-                summary="`angle_of` does not give the angles of the cosines 1, 0.5, 0 and -1.",
+                summary="`angle_of` does not return the angles of the cosines 1, 0.5, 0 and -1.",
                 expected=numbers(ANGLES),
                 seen=seen.error or numbers(seen.value),
                 where=(Location(JOINTS),),
-                advice="`std::acos` gives them, in rad; 1 and -1 are cosines too.",
+                advice="`std::acos` returns them in rad; 1 and -1 are cosines too.",
             )
         )
-    advice = "`std::acos` gives what is not a number then. `std::isnan` tells; `==` cannot, it is never true."
+    advice = (
+        '`std::acos` then returns NaN, "not a number". Check it with `std::isnan`; `==` is never '
+        "true for NaN."
+    )
     for question, cosine in (("above", "1.1"), ("below", "-1.1")):
         expect_thrown(recording, question, f"angle_of({cosine})", "angles", "domain_error", advice)
 
@@ -125,9 +135,9 @@ def expect_thrown(
     returned = str(seen.value).removeprefix("returned ")
     raise Failure(
         Feedback(
-            summary=f"`{what}` throws `{seen.type}`, which is no `std::{wanted}`."
+            summary=f"`{what}` throws `{seen.type}`; it should throw `std::{wanted}`."
             if seen.error is not None
-            else f"`{what}` throws nothing: it gives {returned}.",
+            else f"`{what}` throws nothing: it returns {returned}.",
             expected=f"std::{wanted}",
             seen=(seen.error or returned)[:120],
             where=(Location(JOINTS),),
@@ -142,7 +152,7 @@ def bounds_prints(recording: Recording) -> None:
 
 
 @bounds.check(
-    "catches", "it catches what is thrown, and goes on", points=2, needs=("prints", "throws", "angle")
+    "catches", "it catches the exceptions, and continues", points=2, needs=("prints", "throws", "angle")
 )
 def catches(recording: Recording) -> None:
     outside = ("joint 9: out of range", "angle: not a number")
@@ -175,12 +185,12 @@ def printing_advice(wanted: str, printed: str) -> str:
     begun = wanted.partition(":")[0] + ":"
     if printed.count(begun) > 1:
         return (
-            "The line was begun when the exception came. Call the function first, keep what it gives, "
-            "and print then."
+            "The program had already begun the line when the exception was thrown. Call the "
+            "function first, store its result, and then print."
         )
     if wanted.endswith(("out of range", "not a number")):
-        return f"Print `{wanted}` where the exception is caught, and let the program go on behind it."
-    return "The texts must be just those of the task: compare them letter by letter."
+        return f"Print `{wanted}` where you catch the exception, and let the program continue after it."
+    return "The text must be exactly that of the task: compare it letter by letter."
 
 
 def numbers(values: object) -> str:
@@ -201,11 +211,12 @@ ARM_LINES = ("the hand is mounted on the elbow", "the arm has 3 links", "arm on 
 
 @pointers.scenario
 def ask_and_run_arm(arena: Arena) -> None:
-    program = arena.compile("arm", f"{ARM}/*.cpp", heap=True)
-    arena.ask_native(program, name="arm", timeout=10)
-    asked = arena.compile("links", f"{ARM}/*.cpp", ours=PROBES / "ch28_links.cpp", without=f"{ARM}/main.cpp")
+    program = arena.cpp.compile("arm", f"{ARM}/*.cpp", heap=True)
+    arena.cpp.ask(program, name="arm", timeout=10)
+    links = PROBES / "ch28_links.cpp"
+    asked = arena.cpp.compile("links", f"{ARM}/*.cpp", ours=links, without=f"{ARM}/main.cpp")
     for question in ("tree", "kept", "gone"):
-        arena.ask_native(asked, question, name=question, timeout=10)
+        arena.cpp.ask(asked, question, name=question, timeout=10)
 
 
 @pointers.check("compiles", "the program compiles")
@@ -218,7 +229,7 @@ def arm_warnings(recording: Recording) -> None:
     expect_no_warnings(recording, "arm")
 
 
-@pointers.check("runs", "it prints its three lines, and ends well", needs="compiles")
+@pointers.check("runs", "it prints its three lines, and ends without an error", needs="compiles")
 def arm_runs(recording: Recording) -> None:
     view = expect_sound(recording, "arm")
     seen = tuple(line.strip() for line in view.text if line.strip())
@@ -227,13 +238,13 @@ def arm_runs(recording: Recording) -> None:
     missing = [line for line in ARM_LINES if line not in seen]
     raise Failure(
         Feedback(
-            summary=f"The program does not print `{missing[0]}` any more."
+            summary=f"The program no longer prints `{missing[0]}`."
             if missing
             else "The program prints more than its three lines.",
             expected="the three lines that it printed before",
             seen=seen[0][:120] if seen else "nothing",
             where=(Location(f"{ARM}/main.cpp"),),
-            advice="Only who owns what is to change. What `main` prints stays as it was.",
+            advice="Change only who owns which link. The output of `main` must stay the same.",
             details=seen[:5],
         )
     )
@@ -246,12 +257,14 @@ def shared(recording: Recording) -> None:
     if unfit:
         raise Failure(
             Feedback(
-                summary="The functions still take or give plain pointers, `Link*`.",
+                summary="The functions still take or return plain pointers, `Link*`.",
                 expected="std::shared_ptr<Link>",
                 seen=unfit.partition("error: ")[2][:120],
                 where=plain_pointers(recording),
-                advice="Write `std::shared_ptr<Link>` where `Link*` stands, in link.hpp and in link.cpp, and "
-                "`const std::shared_ptr<Link>&` for arguments.",
+                advice=(
+                    "Replace `Link*` with `std::shared_ptr<Link>` in link.hpp and link.cpp, and use "
+                    "`const std::shared_ptr<Link>&` for arguments."
+                ),
             )
         )
     expect_fitting(recording, "links", LINK)
@@ -268,17 +281,17 @@ def tree(recording: Recording) -> None:
     expect_of_links(
         recording,
         ("parents", ["base", "base", "right"], "the parents of left, right and tip"),
-        "`mount` has to tell the child of its parent. `.lock()` makes a shared_ptr of a weak_ptr.",
+        "`mount` must store the parent in the child. `.lock()` makes a shared_ptr from a weak_ptr.",
     )
     expect_of_links(
         recording,
         ("root", "nothing", "what the base is mounted on"),
-        "A link that was never mounted has no parent: give an empty pointer.",
+        "A link that was never mounted has no parent: return an empty pointer.",
     )
     expect_of_links(
         recording,
         ("counts", [4, 1, 2, 1], "the links from base, left, right and tip on"),
-        "`mount` has to tell the parent of its child. `links_from` counts the link and all below.",
+        "`mount` must store the child in the parent. `links_from` counts the link and all links below it.",
     )
 
 
@@ -289,7 +302,7 @@ def expect_of_links(recording: Recording, asked: tuple[str, object, str], advice
         return
     raise Failure(
         Feedback(
-            summary=f"Your functions do not get {what} right.",
+            summary=f"Your functions return wrong values for {what}.",
             expected=numbers(wanted),
             seen=(answer.error or numbers(answer.value))[:120],
             where=(Location(LINK),),
@@ -298,35 +311,40 @@ def expect_of_links(recording: Recording, asked: tuple[str, object, str], advice
     )
 
 
-@pointers.check("kept", "a link keeps its children", needs="tree")
+@pointers.check("kept", "a link owns its children", needs="tree")
 def kept(recording: Recording) -> None:
     answer = native_answer(recording, "kept", "links_from(base)", "kept", where=Location(LINK))
     if answer.value == 3:
         return
     raise Failure(
         Feedback(
-            summary="Children are deleted although their parent still has them.",
+            summary="Children are deleted although their parent still needs them.",
             expected="3 links",
             seen=f"{answer.value} link" if answer.value == 1 else str(answer.error or answer.value)[:120],
             where=members(recording, "children"),
-            advice="A parent owns its children: `std::vector<std::shared_ptr<Link>>`. A weak_ptr keeps none.",
+            advice=(
+                "A parent owns its children: `std::vector<std::shared_ptr<Link>>`. A weak_ptr does "
+                "not own them."
+            ),
         )
     )
 
 
-@pointers.check("gone", "a child does not keep its parent", points=2, needs="tree")
+@pointers.check("gone", "a child does not own its parent", points=2, needs="tree")
 def gone(recording: Recording) -> None:
     answer = native_answer(recording, "gone", "parent_of(child)", "gone", where=Location(LINK))
     if answer.value == "nothing":
         return
     raise Failure(
         Feedback(
-            summary="A parent that nobody needs any more is not deleted: its child still owns it.",
+            summary="A parent that is no longer needed is not deleted: its child still owns it.",
             expected="an empty pointer",
             seen=str(answer.error or answer.value)[:120],
             where=members(recording, "parent"),
-            advice="A child only knows its parent: `std::weak_ptr<Link>`. Two that own each other are never "
-            "deleted.",
+            advice=(
+                "A child only refers to its parent: `std::weak_ptr<Link>`. Two objects that own each "
+                "other are never deleted."
+            ),
         )
     )
 
@@ -337,7 +355,7 @@ def members(recording: Recording, name: str) -> tuple[Location, ...]:
     return tuple(found[:1]) or (Location(HEADER),)
 
 
-@pointers.check("leak_free", "the program deletes all that it made", points=3, needs="runs")
+@pointers.check("leak_free", "the program deletes everything it made", points=3, needs="runs")
 def leak_free(recording: Recording) -> None:
     answer = native_answer(recording, "never freed", "./arm", "arm", where=Location(f"{ARM}/main.cpp"))
     count, blocks = answer.value
@@ -353,9 +371,12 @@ def leak_free(recording: Recording) -> None:
             expected="none",
             seen=f"{plural(count)}, {sum(size for size, _ in blocks)} bytes",
             where=tuple(places[:3]),
-            advice="Here it was made. Do two links own each other, or is there still a `new`?"
+            advice="It was made here. Do two links own each other, or is there still a `new`?"
             if link
-            else "Here it was made. A variable needs no `new`; what lives on belongs to a smart pointer.",
+            else (
+                "It was made here. A local variable does not need `new`; an object that lives longer "
+                "belongs in a smart pointer."
+            ),
         )
     )
 
@@ -374,16 +395,16 @@ THINGS = f"{THINGS_FOLDER}/things.hpp"
 
 @forwarding.scenario
 def count_things(arena: Arena) -> None:
-    program = arena.compile("things", f"{THINGS_FOLDER}/main.cpp")
-    run = arena.run_native(program, name="things")
+    program = arena.cpp.compile("things", f"{THINGS_FOLDER}/main.cpp")
+    run = arena.cpp.run(program, name="things")
     if run:
         run.wait(10)
-    asked = arena.compile("counts", ours=PROBES / "ch28_things.cpp")
+    asked = arena.cpp.compile("counts", ours=PROBES / "ch28_things.cpp")
     for question in ("values", "make", "append", "total", "forward"):
-        arena.ask_native(asked, question, name=question, timeout=10)
+        arena.cpp.ask(asked, question, name=question, timeout=10)
 
 
-@forwarding.check("compiles", "the program compiles, and runs")
+@forwarding.check("compiles", "the program compiles and runs")
 def things_compile(recording: Recording) -> None:
     expect_compiled(recording, "things")
     expect_sound(recording, "things")
@@ -393,10 +414,10 @@ def things_compile(recording: Recording) -> None:
     if bound and ended and ended.code:
         raise Failure(
             Feedback(
-                summary="`things.hpp` works for `Noisy` alone, and the check brings another type.",
+                summary="`things.hpp` works only for `Noisy`, but the check uses a different type.",
                 expected="a template for any `Thing`",
                 where=tuple(bound[:2]),
-                advice="Keep the `template` line as it was, and write `Thing` in the place of `Noisy`.",
+                advice="Keep the `template` line as it was, and write `Thing` instead of `Noisy`.",
             )
         )
     expect_compiled(recording, "counts")
@@ -407,7 +428,7 @@ def things_warnings(recording: Recording) -> None:
     expect_no_warnings(recording, "things")
 
 
-@forwarding.check("values", "the three functions do what they say", needs="compiles")
+@forwarding.check("values", "the three functions do what the task asks", needs="compiles")
 def values(recording: Recording) -> None:
     for question, wanted, what in (
         ("made value", 20.0, "make<Thing>(20.0)->value()"),
@@ -425,42 +446,47 @@ def values(recording: Recording) -> None:
                 expected=numbers(wanted),
                 seen=(answer.error or numbers(answer.value))[:120],
                 where=(Location(THINGS),),
-                advice="Without copies, it must still give what it gave before.",
+                advice="Without copies, it must still return the same values.",
             )
         )
 
 
-@forwarding.check("make", "`make` makes one object, and copies nothing", points=2, needs="values")
+@forwarding.check("make", "`make` makes one object and copies nothing", points=2, needs="values")
 def make_counts(recording: Recording) -> None:
     expect_counts(
         recording,
         "make",
         made=1,
         summary="`make<Thing>(20.0)`",
-        advice="`std::make_shared<Thing>(...)` takes what a Thing is made of, here 20.0, no finished Thing.",
+        advice=(
+            "`std::make_shared<Thing>(...)` takes the values that a Thing is made from, here "
+            "20.0, not a finished Thing."
+        ),
     )
 
 
-@forwarding.check("append", "`append` makes each object where it stays", points=2, needs="values")
+@forwarding.check("append", "`append` makes each object in place", points=2, needs="values")
 def append_counts(recording: Recording) -> None:
     expect_counts(
         recording,
         "append",
         made=3,
         summary="`append`, called three times,",
-        advice="`push_back` takes a finished Thing, `emplace_back` what it is made of: the value.",
+        advice=("`push_back` takes a finished Thing; `emplace_back` takes the value that it is made from."),
     )
 
 
-@forwarding.check("total", "`total` looks, and copies nothing", points=2, needs="values")
+@forwarding.check("total", "`total` only reads, and copies nothing", points=2, needs="values")
 def total_counts(recording: Recording) -> None:
     expect_counts(
         recording,
         "total",
         made=3,
         summary="`total` of three things",
-        advice="A reference is no copy: `const std::vector<Thing>& things` for the argument, and "
-        "`const auto&` in the loop.",
+        advice=(
+            "Use references, which do not copy: `const std::vector<Thing>& things` for the argument, "
+            "and `const auto&` in the loop."
+        ),
     )
 
 
@@ -496,29 +522,33 @@ def function_place(recording: Recording, name: str) -> tuple[Location, ...]:
     return tuple(found[:1]) or (Location(THINGS),)
 
 
-@forwarding.check("forwards", "`make` hands its arguments on as they came", points=2, needs="values")
+@forwarding.check("forwards", "`make` forwards its arguments unchanged", points=2, needs="values")
 def forwards(recording: Recording) -> None:
     what = "make<Whole>(Part(7.0))"
     _, copied, _ = native_answer(recording, "temporary", what, "forward", where=Location(THINGS)).value
     if copied:
         raise Failure(
             Feedback(
-                summary="A part that nobody else needs is copied on its way through `make`.",
+                summary="`make` copies a part that nothing else needs.",
                 expected="0 copies",
                 seen=f"{copied} copies" if copied > 1 else "1 copy",
                 where=function_place(recording, "make"),
-                advice="Take `Arguments&&... arguments`; hand on `std::forward<Arguments>(arguments)...`.",
+                advice=(
+                    "Take `Arguments&&... arguments`, and pass on `std::forward<Arguments>(arguments)...`."
+                ),
             )
         )
     ours = native_answer(recording, "ours", "part.value()", "forward").value
     if ours != 5.0:
         raise Failure(
             Feedback(
-                summary="`make<Whole>(part)` takes away the part that its caller still has.",
+                summary="`make<Whole>(part)` moves the part away from its caller, who still needs it.",
                 expected="5, as before",
                 seen=numbers(ours),
                 where=function_place(recording, "make"),
-                advice="`std::move` gives everything away. `std::forward<Arguments>(arguments)...` only what "
-                "the caller gave away.",
+                advice=(
+                    "`std::move` moves every argument. `std::forward<Arguments>(arguments)...` moves "
+                    "only what the caller moved."
+                ),
             )
         )

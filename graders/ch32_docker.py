@@ -14,18 +14,21 @@ from check_jsonschema.builtin_schemas import get_builtin_schema
 from jsonschema import Draft202012Validator, ValidationError
 from jsonschema.validators import validator_for
 
-from course.arena.arena import Arena
-from course.arena.own_programs import memory_mark
-from course.arena.process import Process
-from course.content.document import Document
-from course.errors import OurFault
-from course.evidence.events import Marked, OutputLine
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.author import Grader
-from course.grading.expect.files import expect_text
-from course.grading.expect.yaml_files import expect_yaml
-from course.grading.explain.names import listed, nearest
+from course.api import (
+    Arena,
+    Document,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    OurFault,
+    Process,
+    Recording,
+    expect_text,
+    expect_yaml,
+    listed,
+    nearest,
+)
 
 FOLDER = "docker_tutorial"
 
@@ -41,17 +44,17 @@ EXTRA = ("additionalProperties", "unevaluatedProperties")
 compose = Grader("32-compose", builds=None, ros=False)
 
 
-@compose.check("reads", f"`~/{COMPOSE}` is there, and is YAML")
+@compose.check("reads", f"`~/{COMPOSE}` exists and is YAML")
 def reads(recording: Recording) -> None:
     document(recording)
 
 
 def document(recording: Recording) -> Document:
-    advice = "The starter brings one: `ros2course reset` lays it again. The lesson shows a whole one."
+    advice = "The starter contains one: `ros2course reset` restores it. The lesson shows a complete one."
     return expect_yaml(recording, COMPOSE, advice=advice)
 
 
-@compose.check("valid", "it is as the compose specification wants it", points=2, needs="reads")
+@compose.check("valid", "it follows the compose specification", points=2, needs="reads")
 def valid(recording: Recording) -> None:
     found = document(recording)
     error = next(iter(sorted(errors(found.data), key=lambda error: len(error.absolute_path))), None)
@@ -65,7 +68,7 @@ def specification() -> Mapping[str, Any]:
 
 
 def errors(data: Any) -> list[ValidationError]:
-    """What the specification complains about. A mistake in one place also makes its surroundings unfit."""
+    """Violations of the specification. A mistake in one place makes its surroundings invalid, too."""
     schema = specification()
     every = list(validator_for(schema, default=Draft202012Validator)(schema).iter_errors(data))
     own = [error for error in every if error.validator not in EXTRA]
@@ -73,7 +76,7 @@ def errors(data: Any) -> list[ValidationError]:
 
 
 def deepest(error: ValidationError) -> ValidationError:
-    """Where several forms are allowed and none fits: what is wrong farthest inside, in the form it is of."""
+    """If several forms are allowed and none fits: the innermost mistake, in the form that it belongs to."""
     while causes := error.context:
         inner = [cause for cause in causes if len(cause.absolute_path) > len(error.absolute_path)]
         inner = inner or [cause for cause in causes if cause.validator in (*EXTRA, "required")]
@@ -118,14 +121,14 @@ def complaint(found: Document, error: ValidationError) -> Feedback:
             summary=f"{key(place)} has no `{name}`.",
             expected=f"{name}:",
             where=(Location(COMPOSE, found.line(place)),),
-            advice="Each thing in a compose file has names of its own: is one misspelt?",
+            advice="Each part of a compose file has its own names: is one of them misspelled?",
         )
     if place == ():
         return Feedback(
-            summary="The file is no list of names with something behind each `:`.",
+            summary="The file is not a list of names with something after each `:`.",
             expected="services: at the beginning of a line",
             where=(Location(COMPOSE, 1),),
-            advice="A blank belongs behind each `:`.",
+            advice="Put a space after each `:`.",
         )
     return Feedback(
         summary=f"{key(place)} cannot be {short(error.instance)}.",
@@ -138,19 +141,19 @@ def complaint(found: Document, error: ValidationError) -> Feedback:
 
 def unknown_key(found: Document, place: tuple[Any, ...], name: str, known: Iterable[str]) -> Feedback:
     close = nearest(name, known)
-    where = key(place) if place else "A compose file"
+    where = key(place) if place else "a compose file"
     if close:
         advice = f"Write `{close}`, if that is what you mean."
     elif not place and name in SERVICES:
-        advice = f"Put it below `services:`, with two blanks before `{name}`."
+        advice = f"Put it below `services:`, with two spaces before `{name}`."
     elif not place and name in known_keys(referred_service()):
-        advice = "It belongs to a service: put it below one, with four blanks before it."
+        advice = "It belongs to a service: put it below one, indented four spaces."
     elif place == ("services",):
-        advice = "The name of a service is made of letters, digits, `.`, `_` and `-`."
+        advice = "The name of a service may contain only letters, digits, `.`, `_` and `-`."
     else:
-        advice = "Take it out, or look for its name in the lesson's table."
+        advice = "Remove it, or look up its name in the lesson's table."
     return Feedback(
-        summary=f"{where} knows no `{name}`.",
+        summary=f"`{name}` does not exist in {where}.",
         expected=close,
         seen=name,
         where=(Location(COMPOSE, found.line((*place, name))),),
@@ -183,7 +186,7 @@ def short(value: Any) -> str:
 
 def wanted(error: ValidationError) -> str | None:
     kinds = error.validator_value if error.validator == "type" else None
-    names = {"string": "a text", "object": "names, each with something behind its `:`", "array": "a list"}
+    names = {"string": "a text", "object": "names, each with something after its `:`", "array": "a list"}
     names |= {"number": "a number", "integer": "a number", "boolean": "`true` or `false`", "null": "nothing"}
     every = [kinds] if isinstance(kinds, str) else list(kinds or ())
     return " or ".join(dict.fromkeys(names.get(kind, kind) for kind in every)) or None
@@ -191,13 +194,13 @@ def wanted(error: ValidationError) -> str | None:
 
 def advice_for(error: ValidationError) -> str:
     if error.instance is None:
-        return "What belongs to it goes below it, with two more blanks at the beginning of each line."
+        return "Its settings go below it, each line indented two more spaces."
     if str(error.absolute_path[-1]) == "stop_grace_period":
         return "A time needs its unit: `10s`, not `10`."
     if error.validator == "type" and error.validator_value == "string":
-        return "Quotation marks make a text of it."
+        return "Quotation marks make it a string."
     if isinstance(error.instance, list):
-        return "A line that begins with `-` is part of a list. Here, names are wanted: leave the `-` out."
+        return "A line that begins with `-` is part of a list. Use names here: remove the `-`."
     return "Compare it with the lesson's example."
 
 
@@ -211,9 +214,9 @@ def services(recording: Recording) -> None:
         if "image" not in there[name] and "build" not in there[name]:
             raise Failure(
                 Feedback(
-                    summary=f"The service `{name}` says neither `image` nor `build`.",
+                    summary=f"The service `{name}` has neither `image` nor `build`.",
                     where=(place_of(found, name),),
-                    advice="Docker must know what to run: `image: osrf/ros:jazzy-desktop` will do.",
+                    advice="Docker must know what to run: use `image: osrf/ros:jazzy-desktop`.",
                 )
             )
 
@@ -230,7 +233,10 @@ def no_service(found: Document, name: str, there: list[str]) -> Feedback:
         expected=f"{name}:",
         seen=listed(there[:6], "no service at all"),
         where=(Location(COMPOSE, found.line(("services", *([close] if close else ())))),),
-        advice=f"The names of services stand below `services:`, all with the same blanks before: `{name}:`.",
+        advice=(
+            "The names of services go below `services:`, all indented by the same number of spaces: "
+            f"`{name}:`."
+        ),
     )
 
 
@@ -252,16 +258,19 @@ def signal(recording: Recording) -> None:
                     expected="SIGINT",
                     seen=str(value)[:40],
                     where=(place_of(found, name, "stop_signal"),),
-                    advice="What Ctrl+C sends is called SIGINT.",
+                    advice="Ctrl+C sends the signal SIGINT.",
                 )
             )
 
 
 def lacks(found: Document, name: str, what: str, example: str, otherwise: str) -> Feedback:
     service = dict(service_items(found))[name]
-    advice = f"Add `{what}: {example}` to it. Each service has settings of its own."
+    advice = f"Add `{what}: {example}` to it. Each service has its own settings."
     if "extends" in service:
-        advice = f"Write `{what}: {example}` into the service itself; what it extends is not looked at here."
+        advice = (
+            f"Write `{what}: {example}` in the service itself; the check does not read the service "
+            "that it extends."
+        )
     return Feedback(
         summary=f"The service `{name}` has no `{what}`. {otherwise}",
         expected=f"{what}: {example}",
@@ -271,7 +280,7 @@ def lacks(found: Document, name: str, what: str, example: str, otherwise: str) -
     )
 
 
-@compose.check("grace", "both get time to end", needs="services")
+@compose.check("grace", "both get time to shut down", needs="services")
 def grace(recording: Recording) -> None:
     found = document(recording)
     for name in SERVICES:
@@ -282,17 +291,19 @@ def grace(recording: Recording) -> None:
         if not lasts(str(value)):
             raise Failure(
                 Feedback(
-                    summary=f"The service `{name}` waits for `{str(value)[:40]}`, which is no time to wait.",
+                    summary=(
+                        f"The service `{name}` waits for `{str(value)[:40]}`, which is not a valid time."
+                    ),
                     expected="a number and its unit: 20s, or 1m30s",
                     seen=str(value)[:40] or "nothing",
                     where=(place_of(found, name, "stop_grace_period"),),
-                    advice="Units are `ms`, `s`, `m` and `h`, right behind the number, with no blank.",
+                    advice="Write the unit `ms`, `s`, `m` or `h` right after the number, without a space.",
                 )
             )
 
 
 def lasts(text: str) -> bool:
-    """Whether it is a duration, and of more than nothing."""
+    """Whether this is a duration greater than zero."""
     return bool(DURATION.fullmatch(text)) and bool(re.search(r"[1-9]", text))
 
 
@@ -329,7 +340,7 @@ class Setting:
 
 
 def settings(text: str) -> tuple[Setting, ...]:
-    """As Docker reads them: nothing is taken off, neither quotation marks nor blanks behind the name."""
+    """The settings as Docker reads them: it keeps quotation marks, and spaces after the name."""
     found = []
     for number, line in enumerate(text.splitlines(), 1):
         line = line.lstrip(" \t")
@@ -346,7 +357,7 @@ def chosen(text: str) -> Setting | None:
 
 
 def number_of(setting: Setting | None) -> int | None:
-    """The domain, if it is one; 0 where nothing is set."""
+    """The domain, if the value is one; 0 if nothing is set."""
     if setting is None:
         return 0
     read = NUMBER.match(setting.value or "")
@@ -356,11 +367,11 @@ def number_of(setting: Setting | None) -> int | None:
 
 @domain.scenario
 def listen_in_both(arena: Arena) -> None:
-    """The nodes are ours, and the domain is all that they are given. The arena itself listens in domain 0."""
-    file = arena.home / DOMAIN_ENV
-    if not file.is_file():
+    """Start nodes of ours with only the domain set. The arena itself listens in domain 0."""
+    text = arena.files.text(DOMAIN_ENV)
+    if text is None:
         return
-    setting = chosen(file.read_text(encoding="utf-8", errors="replace"))
+    setting = chosen(text)
     number = number_of(setting)
     given = setting.value or "" if number is None and setting else str(arena.domain(number or 0))
     env = {VARIABLE: given.replace("\0", "")[:LONGEST]} if setting else {}
@@ -373,19 +384,19 @@ def listen_in_both(arena: Arena) -> None:
         return
     arena.until(lambda: arena.printed("listener heard") >= ENOUGH, timeout=START_TIME, while_running=listener)
     arena.until(
-        lambda: arena.printed(f"{WITNESS} heard") >= ENOUGH or len(arena.graph.nodes) >= len(NODES),
+        lambda: arena.printed(f"{WITNESS} heard") >= ENOUGH or len(arena.ros.graph.nodes) >= len(NODES),
         timeout=START_TIME if number in (0, WANTED) else SILENCE,
         while_running=listener,
     )
 
 
-@domain.check("reads", f"`~/{DOMAIN_ENV}` is there, and Docker can read it")
+@domain.check("reads", f"`~/{DOMAIN_ENV}` exists and Docker can read it")
 def reads_domain(recording: Recording) -> None:
-    advice = f"Make it with an editor: `nano ~/{DOMAIN_ENV}`. One line is enough."
+    advice = f"Create it with an editor: `nano ~/{DOMAIN_ENV}`. One line is enough."
     found = expect_text(recording, DOMAIN_ENV, advice=advice)
     every = settings(found.text or "")
     if not every:
-        summary = "No line of this file sets anything."
+        summary = "No line of this file sets a variable."
         raise Failure(Feedback(summary, where=(Location(DOMAIN_ENV),), advice=FORM))
     for setting in every:
         if not setting.name or re.search(r"\s", setting.name):
@@ -397,11 +408,11 @@ FORM = "Each line is a name, `=`, and a value: `NAME=value`."
 
 def bad_name(setting: Setting, line: str) -> Feedback:
     if setting.name.startswith("export "):
-        summary = "Docker is no shell: it takes `export` for a part of the variable's name."
+        summary = "Docker is not a shell: it reads `export` as part of the variable's name."
         advice = "Take `export` out."
     elif setting.value is not None and setting.name.rstrip() != setting.name:
-        summary = "There is a blank before the `=`, which becomes a part of the variable's name."
-        advice = "Write the line without blanks around the `=`."
+        summary = "There is a space before the `=`, which becomes part of the variable's name."
+        advice = "Write the line without spaces around the `=`."
     else:
         summary, advice = "This line does not set a variable.", FORM
     return Feedback(
@@ -413,7 +424,7 @@ def bad_name(setting: Setting, line: str) -> Feedback:
     )
 
 
-@domain.check("starts", "both nodes start with what it sets", needs="reads")
+@domain.check("starts", "both nodes start with its settings", needs="reads")
 def starts(recording: Recording) -> None:
     for name in NODES:
         said = recording.process(name).text
@@ -425,7 +436,7 @@ def starts(recording: Recording) -> None:
         value = (setting.value or "") if setting else ""
         raise Failure(
             Feedback(
-                summary=f"A node that is told {f'`{VARIABLE}={value[:30]}`'} does not start.",
+                summary=f"A node does not start with {f'`{VARIABLE}={value[:30]}`'}.",
                 expected=f"{VARIABLE}={WANTED}",
                 seen=f"{VARIABLE}={value[:60]}",
                 where=(Location(DOMAIN_ENV, setting.line if setting else None),),
@@ -437,13 +448,13 @@ def starts(recording: Recording) -> None:
 
 def no_number(value: str) -> str:
     if value.strip().startswith(("'", '"')):
-        return "`docker run` hands quotation marks on as they are: leave them out."
+        return "`docker run` passes quotation marks on as they are: remove them."
     if re.fullmatch(r"\s*\d+\s*", value):
-        return f"Domains go from 0 to {HIGHEST}."
+        return f"Domains range from 0 to {HIGHEST}."
     return "A domain is a number."
 
 
-@domain.check("hidden", "in domain 0 nobody hears them", needs="starts")
+@domain.check("hidden", "no node in domain 0 receives their messages", needs="starts")
 def hidden(recording: Recording) -> None:
     seen = [name for name in recording.seen_nodes() if name.strip("/") in NODES]
     if not seen:
@@ -454,17 +465,22 @@ def hidden(recording: Recording) -> None:
     if setting is not None:
         summary = f"With `{VARIABLE}={(setting.value or '')[:30]}` the nodes are in domain 0."
         line: int | None = setting.line
-        advice = f"0 is where every node is that was told nothing. Here it is to be domain {WANTED}."
+        advice = f"0 is the default domain of every node. This task asks for domain {WANTED}."
     else:
         line = next((one.line for one in settings(found.text or "") if one.name == close), None)
-        summary = f"The file sets `{close}`, which ROS does not look at, so the nodes are in domain 0."
+        summary = f"The file sets `{close}`, which ROS ignores, so the nodes are in domain 0."
         summary = summary if close else f"The file does not set `{VARIABLE}`, so the nodes are in domain 0."
-        advice = f"The variable is called `{VARIABLE}`, letter by letter."
+        advice = f"The variable's name is exactly `{VARIABLE}`."
     where = (Location(DOMAIN_ENV, line),)
     raise Failure(Feedback(summary, expected="no node", seen=listed(seen), where=where, advice=advice))
 
 
-@domain.check("meet", f"in domain {WANTED} they meet, and can be heard", points=2, needs="hidden")
+@domain.check(
+    "meet",
+    f"in domain {WANTED} they find each other, and other nodes receive their messages",
+    points=2,
+    needs="hidden",
+)
 def meet(recording: Recording) -> None:
     if any(line.startswith(f"{WITNESS} heard") for line in recording.process(WITNESS).text):
         return
@@ -476,11 +492,11 @@ def meet(recording: Recording) -> None:
     value = (setting.value or "")[:30] if setting else ""
     raise Failure(
         Feedback(
-            summary=f"The two meet, but in domain {value.strip()}.",
+            summary=f"The two nodes find each other, but in domain {value.strip()}.",
             expected=f"{VARIABLE}={WANTED}",
             seen=f"{VARIABLE}={value}",
             where=(Location(DOMAIN_ENV, setting.line if setting else None),),
-            advice=f"Whoever is to talk with others must be in their domain; theirs is {WANTED}.",
+            advice=f"Nodes can talk only within one domain. The other nodes are in domain {WANTED}.",
         )
     )
 
@@ -488,6 +504,7 @@ def meet(recording: Recording) -> None:
 # -------------------------------------------------------------------------------------- 32-udp-profile
 
 PROFILE = "ros2_tutorial_workspace/docker/fastrtps_profile.xml"
+MOST_TAGS = 500
 SEGMENT = "fastrtps_"
 HEARD = "/heard"
 # What the middleware says of a profile that it does not take.
@@ -512,67 +529,79 @@ def in_two_containers(arena: Arena) -> None:
 
     A talker without the profile shows that the middleware would use shared memory here.
     """
-    file = arena.home / PROFILE
-    if not file.is_file():
+    if not arena.files.is_file(PROFILE):
         return
     default = {"FASTDDS_BUILTIN_TRANSPORTS": "DEFAULT"}
     control = arena.companion(TALKER, "hello", name=WITHOUT, env=default, own_memory=True)
     is_up(arena, control)
     arena.shared_memory(control)
     control.close()
-    heard = arena.subscribe(HEARD, "std_msgs/msg/String")
-    env = {**default, "FASTRTPS_DEFAULT_PROFILES_FILE": str(file)}
+    heard = arena.ros.subscribe(HEARD, "std_msgs/msg/String")
+    env = {**default, "FASTRTPS_DEFAULT_PROFILES_FILE": str(arena.home / PROFILE)}
     listener = arena.companion(LISTENER, "listener", name="listener", env=env, own_memory=True)
     talker = arena.companion(TALKER, "hello", name="talker", env=env, own_memory=True)
+    used: list[str] = []
     for program in (listener, talker):
         is_up(arena, program)
-        arena.shared_memory(program)
-    if not memory(arena.timeline.of(Marked), "listener", "talker"):
+        used += segments(arena.shared_memory(program))
+    if not used:
         arena.until(lambda: heard.count >= ENOUGH, timeout=25, while_running=talker)
 
 
 def is_up(arena: Arena, program: Process) -> bool:
-    """Wait until it has made its node, or has ended."""
+    """Wait until the program has created its node or has ended."""
 
     def told() -> bool:
-        said = (event for event in arena.timeline.of(OutputLine) if event.process == program.name)
-        return any(event.text.endswith(" ready") for event in said)
+        return any(line.endswith(" ready") for line in arena.lines(program))
 
     return arena.until(told, timeout=START_TIME, while_running=program)
 
 
-def memory(marks: Iterable[Marked], *names: str) -> list[str]:
+def memory(recording: Recording, *names: str) -> list[str]:
     """The files of the middleware's that these programs had in shared memory."""
-    looks = [mark.detail for mark in marks if mark.name in map(memory_mark, names)]
-    return [file for look in looks for file in look.split() if file.startswith(SEGMENT)]
+    looks = [recording.marked(f"shared memory of {name}") for name in names]
+    return segments(file for look in looks if look for file in look.detail.split())
 
 
-@udp.check("reads", f"`~/{PROFILE}` is there, and can be read")
+def segments(files: Iterable[str]) -> list[str]:
+    return [file for file in files if file.startswith(SEGMENT)]
+
+
+@udp.check("reads", f"`~/{PROFILE}` exists and can be read")
 def reads_profile(recording: Recording) -> None:
     profile(recording)
 
 
 def profile(recording: Recording) -> ElementTree.Element:
-    advice = f"Make the folder with `mkdir -p ~/{PurePosixPath(PROFILE).parent}`, and the file in it."
+    advice = f"Create the folder with `mkdir -p ~/{PurePosixPath(PROFILE).parent}`, and the file in it."
     found = expect_text(recording, PROFILE, advice=advice)
     try:
-        return ElementTree.fromstring(found.text or "")
+        root = ElementTree.fromstring(found.text or "")
     except ElementTree.ParseError as error:
         number = min(error.position[0], max(len(found.lines), 1))
         raise Failure(
             Feedback(
-                summary="This file is not XML as it stands; here, or before, something is not closed."
+                summary="This file is not valid XML: something here or earlier is not closed."
                 if found.lines
                 else "The file is empty.",
                 seen=found.lines[number - 1].strip()[:80] if found.lines else None,
                 where=(Location(PROFILE, number),),
-                advice="Each `<name>` needs its `</name>`, the one that was opened last first.",
+                advice="Each `<name>` needs its `</name>`. Close the tag that was opened last first.",
                 details=(str(error),),
             )
         ) from None
+    if sum(1 for _ in root.iter()) > MOST_TAGS:
+        raise Failure(
+            Feedback(
+                summary=f"This file has more than {MOST_TAGS} tags: no profile needs that many.",
+                where=(Location(PROFILE),),
+                advice="Write the profile of the lesson, and nothing else.",
+            )
+        )
+    return root
 
 
-@udp.check("taken", "ROS takes it without complaint", needs="reads")
+@udp.check("taken", "ROS accepts it without an error", needs="reads")
 def taken(recording: Recording) -> None:
     said = [line for name in NODES for line in recording.process(name).text if "XMLPARSER" in line]
     if not said:
@@ -581,14 +610,14 @@ def taken(recording: Recording) -> None:
     lost = next((found[1] for line in said if (found := NOT_FOUND.search(line))), None)
     defined = [text_of(part) for part in named(root, "transport_descriptor", "transport_id")]
     if lost:
-        summary = f"No transport is called `{lost[:40]}`."
-        advice = "The name in `userTransports` must be that of the `transport_descriptor`, letter by letter."
+        summary = f"There is no transport `{lost[:40]}`."
+        advice = "The name in `userTransports` must be exactly that of the `transport_descriptor`."
         where = line_with(recording, f">{lost}<")
     else:
         strange = next((tag(part) for part in root.iter() if tag(part) not in KNOWN), None)
-        summary = f"ROS does not take this profile: it knows no `{strange}` here."
-        summary = summary if strange else "ROS does not take this profile."
-        advice = "Compare the names, and what lies in what, with the lesson's drawing."
+        summary = f"ROS does not accept this profile: `{strange}` does not belong here."
+        summary = summary if strange else "ROS does not accept this profile."
+        advice = "Compare the names and the nesting with the lesson's diagram."
         where = line_with(recording, f"<{strange}" if strange else "<participant")
     raise Failure(
         Feedback(
@@ -623,10 +652,9 @@ def line_with(recording: Recording, text: str) -> Location:
 
 @udp.check("no-memory", "with it, nodes use no shared memory", points=2, needs="taken")
 def no_memory(recording: Recording) -> None:
-    marks = [event for event in recording.events if isinstance(event, Marked)]
-    if not memory(marks, WITHOUT):
+    if not memory(recording, WITHOUT):
         raise OurFault("a node without a profile uses no shared memory here, so its absence proves nothing")
-    used = memory(marks, *NODES)
+    used = memory(recording, *NODES)
     if used:
         summary, advice, where = why_shared(recording, profile(recording))
         seen = f"{len(used)} files in /dev/shm"
@@ -634,7 +662,7 @@ def no_memory(recording: Recording) -> None:
 
 
 def why_shared(recording: Recording, root: ElementTree.Element) -> tuple[str, str, Location]:
-    """The likeliest cause, what to do about it, and where."""
+    """The most likely cause, what to do about it, and where."""
     participants = [part for part in root.iter() if tag(part) == "participant"]
     if not any(part.get("is_default_profile") == "true" for part in participants):
         summary = "The profile is not the default one, so no node uses it."
@@ -643,15 +671,15 @@ def why_shared(recording: Recording, root: ElementTree.Element) -> tuple[str, st
     kinds = [text_of(part) for part in named(root, "transport_descriptor", "type")]
     if "SHM" in kinds:
         advice = "`SHM` is shared memory. Over the network it is `UDPv4`."
-        return "The profile asks for shared memory itself.", advice, line_with(recording, ">SHM<")
+        return "The profile itself asks for shared memory.", advice, line_with(recording, ">SHM<")
     builtin = named(root, "participant", "useBuiltinTransports")
     if not builtin or text_of(builtin[0]) != "false":
-        summary = "The transports that every node has by itself stay on, and one of them is shared memory."
+        summary = "The default transports stay on, and one of them is shared memory."
         advice = "`<useBuiltinTransports>false</useBuiltinTransports>` in `<rtps>` turns them off."
         where = "<useBuiltinTransports" if builtin else "</userTransports"
         return summary, advice, line_with(recording, where)
-    advice = "Compare it with the lesson's drawing, from the outside to the inside."
-    return "The nodes use shared memory all the same.", advice, line_with(recording, "<participant")
+    advice = "Compare it with the lesson's diagram, from the outside to the inside."
+    return "The nodes still use shared memory.", advice, line_with(recording, "<participant")
 
 
 @udp.check("arrive", "messages arrive, over UDPv4", points=2, needs="no-memory")
@@ -664,18 +692,18 @@ def arrive(recording: Recording) -> None:
     addresses = [part for name in WHITELISTS for part in named(root, "transport_descriptor", name)]
     ended = next((name for name in NODES if recording.process(name).ended_by_itself), None)
     if ended:
-        summary, where = f"With this profile, the {ended} ends right away.", "<participant"
-        advice = "Take out of the profile what the task does not ask for."
+        summary, where = f"With this profile, the {ended} ends at once.", "<participant"
+        advice = "Remove everything from the profile that the task does not ask for."
     elif other:
         summary, where = f"The transport is `{other}`; nothing arrived over UDPv4.", f">{other}<"
-        advice = "`<type>UDPv4</type>` is the one that all other nodes have, too."
+        advice = "All other nodes have `<type>UDPv4</type>` too."
     elif addresses:
         where = f"<{tag(addresses[0])}"
         summary = "Nothing arrived: the profile leaves only some of the network's interfaces."
-        advice = "Take the list of interfaces out. Or is the address in it one that every machine has?"
+        advice = "Remove the list of interfaces, or use an address that every computer has."
     else:
         summary, where = "Nothing arrived.", "<transport_descriptor"
-        advice = "Take out of the profile what the task does not ask for."
+        advice = "Remove everything from the profile that the task does not ask for."
     raise Failure(
         Feedback(
             summary=summary,

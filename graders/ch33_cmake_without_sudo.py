@@ -1,20 +1,30 @@
-"""Grader of chapter 33: a library in the home, the variables that lead there, and a program that links it."""
+"""Graders of chapter 33: a library in the home, variables for it, and a program that links it."""
 
 from __future__ import annotations
 
 import re
-import shutil
+import secrets
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
-from course.arena.arena import Arena
-from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location, NotApplicable
-from course.grading.author import Grader
-from course.grading.expect.native import expect_sound, native_answer
-from course.grading.expect.shell import BASHRC, expect_ran, expect_shell
-from course.grading.explain.cmake import not_configured
-from course.grading.explain.native import not_made
+from course.api import (
+    BASHRC,
+    Arena,
+    Failure,
+    Feedback,
+    Grader,
+    Location,
+    NotApplicable,
+    OurFault,
+    Recording,
+    expect_ran,
+    expect_shell,
+    expect_sound,
+    native_answer,
+    not_configured,
+    not_made,
+)
 
 PROBES = Path(__file__).with_name("probes")
 SOURCE = (
@@ -25,15 +35,15 @@ OPT = "opt"
 PROJECT = "cmake_tutorial/tinyqp"
 HEADER = f"{OPT}/include/tinyqp/tinyqp.hpp"
 LIBRARY = re.compile(r"libtinyqp\.(so[\d.]*|a)")
-OTHER_MACHINE = "It was built for another kind of machine, and does not run on this one."
-SUBMITTED = "A submission brings nothing that was installed: only your own machine can tell."
+OTHER_MACHINE = "It was built for a different kind of computer, and does not run on this one."
+SUBMITTED = "A submission does not include installed files, so only your own computer can check this."
 INSTALL = f"`cmake --install build`, in `~/{PROJECT}`, after `cmake -B build -DCMAKE_INSTALL_PREFIX=~/opt`."
 
 prefix = Grader("33-install-prefix", builds=None, ros=False)
 
 VARIABLES = {"LD_LIBRARY_PATH": "lib", "LIBRARY_PATH": "lib", "CPATH": "include"}
 BEFORE = "/before/this"
-# Only what is exported do programs see.
+# Programs see only exported variables.
 SHOW = "; ".join(f"echo {name}=$(printenv {name})" for name in VARIABLES)
 AGAIN = f"""env {" ".join(f"{name}={BEFORE}" for name in VARIABLES)} bash -ic '{SHOW}'"""
 # By hand: 1/2 x'Hx + g'x with H = diag(2, 4), g = (-2, 4) alone, then with bounds, then with x1 + x2 >= 3.
@@ -48,20 +58,19 @@ SOLUTIONS = {
 @prefix.scenario
 def look_and_link(arena: Arena) -> None:
     arena.require("g++", "cmake", "make")
-    library = folder_of_library(arena.home)
+    library = folder_of_library(arena)
     flags = (f"-I{OPT}/include", f"-L{library}", "-ltinyqp")
-    program = arena.compile("check", ours=PROBES / "ch33_check.cpp", options=flags, sanitized=False)
+    program = arena.cpp.compile("check", ours=PROBES / "ch33_check.cpp", options=flags, sanitized=False)
     path = {"LD_LIBRARY_PATH": str(arena.home / library)}
-    arena.ask_native(program, name="check", env=path, timeout=10)
+    arena.cpp.ask(program, name="check", env=path, timeout=10)
     with arena.shell() as shell:
         shell.run(SHOW)
         shell.run(AGAIN)
 
 
-def folder_of_library(home: Path) -> str:
+def folder_of_library(arena: Arena) -> str:
     """Some systems call it lib64."""
-    others = (f"{OPT}/lib64",) if any((home / OPT / "lib64").glob("libtinyqp.*")) else ()
-    return next(iter(others), f"{OPT}/lib")
+    return f"{OPT}/lib64" if arena.files.matching(f"{OPT}/lib64/libtinyqp.*") else f"{OPT}/lib"
 
 
 def expect_brought(recording: Recording) -> None:
@@ -100,14 +109,14 @@ def not_installed(recording: Recording, name: str, wanted: str) -> Feedback:
     place = others[0] if others else None
     if place:
         folder = place.rpartition("/")[0] or "~"
-        summary = f"`{name}` was put into `~/{folder}`, not into `{wanted.rpartition('/')[0]}`."
-        advice = f"Remove it, and begin again with an empty `build`: the prefix is `~/opt` itself. {INSTALL}"
+        summary = f"`{name}` was installed in `~/{folder}`, not in `{wanted.rpartition('/')[0]}`."
+        advice = f"Remove it, and start again with an empty `build`: the prefix is `~/opt` itself. {INSTALL}"
     elif recording.home.file(OPT).kind == "folder":
         summary = f"There is no `{name}` in `~/opt`."
         advice = f"CMake installs both: {INSTALL}"
     else:
         summary = "There is no folder `~/opt`: nothing was installed there."
-        advice = f"CMake makes it: {INSTALL}"
+        advice = f"CMake creates it: {INSTALL}"
     return Feedback(
         summary=summary,
         expected=wanted,
@@ -132,7 +141,7 @@ def nothing_else(recording: Recording) -> None:
     manifest, number, line = outside[0]
     raise Failure(
         Feedback(
-            summary="CMake has installed something outside of `~/opt`.",
+            summary="CMake installed something outside `~/opt`.",
             expected="every file in ~/opt",
             seen=line[:120],
             where=(Location(manifest, number),),
@@ -142,7 +151,7 @@ def nothing_else(recording: Recording) -> None:
     )
 
 
-@prefix.check("works", "a program can be made with it, and runs", points=3, needs=("header", "library"))
+@prefix.check("works", "a program can be built with it, and runs", points=3, needs=("header", "library"))
 def works(recording: Recording) -> None:
     said = recording.process("compile check").text
     if not recording.local and any(re.search(r"incompatible|wrong format", line) for line in said):
@@ -151,7 +160,7 @@ def works(recording: Recording) -> None:
     if ended is None or ended.code != 0:
         raise Failure(
             Feedback(
-                summary="No program can be made with what lies in `~/opt`.",
+                summary="No program can be built with the files in `~/opt`.",
                 where=(Location(HEADER),),
                 advice=f"Remove `~/opt`, and install it again. {INSTALL}",
                 details=tuple(line for line in said if "error" in line or "cannot" in line)[:3],
@@ -166,7 +175,7 @@ def works(recording: Recording) -> None:
                 summary="The library in `~/opt` gives wrong solutions: it was changed.",
                 expected=numbers(wanted[1:]),
                 seen=answer.error or numbers(answer.value[1:]),
-                advice=f"`ros2course reset 33-install-prefix` brings its source back. Then {INSTALL}",
+                advice=f"`ros2course reset 33-install-prefix` restores its source. Then {INSTALL}",
             )
         )
 
@@ -200,7 +209,7 @@ def cpath(recording: Recording) -> None:
 
 
 def expect_variable(recording: Recording, name: str) -> None:
-    """It names the folder, and once."""
+    """Expect that the variable contains the folder exactly once."""
     wanted = f"~/{OPT}/{VARIABLES[name]}"
     parts = parts_of(recording, SHOW, name)
     right = [part for part in parts if leads_to(part, VARIABLES[name])]
@@ -212,18 +221,18 @@ def expect_variable(recording: Recording, name: str) -> None:
     example = f'export {name}="$HOME/{OPT}/{VARIABLES[name]}:${name}"'
     if len(right) > 1:
         summary = f"`{name}` names `{wanted}` {len(right)} times."
-        advice = "Keep one of the lines, and take out the others."
+        advice = "Keep one of the lines, and remove the others."
     elif any(part.startswith("~") for part in parts):
-        summary = f"`{name}` holds the sign `~` itself, which only bash understands."
-        advice = f"In quotation marks, `~` stays as it is. Write `$HOME` in its place: `{example}`"
+        summary = f"`{name}` contains a literal `~`, which only bash understands."
+        advice = f"In quotation marks, `~` stays as it is. Write `$HOME` instead: `{example}`"
     elif line and re.search(rf"\b{name}\s+=|=\s", line):
-        summary = f"There is a space beside the `=`, so bash does not set `{name}`."
-        advice = f"Take the spaces away: `{example}`"
+        summary = f"There is a space next to the `=`, so bash does not set `{name}`."
+        advice = f"Remove the spaces: `{example}`"
     elif line and not re.search(rf"\b(export|declare\s+-\w*x)\b.*\b{name}\b", bashrc):
-        summary = f"`{name}` is set, but not handed on to programs: `export` is missing."
+        summary = f"`{name}` is set, but not passed on to programs: `export` is missing."
         advice = f"Write `{example}`"
     else:
-        summary = f"In a new terminal, `{name}` does not name `{wanted}`."
+        summary = f"In a new terminal, `{name}` does not contain `{wanted}`."
         advice = f"Add a line to `~/.bashrc`: `{example}`"
     raise Failure(
         Feedback(
@@ -257,7 +266,7 @@ def line_numbers(recording: Recording, name: str) -> list[int]:
     return [n for n, line in lines if re.search(rf"(?<!\w){name}\s*\+?=", line.split("#")[0])]
 
 
-@prefix.check("keeps", "they keep what was in them", needs=("ld_library_path", "library_path", "cpath"))
+@prefix.check("keeps", "they keep their earlier contents", needs=("ld_library_path", "library_path", "cpath"))
 def keeps(recording: Recording) -> None:
     for name, folder in VARIABLES.items():
         parts = parts_of(recording, AGAIN, name)
@@ -265,7 +274,7 @@ def keeps(recording: Recording) -> None:
             continue
         raise Failure(
             Feedback(
-                summary=f"`{name}` loses what was in it before: other libraries are not found any more.",
+                summary=f"`{name}` loses its earlier contents: other libraries are no longer found.",
                 expected=f"{BEFORE} and ~/{OPT}/{folder}",
                 seen=":".join(parts)[:120] or "nothing",
                 where=tuple(Location(BASHRC, number) for number in line_numbers(recording, name))[:1],
@@ -285,52 +294,84 @@ BUILD = "built"
 FIRST = (0.5, -1.5, -0.0625)
 SECOND = (0.0, -1.0, -1.25)
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])")
-# Another library of that name lies where CMake looks by itself: see `ch33_other.cpp`.
-OTHER = "other_prefix"
-MAKE_OTHER = (
-    f'cp -r {OPT} {OTHER} && for file in {OTHER}/lib*/libtinyqp*; do cp -f "$1" "$file" || exit 1; done'
-)
-USED = "nm -C {program} 2>/dev/null | grep -m 3 -E ' T tinyqp::|qpOASES::'; ldd {program} | grep -i qpoases"
-
+# Two libraries with other answers, see `ch33_other.cpp`: one lies where CMake looks by itself; then the other
+# one takes the place of the learner's. What prints its answers has asked what is in ~/opt.
+ELSEWHERE, IN_PLACE = "elsewhere", "in place"
+OTHER_PREFIX = "other_prefix"
+DRAWN = {"G1": (-200, -120), "G2": (0, 40), "AWAY": (30, 70)}  # of these libraries, in hundredths
+RUNS = ("solve", "solve in place", "solve in place, built again")
+PRINT = 'g++ "$1" -Wl,--defsym,main=print_answers -o "$1.answers" && "$1.answers"'
+REPLACE = """
+for file in "$2"/lib*/libtinyqp*; do
+    rm -f "$file"
+    case $file in
+        *.a) ar rcs "$file" "$1" ;;
+        *) g++ -shared -Wl,-soname,libtinyqp.so.1 "$1" -o "$file" ;;
+    esac || exit 1
+done
+"""
+USED = "nm -C {program} 2>/dev/null | grep -m 3 qpOASES::; ldd {program} | grep -i qpoases"
 
 @link.scenario
 def build_and_run(arena: Arena) -> None:
     arena.require("g++", "cmake", "make")
-    if not (arena.home / OPT).is_dir() or is_of_another_machine(arena.home):
-        install_ours(arena)
-    shared = (f"-I{OPT}/include", "-shared", "-fPIC", "-Wl,-soname,libtinyqp.so.1")
-    other = arena.compile("other", ours=PROBES / "ch33_other.cpp", options=shared, sanitized=False)
+    source = arena.handed(SOURCE)
+    if not arena.files.is_folder(OPT) or is_of_another_machine(arena):
+        install_ours(arena, source)
+    other, ours = other_library(arena, source, ELSEWHERE), other_library(arena, source, IN_PLACE)
+    arena.tool("cp", "-r", OPT, OTHER_PREFIX, name="copy")
     if other:
-        arena.tool("sh", "-c", MAKE_OTHER, "sh", str(other), name="make other")
-    around = {"CMAKE_PREFIX_PATH": str(arena.home / OTHER)}
-    if not arena.tool("cmake", "-S", SOLVE, "-B", BUILD, name="configure", env=around):
+        replace(arena, other, OTHER_PREFIX)
+    if not build(arena, BUILD, ""):
         return
-    if not arena.tool("cmake", "--build", BUILD, name="build"):
-        return
-    program = arena.home / BUILD / "solve"
-    if not program.is_file():
-        return
-    preloaded = {"LD_PRELOAD": str(other)} if other else {}
-    for name, env in (("solve", {}), ("with other", preloaded)):
-        run = arena.run_native(program, name=name, env=env)
-        if run:
-            run.wait(10)
+    printed = run(arena, BUILD, RUNS[0])
     arena.tool("sh", "-c", USED.format(program=f"{BUILD}/solve"), name="used")
+    if ours and replace(arena, ours, OPT) and run(arena, BUILD, RUNS[1]) == printed:
+        build(arena, f"{BUILD}_again", " again")  # it may have been linked statically
+        run(arena, f"{BUILD}_again", RUNS[2])
 
 
-def is_of_another_machine(home: Path) -> bool:
+def other_library(arena: Arena, source: str, name: str) -> Path | None:
+    """Compile it without linking. Its answers are on the terminal `answers NAME`."""
+    drawn = {macro: secrets.choice(range(*bounds)) / 100 for macro, bounds in DRAWN.items()}
+    numbers = (f"-D{macro}={value}" for macro, value in drawn.items())
+    options = (*numbers, f"-I{source}", f"-I{source}/include", "-c", "-fPIC")
+    made = arena.cpp.compile(name, ours=PROBES / "ch33_other.cpp", options=options, sanitized=False)
+    if made and arena.tool("sh", "-c", PRINT, "sh", str(made), name=f"answers {name}"):
+        return made
+    return None
+
+
+def replace(arena: Arena, library: Path, prefix: str) -> bool:
+    return arena.tool("sh", "-c", REPLACE, "sh", str(library), prefix, name=f"replace {prefix}")
+
+
+def build(arena: Arena, folder: str, which: str) -> bool:
+    around = {"CMAKE_PREFIX_PATH": str(arena.home / OTHER_PREFIX)}
+    configured = arena.tool("cmake", "-S", SOLVE, "-B", folder, name=f"configure{which}", env=around)
+    return configured and arena.tool("cmake", "--build", folder, name=f"build{which}")
+
+
+def run(arena: Arena, folder: str, name: str) -> tuple[str, ...]:
+    """Run the program to its end, and return its output."""
+    if not arena.files.is_file(f"{folder}/solve"):
+        return ()
+    process = arena.cpp.run(arena.home / folder / "solve", name=name)
+    return arena.lines(process) if process and process.wait(10) else ()
+
+
+def is_of_another_machine(arena: Arena) -> bool:
     """Whether a shared library says in its header that it is for other processors than this Python."""
     own = Path(sys.executable).read_bytes()[18:20]
-    libraries = (home / OPT).glob("lib*/libtinyqp.so")
-    return any(file.is_file() and file.read_bytes()[:20][18:] not in (own, b"") for file in libraries)
+    headers = (arena.files.read(file, 20) or b"" for file in arena.files.matching(f"{OPT}/lib*/libtinyqp.so"))
+    return any(header[18:] not in (own, b"") for header in headers)
 
 
-def install_ours(arena: Arena) -> None:
+def install_ours(arena: Arena, source: str) -> None:
     """A submission need not bring what was installed: it is all the same library."""
-    shutil.rmtree(arena.home / OPT, ignore_errors=True)
-    shutil.copytree(SOURCE, arena.home / ".tinyqp")
+    arena.tool("rm", "-rf", OPT, name="remove tinyqp")
     prefix = f"-DCMAKE_INSTALL_PREFIX={arena.home / OPT}"
-    arena.tool("cmake", "-S", ".tinyqp", "-B", ".tinyqp_build", prefix, name="configure tinyqp")
+    arena.tool("cmake", "-S", source, "-B", ".tinyqp_build", prefix, name="configure tinyqp")
     arena.tool("cmake", "--build", ".tinyqp_build", "--target", "install", name="install tinyqp")
 
 
@@ -356,7 +397,7 @@ def builds(recording: Recording) -> None:
     if recording.process("solve").started is None:
         raise Failure(
             Feedback(
-                summary="The project makes no program called `solve`.",
+                summary="The project does not build a program called `solve`.",
                 expected="add_executable(solve solve.cpp)",
                 where=list_lines(recording, "add_executable") or (Location(LISTS),),
                 advice="The first word in `add_executable(...)` is the program's name.",
@@ -369,17 +410,20 @@ def not_built(recording: Recording) -> Feedback:
     text = "\n".join(recording.process("build").text)
     if "tinyqp::" in text and "undefined reference" in text:
         return Feedback(
-            summary="The program uses tinyqp, but nobody links it.",
+            summary="The program uses tinyqp, but CMakeLists.txt does not link it.",
             where=list_lines(recording, "target_link_libraries") or (Location(LISTS),),
-            advice="Add `target_link_libraries(solve tinyqp::tinyqp)` behind `add_executable`.",
+            advice="Add `target_link_libraries(solve tinyqp::tinyqp)` after `add_executable`.",
             details=feedback.details,
         )
     if "tinyqp/tinyqp.hpp: No such file" in text:
         return Feedback(
-            summary="The compiler does not find `tinyqp/tinyqp.hpp`.",
+            summary="The compiler cannot find `tinyqp/tinyqp.hpp`.",
             where=feedback.where,
-            advice="Link `tinyqp::tinyqp`: it brings the folder along. With `find_library`, name that folder "
-            "in `target_include_directories`. (In your own terminal `CPATH` leads there; others have none.)",
+            advice=(
+                "Link `tinyqp::tinyqp`: it adds the folder. With `find_library`, name that folder in "
+                "`target_include_directories`. (In your own terminal, `CPATH` contains it; other "
+                "computers do not have that.)"
+            ),
             details=feedback.details,
         )
     return feedback
@@ -395,14 +439,14 @@ def first(recording: Recording) -> None:
     expect_solution(recording, FIRST, "first")
 
 
-@link.check("second", "and that of the second", points=2, needs="builds")
+@link.check("second", "and the solution of the second", points=2, needs="builds")
 def second(recording: Recording) -> None:
     expect_solution(recording, SECOND, "second")
 
 
-def printed(recording: Recording, run: str) -> list[tuple[float, ...]]:
-    """The last three numbers of each line that has as many."""
-    lines = (NUMBER.findall(line) for line in recording.process(run).text)
+def threes(text: Iterable[str]) -> list[tuple[float, ...]]:
+    """The last three numbers of each line with at least three."""
+    lines = map(NUMBER.findall, text)
     return [tuple(float(number) for number in found[-3:]) for found in lines if len(found) >= 3]
 
 
@@ -412,9 +456,9 @@ def is_solution(seen: tuple[float, ...], wanted: tuple[float, ...]) -> bool:
 
 def expect_solution(recording: Recording, wanted: tuple[float, float, float], which: str) -> None:
     view = expect_sound(recording, "solve")
-    lines = printed(recording, "solve")
+    lines, elsewhere = threes(view.text), answers(recording, ELSEWHERE)
     at = {"first": 0, "second": 1}[which]
-    if len(lines) > at and (is_solution(lines[at], wanted) or any(map(is_other, lines))):
+    if len(lines) > at and any(is_solution(lines[at], known) for known in (wanted, elsewhere[at])):
         return  # whose numbers they are, the last checks tell
     seen = lines[at] if len(lines) > at else None
     raise Failure(
@@ -426,55 +470,65 @@ def expect_solution(recording: Recording, wanted: tuple[float, float, float], wh
             seen=numbers(list(seen)) if seen else view.text[-1][:120] if view.text else "nothing",
             where=(Location(PROGRAM),),
             advice=turned(seen, wanted)
-            or "Compare `h`, `g` and all bounds with the task. `h` holds h11, h12 and h22.",
+            or "Compare `h`, `g` and all bounds with the task. `h` contains h11, h12 and h22.",
         )
     )
 
 
 def turned(seen: tuple[float, ...] | None, wanted: tuple[float, float, float]) -> str | None:
     if seen and sorted(seen) == sorted(wanted):
-        return "The numbers are right, their order is not: x1, x2, and then the objective."
+        return "The numbers are right, but their order is wrong: first x1, x2, then the objective."
     other = SECOND if wanted == FIRST else FIRST
     if seen and is_solution(seen, other):
-        return "These are the numbers of the other problem: the first one comes first."
+        return "These are the numbers of the other problem. Print the first problem first."
     return None
 
 
-def is_other(line: tuple[float, ...]) -> bool:
-    return line[2] == 99.0
+def answers(recording: Recording, library: str) -> list[tuple[float, ...]]:
+    """Of one of the other libraries, to both problems; printed before anything of the learner's runs."""
+    found = threes(recording.process(f"answers {library}").text)
+    if len(found) != 2:
+        raise OurFault(f"the library {library} gives no answers")
+    return found
 
 
-@link.check("local", "it takes the library of `~/opt`, also where there is another", points=2, needs="first")
-def local(recording: Recording) -> None:
-    if not any(map(is_other, printed(recording, "solve"))):
+def asks(recording: Recording, run: str, library: str) -> bool:
+    """Whether this run of the program prints the answers of this library."""
+    seen, wanted = threes(recording.process(run).text), answers(recording, library)
+    return len(seen) >= 2 and all(map(is_solution, seen, wanted))
+
+
+@link.check("computed", "a library computed the numbers that it prints", needs=("first", "second"))
+def computed(recording: Recording) -> None:
+    by_another = any("qpoases" in line.lower() for line in recording.process("used").text)
+    if by_another or asks(recording, RUNS[0], ELSEWHERE):
+        return
+    if any(asks(recording, run, IN_PLACE) for run in RUNS[1:]):
         return
     raise Failure(
         Feedback(
-            summary="Where another tinyqp is installed, the program takes that one.",
-            expected="the library in ~/opt",
-            seen=f"the one in ~/{OTHER}, where `CMAKE_PREFIX_PATH` leads",
-            where=list_lines(recording, "find_") or (Location(LISTS),),
-            advice="Name the folder, and forbid all others: "
-            "`find_package(tinyqp REQUIRED PATHS $ENV{HOME}/opt NO_DEFAULT_PATH)`.",
+            summary="The program prints the right numbers, but the library did not compute them.",
+            expected="what `tinyqp::solve` gives",
+            seen="numbers written in the program",
+            where=(Location(PROGRAM),),
+            advice="Pass both problems to `tinyqp::solve`, and print `x` and `objective` of its result.",
         )
     )
 
 
-@link.check("computed", "the library has computed what it prints", needs=("first", "second", "local"))
-def computed(recording: Recording) -> None:
-    if any(map(is_other, printed(recording, "with other"))):
-        return
-    used = recording.process("used").text
-    by_another = any("qpoases" in line.lower() for line in used)
-    part_of_it = any(" T tinyqp::" in line for line in used)
-    if by_another or part_of_it:
+@link.check("local", "and it is the one in `~/opt`, even if there is another one", points=2, needs="computed")
+def local(recording: Recording) -> None:
+    if not asks(recording, RUNS[0], ELSEWHERE):
         return
     raise Failure(
         Feedback(
-            summary="The program prints the right numbers, but no library has computed them.",
-            expected="what `tinyqp::solve` gives",
-            seen="numbers that stand in the program",
-            where=(Location(PROGRAM),),
-            advice="Hand both problems to `tinyqp::solve`, and print `x` and `objective` of what it gives.",
+            summary="If another tinyqp is installed, the program uses that one.",
+            expected="the library in ~/opt",
+            seen=f"the one in ~/{OTHER_PREFIX}, the folder in `CMAKE_PREFIX_PATH`",
+            where=list_lines(recording, "find_") or (Location(LISTS),),
+            advice=(
+                "Name the folder and exclude all others: `find_package(tinyqp REQUIRED PATHS "
+                "$ENV{HOME}/opt NO_DEFAULT_PATH)`."
+            ),
         )
     )

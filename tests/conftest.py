@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import secrets
 import shutil
 import signal
 import stat
@@ -27,14 +28,29 @@ GUARDED = {
 }
 
 
-def pytest_configure() -> None:
-    """Signals work in the programs that tests start, even where pytest itself was told to ignore them.
+@pytest.hookimpl(tryfirst=True)
+def pytest_configure(config: pytest.Config) -> None:
+    """Random cases can be drawn again, and signals work.
 
-    A shell script's background jobs ignore SIGINT and SIGQUIT, and what nohup starts ignores SIGHUP.
+    Signals work in the programs that tests start, even where pytest itself was told to ignore them: a shell
+    script's background jobs ignore SIGINT and SIGQUIT, and what nohup starts ignores SIGHUP.
     """
+    if config.option.hypothesis_seed is None:
+        config.option.hypothesis_seed = str(secrets.randbelow(10**9))
     signal.signal(signal.SIGINT, signal.default_int_handler)
     for number in (signal.SIGQUIT, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)
+
+
+def pytest_report_header(config: pytest.Config) -> str:
+    return f"random cases: --hypothesis-seed={config.option.hypothesis_seed}"
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    """A failure is printed at once: a run that is cut off by a time limit has named what failed before."""
+    if report.failed and "PYTEST_XDIST_WORKER" not in os.environ:
+        told = f"FAILED {report.nodeid} after {report.duration:.0f} s"
+        print(f"\n{told}\n{str(report.longrepr)[-3000:]}", flush=True)
 
 
 def _guard(monkeypatch: pytest.MonkeyPatch, root: Path) -> None:

@@ -3,9 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
 import psutil
+
+GRADING = "course.grading.recording_process"
+_PROGRAMS = {
+    "worker": "course.batch.worker",
+    "judge": "course.grading.judge.judging_process",
+    "player": "course.arena.mystery_program",
+    "measuring process": "arena/lateness_program.py",
+    "Dask worker": "--multiprocessing-fork",
+}
 
 
 def below() -> set[psutil.Process]:
@@ -30,3 +39,42 @@ def none_stays() -> Iterator[set[psutil.Process]]:
     before = below()
     yield before
     assert below() <= before
+
+
+def ours_below(top: psutil.Process) -> Iterator[tuple[str, psutil.Process]]:
+    """Processes of the course's own below this one, with their kinds; none of a submission's."""
+    for process in _all_below(top):
+        with suppress(psutil.Error):
+            if (kind := _kind(process)) is not None:
+                yield kind, process
+
+
+def _all_below(top: psutil.Process) -> list[psutil.Process]:
+    try:
+        return top.children(recursive=True)
+    except psutil.Error:
+        return []
+
+
+def _kind(process: psutil.Process) -> str | None:
+    words, parent = process.cmdline(), process.parent()
+    above = parent.cmdline() if parent else []
+    if words[:1] == ["/bin/sh"] and any("kill -KILL 0" in word for word in words[:3]):
+        return "build's guard"
+    if _is_bubblewrap(above) and (_is_bubblewrap(words) or _layer(above) != "outer layer"):
+        return f"{_layer(above)}'s first process"
+    if _is_bubblewrap(words):
+        return f"{_layer(words)}'s bubblewrap"
+    if GRADING in words:
+        return "grading process" if _is_bubblewrap(above) else "launcher"
+    return next((kind for kind, end in _PROGRAMS.items() if any(word.endswith(end) for word in words)), None)
+
+
+def _is_bubblewrap(words: list[str]) -> bool:
+    return bool(words) and words[0].rpartition("/")[2] == "bwrap"
+
+
+def _layer(words: list[str]) -> str:
+    if GRADING in words:
+        return "outer layer"
+    return "build" if "--block-fd" in words else "sandbox"

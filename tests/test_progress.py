@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 from course.errors import StorageError, UsageError
-from course.grading.result import CheckResult, Feedback, Outcome, Result, Verdict
+from course.model.result import CheckResult, Feedback, Outcome, Result, Verdict
 from course.progress import FILE, Progress, _set_aside
 
 REPOSITORY = Path(__file__).parents[1]
@@ -82,6 +82,14 @@ def test_the_last_result_comes_back_whole(state: Path) -> None:
         progress.record(result(points=1.0))
     with Progress.open(state) as progress:
         assert progress.last_result("18-publisher") == result(points=1.0)
+
+
+def test_failures_are_counted_by_check(state: Path) -> None:
+    checks = (CheckResult("rate", "x", 1, Outcome.FAILED), CheckResult("type", "y", 1, Outcome.PASSED))
+    with Progress.open(state) as progress:
+        for exercise in ("18-publisher", "18-publisher", "10-run-quiz"):
+            progress.record(Result(exercise, Verdict.NOT_PASSED, checks))
+        assert progress.failures() == {("18-publisher", "rate"): 2, ("10-run-quiz", "rate"): 1}
 
 
 def test_a_result_in_another_form_is_as_none(state: Path) -> None:

@@ -1,7 +1,7 @@
 """The arena as a scenario sees it: start programs, listen, act, wait.
 
-One arena serves one scenario. Everything that happens in it goes to its time line; when it
-is closed, every process that was started in it, or by one of them, has ended.
+One arena serves one scenario. Everything that happens in it is recorded on its time line. When it is
+closed, every process that was started in it, directly or indirectly, has ended.
 """
 
 from __future__ import annotations
@@ -9,22 +9,28 @@ from __future__ import annotations
 import contextlib
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
-from course.arena.executables import command_for
-from course.arena.lateness import noted_lateness
-from course.arena.leftovers import end_descendants
-from course.arena.no_ros import NoRos
-from course.arena.own_programs import OwnPrograms
-from course.arena.play_here import our_environment, play_here
-from course.arena.process import Process
-from course.arena.ros_args import ParameterValue, ros_args
-from course.arena.starting import Starter, start_here
-from course.arena.survivors import started_by, still_there
-from course.evidence.events import (
+from course.arena.arena_node import ArenaNode, NoRos
+from course.arena.command_lines import ParameterValue, command_for, ros_args
+from course.arena.cpp_programs import CppPrograms
+from course.arena.home_programs import HomePrograms
+from course.arena.lateness import Lateness, measured_lateness
+from course.arena.mystery_nodes import our_environment, start_in_arena
+from course.arena.process import Process, started_by, still_there
+from course.arena.scratch_home import OpenPlace, Place
+from course.evidence.acts import MYSTERY
+from course.evidence.packages import BuiltPackages
+from course.evidence.recording import ROSOUT
+from course.evidence.sources import MAX_FILE
+from course.evidence.timeline import Timeline
+from course.isolation.none import end_descendants
+from course.isolation.sandbox import start_here
+from course.model.events import (
     Drawn,
     ExecutableMissing,
     FileKept,
@@ -33,30 +39,25 @@ from course.evidence.events import (
     OutputLine,
     ProcessLeft,
 )
-from course.evidence.graph import Graph
-from course.evidence.packages import BuiltPackages
-from course.evidence.recording import ROSOUT
-from course.evidence.sources import MAX_FILE
-from course.evidence.timeline import Timeline
+from course.model.feedback import Spoilt
 
 if TYPE_CHECKING:
-    from course.evidence.recorder import Listener, Recorder, Stimulus
-    from course.evidence.ros_parameters import Parameters
-    from course.evidence.ros_services import Answer, Client, Server
+    from course.evidence.recorder import Recorder, Stimulus
 
-# The course asks for 3 s; the rest is for a machine that has other things to do.
+# The course asks for 3 s; the rest is slack for a busy machine.
 INTERRUPT_GRACE = 4.0
 TYPE_PROBE = "type probe"
 _TYPE_PROBE = Path(__file__).with_name("type_probe.py")
 
 
-class Arena(OwnPrograms):
-    """Where the learner's nodes run while they are watched.
+class Arena(HomePrograms):
+    """Where the learner's nodes run under observation.
 
-    packages: what was built. environment: for the learner's programs. python: the
-    interpreter that runs Python nodes. folder: a scratch folder; `home` in it is their HOME.
-    plain: the environment for programs that need no ROS. learners_home: the course home itself.
-    ours, confined: see `HomePrograms`.
+    ros: the arena's own ROS node (`arena.ros.subscribe`). cpp: the learner's C++ (`arena.cpp.compile`).
+    packages: what was built. environment: for the learner's programs. python: the interpreter that runs
+    Python nodes. folder: a scratch folder; its `home` is their HOME. plain: the environment for programs
+    that need no ROS. learners_home: the course home itself. ours, place, another: see `HomePrograms`.
+    lateness: measures delays of this machine; None where no check needs that.
     """
 
     def __init__(
@@ -69,44 +70,18 @@ class Arena(OwnPrograms):
         plain: Mapping[str, str] = MappingProxyType({}),
         learners_home: Path | None = None,
         ours: Path | None = None,
-        confined: Starter = start_here,
+        place: Place | None = None,
+        another: OpenPlace | None = None,
+        lateness: Lateness | None = None,
     ) -> None:
-        super().__init__(recorder.timeline, environment, plain, python, folder, learners_home, ours, confined)
-        self._recorder = recorder
+        super().__init__(
+            recorder.timeline, environment, plain, python, folder, learners_home, ours, place, another
+        )
+        self.ros = ArenaNode(recorder)
+        self.cpp = CppPrograms(self)
+        self._lateness = lateness
         self._packages = packages
-
-    @property
-    def graph(self) -> Graph:
-        """The ROS graph now, without the arena's own nodes."""
-        return self._recorder.graph
-
-    @property
-    def definitions(self) -> dict[str, str]:
-        """Text definitions of all message types in the recording."""
-        return self._recorder.definitions
-
-    def subscribe(self, topic: str, type_name: str, **qos: str) -> Listener:
-        """Record every message on `topic` (full name) of type `pkg/msg/Type` from now on.
-
-        qos: `reliability` and `durability`; by default what suits any publisher.
-        """
-        return self._recorder.subscribe(topic, type_name, **qos)
-
-    def publisher(self, topic: str, type_name: str, **qos: str) -> Stimulus:
-        """A publisher of the arena's own, reliable and volatile unless said otherwise."""
-        return self._recorder.publisher(topic, type_name, **qos)
-
-    def client(self, service: str, type_name: str, *, name: str | None = None) -> Client:
-        """A client of the arena's own for a service (full name) of type `pkg/srv/Type`."""
-        return self._recorder.client(service, type_name, name)
-
-    def serve(self, service: str, type_name: str, answer: Answer) -> Server:
-        """A server of the arena's own; `answer` gets a request and returns the response's fields, or None."""
-        return self._recorder.serve(service, type_name, answer)
-
-    def parameters(self, node: str) -> Parameters:
-        """The parameters of the node of that full name, asked from outside; it need not be there yet."""
-        return self._recorder.parameters(node)
+        self._started_ours: list[Process] = []
 
     def run(
         self,
@@ -121,9 +96,9 @@ class Arena(OwnPrograms):
     ) -> Process | None:
         """Start what `ros2 run package executable args...` would start.
 
-        Returns None, and records what there is instead, when no such executable is installed.
-        name: what the recording calls it; the executable's name by default.
-        params, remaps, node_name: given to its nodes after `--ros-args`; a string stays a string.
+        If no such executable is installed, returns None and records what is installed instead. name: what
+        the recording calls it; the executable's name by default. params, remaps, node_name: passed to its
+        nodes after `--ros-args`; a string stays a string.
         """
         name = name or executable
         built = self._packages.get(package)
@@ -135,7 +110,7 @@ class Arena(OwnPrograms):
         return self.start(*command, *args, *ros_args(params, remaps, node_name), name=name, env=env)
 
     def launch(self, package: str, file: str, *, name: str | None = None, **arguments: str) -> Process:
-        """Start `ros2 launch package file argument:=value...`; what it lacks, it says itself.
+        """Start `ros2 launch package file argument:=value...`, which itself reports anything missing.
 
         name: what the recording calls it; the file's name by default.
         """
@@ -143,16 +118,18 @@ class Arena(OwnPrograms):
         return self.start("ros2", "launch", package, file, *given, name=name or file)
 
     def start(self, *command: str, name: str, env: Mapping[str, str] | None = None) -> Process:
-        """Start any command on a terminal of its own, with the learner's packages on top of ROS."""
+        """Start any command in its own terminal, with the learner's packages on top of ROS."""
         return self._launch(name, command, {**self._programs(), **(env or {})})
 
     def start_ours(self, *command: str, name: str, env: Mapping[str, str]) -> Process:
-        """Start a program of the course's own, which the learner's programs neither see nor reach."""
-        return self._launch(name, command, {**self._programs(), **env}, self._ours, start=start_here)
+        """Start a program of the course, which the learner's programs can neither see nor reach."""
+        process = self._launch(name, command, {**self._programs(), **env}, self._ours, start=start_here)
+        self._started_ours.append(process)
+        return process
 
     def play_along(self, file: Path, *args: str, name: str) -> Process:
-        """Start a Python file of the course's own that makes nodes for the learner's to talk to."""
-        # Where we have made a log, programs that run as somebody else cannot write.
+        """Start a Python file of the course that creates nodes for the learner's nodes to talk to."""
+        # Programs that run as another user cannot write to a log folder that we made.
         env = {**our_environment(), "ROS_LOG_DIR": str(self._ours / "log")}
         return self.start_ours(sys.executable, str(file), *args, name=name, env=env)
 
@@ -164,10 +141,10 @@ class Arena(OwnPrograms):
         while_running: Process | None = None,
         name: str = "",
     ) -> bool:
-        """Wait until `condition()` holds: True; False after `timeout` s or when the program ended.
+        """Wait until `condition()` is true and return True; False after `timeout` s or when the program ends.
 
-        condition: quick, and true or false by what the arena has seen up to now.
-        name: marks the giving up in the recording, for checks to know.
+        condition: must be quick, and depend only on what the arena has seen so far. name: if the condition
+        never becomes true, this mark in the recording tells the checks.
         """
 
         def settled() -> bool:
@@ -180,11 +157,31 @@ class Arena(OwnPrograms):
             self.timeline.add(Marked(self.timeline.now(), f"gave up: {name}"))
         return False
 
-    def interrupt(self, process: Process | None, grace: float = INTERRUPT_GRACE) -> None:
-        """Press Ctrl+C at this program and give it `grace` seconds to end; then it is killed.
+    def say(
+        self,
+        speaker: Stimulus,
+        messages: Iterable[Mapping[str, Any]],
+        answered: Callable[[Mapping[str, Any]], Any],
+        *,
+        timeout: float = 1.0,
+        while_running: Process | None = None,
+    ) -> None:
+        """Publish messages one by one, each after the previous one was answered; see `recording.reactions`.
 
-        A program that has no handler yet has not been asked: wait for its node first.
-        What it had started and leaves running is recorded.
+        messages: the fields of each. answered: called with these fields; returns true once the answer has
+        been seen; quick, as in `until`. After `timeout` s without an answer, the next message is sent.
+        """
+        for fields in messages:
+            if while_running and not while_running.running:
+                return
+            speaker.publish(**fields)
+            self.until(partial(answered, fields), timeout=timeout, while_running=while_running)
+
+    def interrupt(self, process: Process | None, grace: float = INTERRUPT_GRACE) -> None:
+        """Press Ctrl+C in this program's terminal, and kill it if it is still running after `grace` seconds.
+
+        Ctrl+C proves nothing before the program has a handler, so wait for its node first. Any process that
+        it started and leaves running is recorded.
         """
         if process is None:
             return
@@ -197,13 +194,19 @@ class Arena(OwnPrograms):
             self.timeline.add(ProcessLeft(self.timeline.now(), process.name, pid, command))
 
     def logged(self, text: str) -> int:
-        """How many /rosout messages up to now hold this text."""
+        """Return how many messages logged so far contain this text."""
         needle = text.encode()
-        return sum(1 for e in self.timeline.of(MessageSeen) if e.topic == ROSOUT and needle in e.data)
+        return self.timeline.count(
+            MessageSeen, text, lambda event: event.topic == ROSOUT and needle in _logged(event.data)
+        )
 
     def printed(self, text: str) -> int:
-        """How many lines on the programs' terminals up to now hold this text."""
-        return sum(1 for event in self.timeline.of(OutputLine) if text in event.text)
+        """Return how many lines on the programs' terminals so far contain this text."""
+        return self.timeline.count(OutputLine, text, lambda event: text in event.text)
+
+    def lines(self, process: Process) -> tuple[str, ...]:
+        """Return what this program has printed so far, line by line."""
+        return tuple(line.text for line in self.timeline.of(OutputLine) if line.process == process.name)
 
     def keep(self, package: str, file: str) -> None:
         """Keep an installed text file (relative to the package's prefix) in the recording."""
@@ -213,10 +216,10 @@ class Arena(OwnPrograms):
         self.timeline.add(FileKept(self.timeline.now(), file, text))
 
     def probe_types(self, *types: str) -> Process:
-        """Start a program of ours that offers endpoints of these types as the learner built them.
+        """Start a program of the course that offers endpoints of these types as the learner built them.
 
-        For the n-th type (from 0) a publisher or service `/probe/tN`; the graph then shows the
-        hash of the type's definition. It prints `missing <type>` for what cannot be imported.
+        The n-th type (from 0) gets a publisher or service `/probe/tN`; the graph then shows the hash of its
+        definition. Prints `missing <type>` for each type that cannot be imported.
         """
         return self.start(self._python, str(_TYPE_PROBE), *types, name=TYPE_PROBE)
 
@@ -225,7 +228,7 @@ class Arena(OwnPrograms):
         self.timeline.add(Marked(self.timeline.now(), name, detail))
 
     def ticks(self, period: float, count: int) -> Iterator[int]:
-        """0, 1, 2, ... so many, one every `period` seconds by our clock: for a stimulus that keeps time."""
+        """Yield 0, 1, 2, ... (`count` numbers), one every `period` seconds by our clock, to time messages."""
         began = time.monotonic()
         for number in range(count):
             due = began + number * period
@@ -233,17 +236,32 @@ class Arena(OwnPrograms):
             yield number
 
     def lateness(self) -> contextlib.AbstractContextManager[None]:
-        """Within it is noted how late this machine lets programs go on: see `expect.streams`."""
-        return noted_lateness(self.timeline)
+        """Inside this context, measure how late programs get to run: see `recording.is_overloaded`."""
+        return self._lateness.noted() if self._lateness else contextlib.nullcontext()
+
+    @property
+    def worst_lag(self) -> float:
+        """The longest time so far (s) that a program had to wait because of this machine alone."""
+        return self._lateness.update() if self._lateness else 0.0
 
     @property
     def seed(self) -> int | None:
-        """What the exercise's mystery is drawn from; None without one."""
+        """The seed of the exercise's mystery; None without a mystery."""
         return next((event.seed for event in self.timeline.of(Drawn)), None)
 
     def play(self, file: Path) -> Process:
-        """Start the nodes of the exercise's mystery (`mystery.file`); returns when all are up."""
-        return play_here(self, file)
+        """Start the nodes of the exercise's mystery (`mystery.file`); returns when all of them are up."""
+
+        def start(command: tuple[str, ...], env: Mapping[str, str]) -> Process:
+            return self.start_ours(*command, name=MYSTERY, env=env)
+
+        return start_in_arena(file, self.seed, self.timeline, start)
+
+    def require_ours(self) -> None:
+        """Raise Spoilt if anyone else has killed a program of the course; called at the end."""
+        for process in self._started_ours:
+            if process.killed_by_others:
+                raise Spoilt(f"A program of the course's own ({process.name}) was killed from outside.")
 
     def close(self) -> None:
         """End everything that was started here."""
@@ -251,6 +269,14 @@ class Arena(OwnPrograms):
             process.close()
         end_descendants()
         self._domains.close()
+
+
+def _logged(log: bytes) -> bytes:
+    """The field `msg` of a serialized rcl_interfaces/msg/Log, which follows stamp, level and name."""
+    order: Literal["little", "big"] = "little" if log[1:2] == b"\1" else "big"
+    name = 16
+    message = name + 4 + (int.from_bytes(log[name : name + 4], order) + 3 & ~3)
+    return log[message + 4 : message + 4 + int.from_bytes(log[message : message + 4], order)]
 
 
 def _beginning(file: Path) -> str:
@@ -280,12 +306,20 @@ def open_arena(
     ros: bool = True,
     learners_home: Path | None = None,
     ours: Path | None = None,
-    confined: Starter = start_here,
+    place: Place | None = None,
+    another: OpenPlace | None = None,
+    groups: Sequence[Path] = (),
 ) -> Iterator[Arena]:
-    """An arena whose recorder listens before anything is started in it; without one if not `ros`."""
-    folder.mkdir(parents=True, exist_ok=True)
-    with _recorder(timeline) if ros else _no_ros(timeline) as recorder:
-        arena = Arena(recorder, packages, environment, python, folder, plain, learners_home, ours, confined)
+    """Open an arena whose recorder is listening before any program starts; without a recorder if not `ros`.
+
+    Without a `place`, programs run in `folder` without a sandbox. groups: the programs' control groups.
+    """
+    given = (packages, environment, python, folder, plain, learners_home, ours, place, another)
+    with (
+        measured_lateness(timeline, groups) as lateness,
+        _recorder(timeline) if ros else _no_ros(timeline) as recorder,
+    ):
+        arena = Arena(recorder, *given, lateness)
         try:
             yield arena
         finally:

@@ -1,6 +1,6 @@
-"""Programs that are no nodes: the learner's scripts, an interactive bash, and probes of their code.
+"""Programs that are not nodes: the learner's scripts, an interactive bash, probes, and the course's own.
 
-They run in a scratch copy of the part of the course home that the exercise needs.
+They run confined, in a scratch copy of those parts of the course home that the exercise needs.
 """
 
 from __future__ import annotations
@@ -9,17 +9,24 @@ import contextlib
 import shutil
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property, partial
 from pathlib import Path
+from types import MappingProxyType
 
-from course.arena.lint import LINT_TIME, lint_command, named_as_public
+from course.arena import toolchain
+from course.arena.bash import START_TIME, Shell
+from course.arena.command_lines import LINT_TIME, lint_command, public_names
 from course.arena.probe import PROBE_TIME, run_probe
-from course.arena.process import Process
-from course.arena.shell import START_TIME, Shell
-from course.arena.starting import Starter, start_here
+from course.arena.process import Process, files_in_memory
+from course.arena.scratch_home import HOME, OpenPlace, Place, ScratchHome
 from course.errors import MissingHere, OurFault
-from course.evidence.events import ProgramMissing
 from course.evidence.timeline import Timeline
+from course.isolation.domains import Domains
+from course.isolation.isolation_plan import Starter
+from course.isolation.sandbox import start_here
+from course.model.events import Marked, ProcessExited, ProgramMissing
 
+_DOMAIN = "ROS_DOMAIN_ID"
 _ONLY_ROS = ("ROS_LOG_DIR", "RCUTILS_COLORIZED_OUTPUT", "ROS_PYTHON_CHECK_FIELDS", "ROS2COURSE_ARENA")
 
 
@@ -27,8 +34,9 @@ class HomePrograms:
     """The part of an arena that starts programs in the copy of the course home.
 
     environment: with ROS and the learner's packages. plain: without them. python: the interpreter for
-    programs of the course. folder: a scratch folder. learners_home: the course home itself. ours: a folder
-    for what programs may read and not write. confined: starts them in a sandbox.
+    programs of the course. folder: a scratch folder, by the path that programs use. learners_home: the
+    course home itself. ours: a folder that programs can read but not write. place: where programs run; by
+    default in `folder`, without a sandbox. another: opens further places.
     """
 
     def __init__(
@@ -40,32 +48,63 @@ class HomePrograms:
         folder: Path,
         learners_home: Path | None = None,
         ours: Path | None = None,
-        confined: Starter = start_here,
+        place: Place | None = None,
+        another: OpenPlace | None = None,
     ) -> None:
         self.timeline = timeline
         self._ours = ours or folder
-        self._confined = confined
-        self._learners_home = learners_home or folder / "home"
+        self._place = place or Place(start_here, ScratchHome(folder))
+        self._another = another
+        self._learners_home = learners_home or folder / HOME
         self._environment = environment
         self._plain = plain
         self._python = python
         self._folder = folder
         self._processes: list[Process] = []
-        self.home.mkdir(exist_ok=True)
+        if place is None:
+            self.home.mkdir(parents=True, exist_ok=True)
 
     @property
     def home(self) -> Path:
-        """The copy of the course home: HOME, and the working folder, of all that is started here."""
-        return self._folder / "home"
+        """The copy of the course home. It is HOME and the working folder of every program started here.
+
+        Use this path only in programs. To look inside, use `files`. Nothing is written there from outside.
+        """
+        return self._folder / HOME
+
+    @property
+    def files(self) -> ScratchHome:
+        """What is in the copy of the course home now: `arena.files.text("notes.txt")`."""
+        return self._place.home
+
+    @contextlib.contextmanager
+    def fresh(self, files: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
+        """Inside this context, programs start in an unused place; when it ends, all of them have ended.
+
+        Their home is as it was at the beginning, plus the texts in `files`. They share no processes, shared
+        memory or temporary files with earlier programs, and no network if the exercise has no ROS. So a
+        program that runs several times cannot tell one run from another by its surroundings.
+        """
+        if self._another is None:
+            raise OurFault("this arena has one place for programs, and no other")
+        before, number = self._place, len(self._processes)
+        with self._another(files) as self._place:
+            try:
+                yield
+                self._place.require_ours()
+            finally:
+                for process in self._processes[number:]:
+                    process.close()
+                self._place = before
 
     @contextlib.contextmanager
     def shell(
         self, name: str = "bash", *, sourced: bool = False, timeout: float = START_TIME
     ) -> Iterator[Shell]:
-        """An interactive bash that has read the learner's `~/.bashrc`; `with arena.shell() as sh:`.
+        """Open an interactive bash that has read the learner's `~/.bashrc`: `with arena.shell() as sh:`.
 
         sourced: with ROS in its environment from the start, as in `ros2course shell`. timeout: seconds
-        for it to show its first prompt; a shell that shows none takes no commands, and the recording
+        until the first prompt must appear. If it does not, the shell takes no commands, and the recording
         says why.
         """
         if shutil.which("bash") is None:
@@ -86,11 +125,10 @@ class HomePrograms:
         cwd: str | None = None,
         env: Mapping[str, str] | None = None,
     ) -> Process | None:
-        """Start `python3 file args...` on a terminal of its own; `file` is relative to the course home.
+        """Start `python3 file args...` in its own terminal; `file` is relative to the course home.
 
-        cwd: folder of the home that it is started in; by default the file's own. name: what the
-        recording calls it; the file's name by default. Returns None, and records it, when there is
-        no such file.
+        cwd: the folder of the home to start it in; the file's own by default. name: what the recording
+        calls it; the file's name by default. If there is no such file, this is recorded, and None returned.
         """
         command = (self._python, str(self.home / file), *args)
         return self._start_file(file, command, name, cwd, env)
@@ -103,22 +141,26 @@ class HomePrograms:
         cwd: str = "",
         env: Mapping[str, str] | None = None,
         ours: bool = False,
+        through: Callable[[str], str | None] | None = None,
     ) -> Process | None:
-        """Start `python3 -m module args...` in the folder `cwd` of the home; None if that is not there.
+        """Start `python3 -m module args...` in the folder `cwd` of the home; None if there is no such folder.
 
-        ours: with the Python that the course itself runs with, which has pip, venv and setuptools.
+        ours: use the Python that runs the course, which has pip, venv and setuptools. through: maps each
+        line of output to what is kept, or to None to drop it. It is needed where the learner's code runs
+        beside files that they must not see, and might print them.
         """
         name, folder = name or module, self._inside(cwd)
-        if not folder.is_dir():
+        if not self.files.is_folder(cwd):
             self.timeline.add(ProgramMissing(self.timeline.now(), name, cwd))
             return None
         command = (sys.executable if ours else self._python, "-m", module, *args)
-        return self._launch(name, command, {**self._programs(), **(env or {})}, folder, through=self._at_home)
+        environment = {**self._programs(), **(env or {})}
+        return self._launch(name, command, environment, folder, through=through or self._at_home)
 
     def in_place(self, file: str, *args: str, name: str) -> Process | None:
-        """Start a program of the learner's own home itself, where no copy would do: a virtual environment.
+        """Start a program from the learner's own home that cannot be copied, such as a virtual environment.
 
-        It runs in the copy of the home all the same. Returns None, and records it, when there is none.
+        It still runs in the copy of the home. If it does not exist, this is recorded, and None returned.
         """
         program = self._learners_home / self._inside(file).relative_to(self.home)
         if not program.is_file():
@@ -129,19 +171,19 @@ class HomePrograms:
     def execute(
         self, file: str, *args: str, name: str | None = None, env: Mapping[str, str] | None = None
     ) -> Process | None:
-        """Start `./file args...` in the file's folder: its mode and its first line decide. As `python`."""
+        """Start `./file args...` in the file's folder, by its mode and first line. Otherwise as `python`."""
         return self._start_file(file, (f"./{Path(file).name}", *args), name, None, env)
 
     def probe(
         self, code: str | Path, *, name: str = "probe", cwd: str = "", timeout: float = PROBE_TIME
     ) -> None:
-        """Run Python code of ours, or a file of it, beside the learner's; `recording.probe` has the answers.
+        """Run Python code of the course (text or a file) beside the learner's; see `recording.probe`.
 
-        In it, `ask("sum", lambda: theirs.add(1, 2))` is one question, and modules of `cwd` (a folder of
-        the home) can be imported.
+        Each `ask("sum", lambda: theirs.add(1, 2))` in it is one question. It can import modules from `cwd`,
+        a folder of the home.
         """
         folder = self._inside(cwd)
-        if not folder.is_dir():
+        if not self.files.is_folder(cwd):
             self.timeline.add(ProgramMissing(self.timeline.now(), name, cwd))
             return
         file = self._ours / f"{name}.py"
@@ -155,20 +197,88 @@ class HomePrograms:
         run_probe(launch, self._python, file, self.home, self.timeline, name, timeout)
 
     def lint(self, folder: str, *rules: str, name: str = "lint", timeout: float = LINT_TIME) -> None:
-        """Judge the Python files in `folder` by these rules of ruff; `explain.lint.findings` has the result.
+        """Check the Python files in `folder` by these rules of ruff; `graders/lib/lint.py` reads the result.
 
-        The learner's own settings, and remarks that silence a rule, do not count.
+        The learner's own settings and comments that silence rules are ignored.
         """
-        with named_as_public(self._inside(folder)) as renamed:
-            names = {str(Path(new).relative_to(self.home)): old for new, old in renamed.items()}
+        self._inside(folder)
+        renamed = public_names(self.files.below(folder))
+        before = {new: old for old, new in renamed.items()}
 
-            def as_it_was(line: str) -> str:
-                old = names.get(line.split(":")[0])
-                return f"{old.relative_to(self.home)}:{line.partition(':')[2]}" if old else line
+        def as_it_was(line: str) -> str:
+            file, colon, rest = line.partition(":")
+            return f"{before.get(file, file)}{colon}{rest}"
 
-            where = str(self._inside(folder).relative_to(self.home))
-            command = lint_command(where, rules)
-            self._launch(name, command, self._plain_programs(), through=as_it_was).wait(timeout)
+        command = lint_command(folder, rules, renamed)
+        self._launch(name, command, self._plain_programs(), through=as_it_was).wait(timeout)
+
+    def require(self, *tools: str) -> None:
+        """Raise MissingHere, with the install command, if this machine lacks any of these tools."""
+        toolchain.require(tools, self._plain_programs().get("PATH", ""))
+
+    def tool(
+        self,
+        *command: str,
+        name: str,
+        cwd: str = "",
+        env: Mapping[str, str] | None = None,
+        timeout: float = toolchain.COMPILE_TIME,
+    ) -> bool:
+        """Run a tool of this machine (`cmake`, `make`) to its end, in the folder `cwd` of the home.
+
+        Its output is recorded, with `~` for the home. Returns True if it succeeded within `timeout` s.
+        Raises MissingHere, with the install command, if the tool is not installed.
+        """
+        environment = {**toolchain.compiling(self._plain_programs()), **(env or {})}
+        toolchain.require(command[:1], environment.get("PATH", ""))
+        process = self._launch(name, command, environment, self._inside(cwd), through=self._at_home)
+        if not process.wait(timeout):
+            process.close()
+        return any(e.process == name and e.code == 0 for e in self.timeline.of(ProcessExited))
+
+    def handed(self, path: Path) -> str:
+        """Return a path where programs can read, but not write, a copy of the course's file or folder."""
+        copy = self._ours / path.name
+        if path.is_dir():
+            shutil.copytree(path, copy)
+        else:
+            shutil.copyfile(path, copy)
+        return str(copy)
+
+    def companion(
+        self,
+        file: Path,
+        *arguments: str,
+        name: str,
+        env: Mapping[str, str] | None = None,
+        own_memory: bool = False,
+    ) -> Process:
+        """Start a Python program of the course (`file`) among the learner's, in its own terminal.
+
+        own_memory: give it a /dev/shm of its own, as in a container; raises MissingHere if that is
+        impossible.
+        """
+        if own_memory and self._shares_the_network:
+            raise MissingHere(
+                "This exercise needs namespaces, which this machine does not offer.",
+                "`ros2course doctor` says what they lack here.",
+            )
+        start = partial(self._place.start, own_memory=True) if own_memory else self._place.start
+        command = (self._python, self.handed(file), *arguments)
+        return self._launch(name, command, {**self._programs(), **(env or {})}, start=start)
+
+    def domain(self, number: int) -> int:
+        """Return the ROS_DOMAIN_ID that puts a program into domain `number`; the arena is in 0.
+
+        It is `number` itself, unless others use the same network: see `Domains`.
+        """
+        return self._domains.at(number)
+
+    def shared_memory(self, process: Process) -> tuple[str, ...]:
+        """Return and record the names of the files in /dev/shm that the program or its children use now."""
+        found = files_in_memory(process.pid) if process.running else ()
+        self.timeline.add(Marked(self.timeline.now(), memory_mark(process.name), " ".join(found)))
+        return found
 
     def _start_file(
         self,
@@ -180,7 +290,8 @@ class HomePrograms:
     ) -> Process | None:
         path = self._inside(file)
         name = name or path.name
-        if not path.is_file():
+        # A link may lead to a file that exists only where the program runs.
+        if not (self.files.is_file(file) or self.files.is_link(file)):
             self.timeline.add(ProgramMissing(self.timeline.now(), name, file))
             return None
         folder = path.parent if cwd is None else self._inside(cwd)
@@ -192,7 +303,7 @@ class HomePrograms:
         return self.home / path
 
     def _at_home(self, line: str) -> str:
-        """Paths in tracebacks as the learner knows them: nobody has seen the copy of the home."""
+        """Paths in tracebacks as the learner knows them: they have never seen the copy of the home."""
         return line.replace(str(self.home), "~")
 
     def _programs(self) -> dict[str, str]:
@@ -223,7 +334,7 @@ class HomePrograms:
             timeline=self.timeline,
             through=through,
             descriptors=descriptors,
-            start=start or self._confined,
+            start=start or self._place.start,
         )
         self._processes.append(process)
         return process
@@ -235,10 +346,23 @@ class HomePrograms:
             "ROS_LOG_DIR": str(self._folder / "log"),
             "TERM": "xterm",
             "RCUTILS_COLORIZED_OUTPUT": "0",
-            # A field of the wrong type is an exception that says so, and not an abort in C.
+            # A field of the wrong type raises a clear exception instead of aborting in C.
             "ROS_PYTHON_CHECK_FIELDS": "1",
-            # Bytecode would be written into the build cache.
+            # Otherwise, Python would write bytecode into the build cache.
             "PYTHONDONTWRITEBYTECODE": "1",
             # Keeps the course's own ros2 command from starting its daemon.
             "ROS2COURSE_ARENA": "1",
         }
+
+    @property
+    def _shares_the_network(self) -> bool:
+        return _DOMAIN in self._environment
+
+    @cached_property
+    def _domains(self) -> Domains:
+        return Domains(int(self._environment[_DOMAIN]) if self._shares_the_network else None)
+
+
+def memory_mark(name: str) -> str:
+    """The name of the mark for the shared memory of the program `name`: `recording.marked`."""
+    return f"shared memory of {name}"

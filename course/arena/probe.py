@@ -1,7 +1,7 @@
-"""Asks the learner's Python code questions of ours, in a process of its own.
+"""Asks the learner's Python code questions, in a separate process.
 
 The probe's code is ours: it imports the learner's module and asks, `ask("sum", lambda: f(1, 2))`. Answers
-come over a pipe of their own, so whatever the learner's code prints does no harm.
+come over a separate pipe, so the output of the learner's code does no harm.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ import json
 import os
 import select
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from course.arena.process import Process
 from course.errors import OurFault
-from course.evidence.events import Probed
 from course.evidence.timeline import Timeline
+from course.model.events import Probed
 
 PROBE_TIME = 10.0
 START_TIME = 30.0
@@ -25,16 +25,25 @@ _PROGRAM = Path(__file__).with_name("probe_program.py")
 _CHUNK = 65536
 _GRACE = 1.0
 _DONE = "done"
-_FIELDS = frozenset({"question", "value", "type", "error", "file", "line"})
+_TEXT: tuple[type, ...] = (str, type(None))
+_FIELDS: Mapping[str, type | tuple[type, ...]] = {
+    "question": str,
+    "type": str,
+    "error": _TEXT,
+    "file": _TEXT,
+    "line": (int, type(None)),
+}
+# Values from `probe_program.plain` are never this deep.
+_MAX_DEPTH = 10
 
-# Starts a command under the probe's name, with the descriptor that it writes its answers to.
+# Starts a command under the probe's name, with the descriptor for its answers.
 Launch = Callable[[tuple[str, ...], tuple[int, ...]], Process]
 
 
 def run_probe(
     launch: Launch, python: str, code: Path, home: Path, timeline: Timeline, name: str, timeout: float
 ) -> None:
-    """Run the probe in the file `code`, and record its answers when it has ended or its time is up."""
+    """Run the probe in the file `code`, and record its answers when it ends or its time is up."""
 
     def start(writing: int) -> Process:
         return launch((python, str(_PROGRAM), str(writing), str(code), str(home)), (writing,))
@@ -46,9 +55,9 @@ def run_probe(
 def collect_answers(
     start: Callable[[int], Process], timeline: Timeline, name: str, timeout: float, start_time: float
 ) -> bool:
-    """Start a program with the descriptor to write answers to, and record them at its end; whether any came.
+    """Start a program with a descriptor for answers, and record them when it ends; True if there were any.
 
-    start_time: seconds until the first one; then it has `timeout` s for all others.
+    start_time: seconds until the first one; after that, it has `timeout` s for the others.
     """
     reading, writing = os.pipe()
     try:
@@ -59,7 +68,7 @@ def collect_answers(
         data = _read(reading, start_time, timeout)
     finally:
         os.close(reading)
-    process.wait(_GRACE)  # what it printed last; a thread that their code left behind is not waited for
+    process.wait(_GRACE)  # for its last output, but not for threads that their code left behind
     process.close()
     *lines, _ = data.decode("utf-8", errors="replace").split("\n")
     answers = tuple(line for line in lines if _is_answer(line))
@@ -68,9 +77,9 @@ def collect_answers(
 
 
 def _read(descriptor: int, start_time: float, timeout: float) -> bytes:
-    """Until the last holder of the pipe has closed it, the time is up, or it is too much.
+    """Read until all holders of the pipe have closed it, the time is up, or there is too much.
 
-    The learner's time begins when Python has started, which takes long where much else goes on.
+    The learner's time starts when Python has started, which takes long on a busy machine.
     """
     data, deadline = b"", time.monotonic() + start_time
     while len(data) < MAX_ANSWERS:
@@ -87,9 +96,19 @@ def _read(descriptor: int, start_time: float, timeout: float) -> bytes:
 
 
 def _is_answer(line: str) -> bool:
-    """The learner's code runs in the same process: what it may have written there is no answer of ours."""
+    """The learner's code runs in the same process and may also write to the pipe."""
     try:
         data = json.loads(line)
-    except ValueError:
+        json.dumps(data, ensure_ascii=False).encode()  # fails for a lone half of a character
+    except (ValueError, RecursionError):
         return False
-    return isinstance(data, dict) and isinstance(data.get("question"), str) and data.keys() <= _FIELDS
+    if not isinstance(data, dict) or "question" not in data:
+        return False
+    value = data.pop("value", None)
+    plain = all(name in _FIELDS and isinstance(found, _FIELDS[name]) for name, found in data.items())
+    return plain and _is_shallow(value, _MAX_DEPTH)
+
+
+def _is_shallow(value: object, depth: int) -> bool:
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return depth > 0 and all(_is_shallow(item, depth - 1) for item in inner)

@@ -1,7 +1,7 @@
-"""Runs among the learner's programs: offers one endpoint of each type named on the command line.
+"""Runs alongside the learner's programs: offers one endpoint of each type on the command line.
 
-For the n-th type (from 0): a publisher on `/probe/tN` for a message, a server `/probe/tN` for a
-service. What it finds is not believed; the recorder reads the types' hashes from the graph.
+For the n-th type (from 0), that is a publisher on `/probe/tN` for a message, or a server `/probe/tN` for a
+service. Its own findings are not trusted; the recorder reads the types' hashes from the graph.
 """
 
 import importlib

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import ast
 import textwrap
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from course.errors import ContentError
+
+_WIDTH = 110
 
 
 def with_item(file: Path, text: str, key: str, item: str) -> str:
@@ -68,9 +73,9 @@ def _line(text: str, key: str) -> int | None:
 
 
 def with_code(file: Path, text: str, imports: str, code: str) -> str:
-    """`text`, the Python of `file`, with those of `imports` (one a line) that it lacks, and with `code` last.
+    """`text`, the Python of `file`, with the names of `imports` that it lacks, and with `code` last.
 
-    Raises ContentError when it is no Python.
+    imports: statements `from module import names`. Raises ContentError when `text` is not Python.
     """
     try:
         tree = ast.parse(text)
@@ -79,11 +84,25 @@ def with_code(file: Path, text: str, imports: str, code: str) -> str:
         raise ContentError(what, "correct it, then try again", file=file, line=error.lineno) from None
     found = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
     known = {name for node in found for name in _names(node)}
-    lacking = [line for line in imports.splitlines() if not set(_names(ast.parse(line).body[0])) <= known]
+    wanted = [name for node in ast.parse(imports).body for name in _names(node) if name not in known]
     lines = text.splitlines()
     last = max((node.end_lineno or 0 for node in found), default=_after_docstring(tree))
-    together = [*lines[:last], *lacking, *lines[last:]]
+    together = [*lines[:last], *_imports(wanted), *lines[last:]]
     return "\n".join(together).rstrip() + f"\n\n\n{code}"
+
+
+def _imports(names: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """Names of one module on one line if they fit, else one a line; modules each on a line."""
+    for module, group in groupby(names, itemgetter(0)):
+        short = [name for _, name in group]
+        if not module:
+            yield from (f"import {name}" for name in short)
+            continue
+        line = f"from {module} import {', '.join(short)}"
+        if len(line) <= _WIDTH:
+            yield line
+        else:
+            yield from (f"from {module} import (", *(f"    {name}," for name in short), ")")
 
 
 def _names(node: ast.stmt) -> list[tuple[str, str]]:

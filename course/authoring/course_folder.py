@@ -1,14 +1,34 @@
-"""A new course, and the folder of one that chapters are to be added to."""
+"""A new course, and a new chapter in one: a lesson that waits for its exercises."""
 
 from __future__ import annotations
 
+import re
+from dataclasses import dataclass
 from pathlib import Path
 
-from course.authoring.fill import filled
-from course.authoring.schemas import missing_schemas
-from course.authoring.write import Made, Plan, carry_out
+from course.authoring.write import Made, Plan, carry_out, filled, missing_schemas, schema_folder
+from course.content import layout
 from course.content.layout import PARTS
 from course.errors import StorageError, UsageError
+
+_SLUG = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+_LONGEST = 40
+
+
+@dataclass(frozen=True)
+class NewChapter:
+    """`30-power-supply`: its folder, number and title."""
+
+    number: int
+    slug: str
+
+    @property
+    def folder(self) -> str:
+        return f"{self.number:02d}-{self.slug}"
+
+    @property
+    def title(self) -> str:
+        return titled(self.slug)
 
 
 def new_course(root: Path) -> Made:
@@ -34,7 +54,7 @@ def is_course(root: Path) -> bool:
 
 
 def require_place(root: Path) -> None:
-    """Raises UsageError, with what to do, for a folder that is no course."""
+    """Raises UsageError, with what to do, for a folder that is not a course."""
     if not is_course(root):
         lack = "it has no chapters/" if root.is_dir() else "there is no such folder"
         raise UsageError(f"{root} is not a course: {lack}", f"make one: ros2course new course {root}")
@@ -45,3 +65,58 @@ def _entries(folder: Path) -> tuple[Path, ...]:
         return tuple(folder.iterdir())
     except OSError as error:
         raise StorageError(f"{folder} cannot be read: {error.strerror}", "ask its owner for access") from None
+
+
+_LAST = 99
+
+
+def new_chapter(root: Path, name: str) -> Made:
+    """Add the chapter `30-power`, or `power` with the next number. Raises UsageError, StorageError."""
+    require_place(root)
+    taken = _taken(root)
+    number, slug = number_and_slug(name, max(taken, default=0) + 1)
+    assert number is not None
+    if number in taken:
+        step = f"choose a number that is free, or leave it out: {slug}"
+        raise UsageError(f"there is a chapter {number} already: {taken[number]}", step)
+    if number > _LAST:
+        raise UsageError("there is no number after 99 for a chapter", "write a free one: 30-name")
+    chapter = NewChapter(number, slug)
+    return carry_out(_chapter_plan(root, chapter), root, chapter.folder)
+
+
+def _chapter_plan(root: Path, chapter: NewChapter) -> Plan:
+    folder = root / "chapters" / chapter.folder
+    words = {"number": str(chapter.number), "title": chapter.title, "schema": schema_folder(root)}
+    new = {
+        folder / layout.LESSON: filled("chapter/lesson.yaml", words),
+        folder / layout.LESSON_TEXT: filled("chapter/lesson.md", words),
+        folder / layout.MISTAKES: filled("chapter/mistakes.yaml", words),
+    }
+    return Plan({**new, **missing_schemas(root)})
+
+
+def _taken(root: Path) -> dict[int, str]:
+    """The numbers of the chapters that are there."""
+    folders = (folder.name for folder in layout.chapter_folders(root))
+    return {int(match[1]): name for name in folders if (match := layout.CHAPTER_FOLDER.fullmatch(name))}
+
+
+def titled(slug: str) -> str:
+    """`battery-level` as a heading: `Battery level`."""
+    return slug.replace("-", " ").capitalize()
+
+
+def number_and_slug(name: str, number: int | None = None) -> tuple[int | None, str]:
+    """`30-battery` in its two parts; `number` where none is written. Raises UsageError for no such name."""
+    match = re.fullmatch(r"(?:(\d\d)-)?(.*)", name, re.DOTALL)
+    written, slug = (match[1], match[2]) if match else (None, name)
+    if not _SLUG.fullmatch(slug):
+        raise UsageError(
+            f"`{name}` is not a name for a chapter or an exercise",
+            "allowed: small letters and digits joined by dashes, a letter first, and two digits and a dash "
+            "before them: `30-battery`",
+        )
+    if len(slug) > _LONGEST:
+        raise UsageError(f"`{slug}` is too long for a name", f"use at most {_LONGEST} letters")
+    return (int(written) if written else number), slug

@@ -2,30 +2,82 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
 from pathlib import Path
 
 from course.authoring.append import with_code, with_item
-from course.authoring.course_folder import require_place
-from course.authoring.fill import Words, filled
-from course.authoring.names import ExerciseName, number_and_slug, titled
-from course.authoring.schemas import missing_schemas
-from course.authoring.write import Made, Plan, carry_out
+from course.authoring.course_folder import number_and_slug, require_place, titled
+from course.authoring.write import Made, Plan, Words, carry_out, filled, missing_schemas
 from course.content import layout
-from course.content.names import did_you_mean
 from course.errors import ContentError, UsageError
+from course.spelling import did_you_mean
 
-# Below the package's folder, in the solution and in the starter; the node is another one there.
+
+class ExerciseKind(str, Enum):
+    """What a new exercise is about."""
+
+    TOPIC = "topic"
+    SERVICE = "service"
+    PARAMETER = "parameter"
+    LAUNCH = "launch"
+    LIBRARY = "library"
+    QUIZ = "quiz"
+    MYSTERY = "mystery"
+
+
+# Below the package's folder, in the solution and in the starter; of `{side}`, each has its own.
 _PACKAGE = {
-    "package.xml": "package.xml",
-    "setup.py": "setup.py",
-    "setup.cfg": "setup.cfg",
-    "resource/{package}": "marker",
-    "{package}/__init__.py": "marker",
-    "{package}/{node}.py": "{side}/node.py",
+    "package.xml": "exercise/package.xml",
+    "setup.py": "exercise/setup.py",
+    "setup.cfg": "exercise/setup.cfg",
+    "resource/{package}": "exercise/marker",
+    "{package}/__init__.py": "exercise/marker",
+}
+_NODE = {**_PACKAGE, "{package}/{node}.py": "{kind}/{side}.py"}
+_ENTRY = "            '{node} = {package}.{node}:main',\n"
+_LAUNCH_FILE = "        ('share/' + package_name + '/launch', ['launch/{name}_launch.py']),\n"
+
+
+@dataclass(frozen=True)
+class _Recipe:
+    """What a kind consists of, besides its text, its entry in lesson.yaml, its checks and its mistakes.
+
+    package: its files, with their templates; none for a kind without a package. depends: what package.xml
+    names, the one that a mistake takes away last. entries, installs: lines of setup.py. beside: files
+    relative to the course. is_node: whether the mistakes that every node can have apply.
+    """
+
+    package: Mapping[str, str] = field(default_factory=dict)
+    depends: tuple[str, ...] = ()
+    entries: str = ""
+    installs: str = ""
+    beside: Mapping[str, str] = field(default_factory=dict)
+    is_node: bool = False
+
+
+def _node(interfaces: str) -> _Recipe:
+    return _Recipe(_NODE, ("rclpy", interfaces), _ENTRY, is_node=True)
+
+
+_LAUNCHED = {
+    **_PACKAGE,
+    "{package}/{node}.py": "topic/solution.py",
+    "launch/{name}_launch.py": "launch/{side}.py",
+}
+_RECIPES = {
+    ExerciseKind.TOPIC: _node("std_msgs"),
+    ExerciseKind.SERVICE: _node("std_srvs"),
+    ExerciseKind.PARAMETER: _node("std_msgs"),
+    ExerciseKind.LAUNCH: _Recipe(_LAUNCHED, ("rclpy", "std_msgs", "launch_ros"), _ENTRY, _LAUNCH_FILE),
+    ExerciseKind.LIBRARY: _Recipe({**_PACKAGE, "{package}/{name}.py": "library/{side}.py"}),
+    ExerciseKind.QUIZ: _Recipe(),
+    ExerciseKind.MYSTERY: _Recipe(beside={"chapters/{chapter}/play/{exercise}.py": "mystery/play.py"}),
 }
 
 
-def new_exercise(root: Path, place: str) -> Made:
+def new_exercise(root: Path, place: str, kind: ExerciseKind = ExerciseKind.TOPIC) -> Made:
     """Add the exercise of `30-power/30-battery`, chapter and name.
 
     The chapter may be given by its number; the exercise's own number may be left out.
@@ -43,8 +95,9 @@ def new_exercise(root: Path, place: str) -> Made:
         step = f"allowed: {own:02d}-{slug}"
         raise UsageError(f"an exercise of {chapter.name} has that chapter's number, not {number}", step)
     exercise = ExerciseName(own, slug)
-    _refuse_same_package(root, exercise)
-    return carry_out(_plan(root, chapter, exercise), root, exercise.id)
+    if _RECIPES[kind].package:
+        _refuse_same_package(root, exercise)
+    return carry_out(_plan(root, chapter, exercise, kind), root, exercise.id)
 
 
 def _chapter(root: Path, name: str) -> Path:
@@ -66,32 +119,41 @@ def _refuse_same_package(root: Path, exercise: ExerciseName) -> None:
         raise UsageError(what, "choose another name for the exercise")
 
 
-def _plan(root: Path, chapter: Path, exercise: ExerciseName) -> Plan:
-    words = _words(chapter, exercise)
-    grader, lesson, mistakes = layout.grader_file(chapter), chapter / layout.LESSON, chapter / layout.MISTAKES
+def _plan(root: Path, chapter: Path, exercise: ExerciseName, kind: ExerciseKind) -> Plan:
+    recipe = _RECIPES[kind]
+    words = _words(chapter, exercise, kind)
+    lesson, mistakes = chapter / layout.LESSON, chapter / layout.MISTAKES
     new = {
-        layout.exercise_text(chapter, exercise.id): filled("exercise/exercise.md", words),
-        **_package(layout.starter_folder(chapter, exercise.id), "starter", words),
-        **_package(layout.solution_folder(chapter), "solution", words),
+        layout.exercise_text(chapter, exercise.id): filled(f"{kind.value}/exercise.md", words),
+        **_package(layout.starter_folder(chapter, exercise.id), "starter", recipe, words),
+        **_package(layout.solution_folder(chapter), "solution", recipe, words),
+        **{root / file.format(**words): filled(template, words) for file, template in recipe.beside.items()},
         **missing_schemas(root),
     }
-    changed = {lesson: with_item(lesson, _read(lesson), "exercises", filled("exercise/lesson.yaml", words))}
-    listed = filled("exercise/mistakes.yaml", words)
+    item = filled(f"{kind.value}/lesson.yaml", words)
+    changed = {lesson: with_item(lesson, _read(lesson), "exercises", item)}
+    apply = {"exercise": bool(recipe.package), "node": recipe.is_node, kind.value: True}
+    folders = (folder for folder, applies in apply.items() if applies)
+    listed = "\n".join(filled(f"{folder}/mistakes.yaml", words) for folder in folders)
     if mistakes.exists():
         changed[mistakes] = with_item(mistakes, _read(mistakes), "mistakes", listed)
     else:
         new[mistakes] = f"mistakes:\n{listed}"
-    imports, code = filled("exercise/imports.py", words), filled("exercise/grader.py", words)
-    if grader.exists():
-        changed[grader] = with_code(grader, _read(grader), imports, code)
-    else:
-        new[grader] = filled("exercise/head.py", words) + imports + "\n" + code
+    if kind is not ExerciseKind.QUIZ:
+        grader = layout.grader_file(chapter)
+        imports, code = filled(f"{kind.value}/imports.py", words), filled(f"{kind.value}/grader.py", words)
+        if grader.exists():
+            changed[grader] = with_code(grader, _read(grader), imports, code)
+        else:
+            new[grader] = filled("exercise/head.py", words) + imports + "\n" + code
     return Plan(new, changed)
 
 
-def _words(chapter: Path, exercise: ExerciseName) -> dict[str, str]:
-    return {
+def _words(chapter: Path, exercise: ExerciseName, kind: ExerciseKind) -> dict[str, str]:
+    recipe = _RECIPES[kind]
+    words = {
         "number": str(exercise.number),
+        "chapter": chapter.name,
         "chapter_title": titled(chapter.name[3:]),
         "exercise": exercise.id,
         "title": exercise.title,
@@ -102,15 +164,21 @@ def _words(chapter: Path, exercise: ExerciseName) -> dict[str, str]:
         "class_name": exercise.node_class,
         "workspace": layout.WORKSPACE,
         "source": f"{layout.WORKSPACE}/src/{exercise.package}",
+        "kind": kind.value,
     }
-
-
-def _package(tree: Path, side: str, words: Words) -> dict[Path, str]:
-    folder = tree / words["source"]
     return {
-        folder / target.format(**words): filled(f"exercise/{template.format(side=side)}", words)
-        for target, template in _PACKAGE.items()
+        **words,
+        "depends": "\n".join(f"  <depend>{name}</depend>" for name in recipe.depends),
+        "interfaces": recipe.depends[-1] if recipe.depends else "",
+        "entries": recipe.entries.format(**words),
+        "installs": recipe.installs.format(**words),
     }
+
+
+def _package(tree: Path, side: str, recipe: _Recipe, words: Words) -> dict[Path, str]:
+    folder, own = tree / words["source"], {**words, "side": side}
+    files = recipe.package.items()
+    return {folder / target.format(**own): filled(template.format(**own), own) for target, template in files}
 
 
 def _read(file: Path) -> str:
@@ -122,3 +190,35 @@ def _read(file: Path) -> str:
         raise ContentError(
             f"cannot be read: {error.strerror}", "create it, or ask its owner", file=file
         ) from None
+
+
+@dataclass(frozen=True)
+class ExerciseName:
+    """`30-battery-level`: its id, and what its package, node, topic and Python names are made of."""
+
+    number: int
+    slug: str
+
+    @property
+    def id(self) -> str:
+        return f"{self.number:02d}-{self.slug}"
+
+    @property
+    def title(self) -> str:
+        return titled(self.slug)
+
+    @property
+    def snake(self) -> str:
+        return self.slug.replace("-", "_")
+
+    @property
+    def package(self) -> str:
+        return f"{self.snake}_package"
+
+    @property
+    def node(self) -> str:
+        return f"{self.snake}_node"
+
+    @property
+    def node_class(self) -> str:
+        return "".join(part.capitalize() for part in self.slug.split("-")) + "Node"

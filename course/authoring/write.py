@@ -6,11 +6,14 @@ import contextlib
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from importlib.resources import files
 from pathlib import Path
+from string import Template
 
+from course.content.schema import Kind, schema_text
 from course.errors import UsageError
+from course.files import write_atomic
 from course.home.storage import storing, write_new
-from course.rosenv.files import write_atomic
 
 
 @dataclass(frozen=True)
@@ -70,3 +73,39 @@ def _undone_on_error() -> Iterator[list[Path]]:
                 else:
                     path.unlink()
         raise
+
+
+Words = Mapping[str, str]
+
+
+def filled(name: str, words: Words) -> str:
+    """The template `templates/NAME.in` with its words; `$$` in it is a plain `$`.
+
+    A word that is missing is our fault and raises KeyError.
+    """
+    return Template(template_text(name)).substitute(words)
+
+
+def template_text(name: str) -> str:
+    return (files("course.authoring") / "templates" / f"{name}.in").read_text(encoding="utf-8")
+
+
+# The first is for a course that keeps its documents in docs/, as the one in this repository does.
+_PLACES = ("docs/schema", ".schema")
+
+
+def schema_folder(root: Path) -> str:
+    """Relative to the course: the first place that holds one, else where they are to be made."""
+    held = (place for place in _PLACES if (root / place / _schema_name(Kind.LESSON)).is_file())
+    return next(held, _PLACES[-1])
+
+
+def missing_schemas(root: Path) -> dict[Path, str]:
+    """Those that the course has not got, with their texts."""
+    folder = root / schema_folder(root)
+    wanted = {folder / _schema_name(kind): kind for kind in Kind}
+    return {file: schema_text(kind) for file, kind in wanted.items() if not file.exists()}
+
+
+def _schema_name(kind: Kind) -> str:
+    return f"{kind.value}.schema.json"

@@ -1,42 +1,76 @@
-"""Gradings of a class, as the work of a pool of processes."""
+"""Gradings of a class: what travels to the processes that do them, and back."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from course.batch.model import Graded, Task, graded_from_line, task_to_line
+from msgspec import Struct
+
 from course.batch.pool import Pool, Work, Worker
-from course.feedback import Feedback
-from course.grading.result import Result, Verdict
-
-NextTask = Callable[[], Task | None]
+from course.model.feedback import Feedback
+from course.model.result import Result, Verdict
 
 
-def _answers(task: Task, graded: Graded) -> bool:
+class Unit(Struct, frozen=True):
+    """One exercise of one submission. attempt: from 1."""
+
+    person: str
+    exercise: str
+    attempt: int = 1
+
+    def again(self) -> Unit:
+        return Unit(self.person, self.exercise, self.attempt + 1)
+
+
+class GradingTask(Struct, frozen=True):
+    """A unit, ready to be graded. home: the laid-out course home. evidence: where to keep the recording.
+
+    course: root of the course, None for the one that comes along. contained: refuse to run it otherwise.
+    """
+
+    unit: Unit
+    home: str
+    evidence: str
+    course: str | None = None
+    contained: bool = True
+
+
+class Graded(Struct, frozen=True):
+    """What became of a unit. seconds: from taking it up to its end."""
+
+    unit: Unit
+    result: Result
+    seconds: float
+
+
+NextTask = Callable[[], GradingTask | None]
+
+
+def _answers(task: GradingTask, graded: Graded) -> bool:
     return graded.unit == task.unit
 
 
-def _failed(task: Task, how: str) -> Graded:
+def _failed(task: GradingTask, how: str) -> Graded:
     """Ours, whatever the submission did."""
     fault = Feedback(summary=f"The worker that graded it {how}.")
     return Graded(task.unit, Result(task.unit.exercise, Verdict.OUR_ERROR, fault=fault), 0.0)
 
 
-GRADINGS = Work("course.batch.worker", task_to_line, graded_from_line, _answers, _failed)
+GRADINGS = Work("course.batch.worker", Graded, _answers, _failed)
 
 
-class GradingPool(Pool[Task, Graded]):
+class GradingPool(Pool[GradingTask, Graded]):
     """`jobs` workers that grade; see `Pool`."""
 
     def __init__(self, jobs: int, next_task: NextTask) -> None:
         super().__init__(GRADINGS, jobs, next_task)
 
 
-class GradingProcess(Worker[Task, Graded]):
+class GradingProcess(Worker[GradingTask, Graded]):
     """One worker, for who hands out gradings by themselves."""
 
     def __init__(self) -> None:
         super().__init__(GRADINGS)
 
-    def grade(self, task: Task) -> Graded:
+    def grade(self, task: GradingTask) -> Graded:
         return self.do(task)

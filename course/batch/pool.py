@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import contextlib
-import os
 import queue
-import select
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Generic, TypeVar
 
-import course
+from course.child import Child
+from course.errors import DamagedData
+from course.model import codec
 
 _END_TIME = 10.0
 _DEATH_TIME = 1.0
@@ -30,14 +28,12 @@ Answer = TypeVar("Answer")
 class Work(Generic[Task, Answer]):
     """What workers do. worker: the module that is run, with the descriptor for its answers as argument.
 
-    write: a task as a line. read: an answer of a line; raises ValueError, KeyError or TypeError when no
-    worker wrote it. fits: whether the answer is one to this task. failed: the answer when the worker fell;
-    the text goes on after «The worker», e.g. «ended with -9».
+    answer: the type of what it answers. fits: whether an answer is one to this task. failed: the answer when
+    the worker fell; the text continues `The worker`, such as `ended with -9`.
     """
 
     worker: str
-    write: Callable[[Task], str]
-    read: Callable[[str], Answer]
+    answer: type[Answer]
     fits: Callable[[Task, Answer], bool]
     failed: Callable[[Task, str], Answer]
 
@@ -100,74 +96,37 @@ class Pool(Generic[Task, Answer]):
 
 
 class Worker(Generic[Task, Answer]):
-    """A process that is started when it is needed, and anew when it died."""
+    """A process that is started when it is needed, and again when it died."""
 
     def __init__(self, work: Work[Task, Answer]) -> None:
         self._work = work
-        self._process: subprocess.Popen[str] | None = None
+        self._child: Child | None = None
 
     def do(self, task: Task) -> Answer:
-        if self._process is None:
-            self._start()
-        assert self._process is not None and self._process.stdin is not None
-        with contextlib.suppress(BrokenPipeError):
-            self._process.stdin.write(self._work.write(task) + "\n")
-            self._process.stdin.flush()
-        if not select.select([self._reader], [], [], TIME_LIMIT)[0]:
-            return self._fell(task, f"did not finish within {TIME_LIMIT:.0f} s")
+        self._child = self._child or Child(self._work.worker)
+        self._child.tell(task)
         try:
-            answer = self._work.read(self._reader.readline())
-        except (ValueError, KeyError, TypeError):
-            return self._fell(task, self._how_it_ended())
+            answer = codec.from_json(self._child.readline(TIME_LIMIT) or b"", self._work.answer, "this line")
+        except TimeoutError:
+            return self._fell(task, f"did not finish within {TIME_LIMIT:.0f} s")
+        except DamagedData:
+            return self._fell(task, _how_it_ended(self._child))
         if not self._work.fits(task, answer):
             return self._fell(task, "answered for something else")
         return answer
 
     def interrupt(self) -> None:
-        if (process := self._process) is not None:
-            process.terminate()
+        if (child := self._child) is not None:
+            child.process.terminate()
 
     def kill(self) -> None:
-        if (process := self._process) is not None:
-            process.kill()
+        if (child := self._child) is not None:
+            child.process.kill()
 
     def close(self) -> None:
-        process, self._process = self._process, None
-        if process is None:
-            return
-        if process.stdin:
-            with contextlib.suppress(OSError):
-                process.stdin.close()
-        try:
-            process.wait(_END_TIME)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
-        self._reader.close()
-
-    def _start(self) -> None:
-        reading, writing = os.pipe()
-        try:
-            self._process = subprocess.Popen(
-                [sys.executable, "-m", self._work.worker, str(writing)],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.DEVNULL,
-                env=_environment(),
-                pass_fds=(writing,),
-                # Ctrl+C at the terminal is for us; we end the workers in order.
-                start_new_session=True,
-                text=True,
-            )
-        finally:
-            os.close(writing)
-        self._reader = os.fdopen(reading, encoding="utf-8")
-
-    def _how_it_ended(self) -> str:
-        assert self._process is not None
-        try:
-            return f"ended with {self._process.wait(_DEATH_TIME)}"
-        except subprocess.TimeoutExpired:
-            return "answered in words that make no sense"
+        child, self._child = self._child, None
+        if child is not None:
+            child.close(_END_TIME)
 
     def _fell(self, task: Task, how: str) -> Answer:
         """The next task gets a new worker."""
@@ -176,7 +135,8 @@ class Worker(Generic[Task, Answer]):
         return self._work.failed(task, how)
 
 
-def _environment() -> dict[str, str]:
-    own = str(Path(course.__file__).parents[1])
-    path = os.pathsep.join(part for part in (own, os.environ.get("PYTHONPATH")) if part)
-    return {**os.environ, "PYTHONPATH": path}
+def _how_it_ended(child: Child) -> str:
+    try:
+        return f"ended with {child.process.wait(_DEATH_TIME)}"
+    except subprocess.TimeoutExpired:
+        return "answered in words that make no sense"

@@ -7,17 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import course as package
-from course.batch.model import Graded, Unit
-from course.batch.one import seed_of
-from course.batch.results import Results, Stored
+from course.batch.gradings import Graded, Unit
+from course.batch.results import Results, StoredGrading
 from course.batch.run import ANSWERS
+from course.batch.worker import seed_of
 from course.content import Course, Exercise
 from course.errors import OurFault, UsageError
-from course.grading import rejudge
-from course.grading.disturbed import is_doubtful
+from course.grading.attempts import doubt_of
+from course.grading.judge.judges import StoredRecording, rejudge
+from course.grading.judge.regraded import Move, lacks, moves, regraded
 from course.grading.load import runs_programs
-from course.grading.rejudge import Move, Problem, Rejudged, Trouble
-from course.grading.result import Result, Verdict
+from course.grading.protocol import Judged, Unjudged, UnjudgedCause
+from course.model.result import Doubt, Result, Verdict
 
 Key = tuple[str, str]
 
@@ -32,6 +33,8 @@ class Moved:
     before: float
     after: float
     moves: tuple[Move, ...]
+    most_before: float = 0
+    most_after: float = 0
 
 
 @dataclass(frozen=True)
@@ -53,25 +56,34 @@ class Regraded:
 
 
 def regrade(
-    out: Path, results: Results, course: Course, on_progress: Callable[[int, int], None], *, jobs: int | None
+    out: Path,
+    results: Results,
+    course: Course,
+    on_progress: Callable[[int, int], None],
+    *,
+    jobs: int | None,
+    dry_run: bool = False,
 ) -> Regraded:
     """Judge everything in the results' folder again. All marks move together, or none.
 
-    on_progress: how many of how many. Raises UsageError when an exercise is not in the course any more.
+    on_progress: how many of how many. dry_run: nothing is stored.
+    Raises UsageError when an exercise is not in the course any more.
     """
-    return _Regrading(out, results, course).run(on_progress, jobs)
+    return _Regrading(out, results, course, dry_run).run(on_progress, jobs)
 
 
 class _Regrading:
-    def __init__(self, out: Path, results: Results, course: Course) -> None:
+    def __init__(self, out: Path, results: Results, course: Course, dry_run: bool) -> None:
+        self._dry_run = dry_run
         self._out = out
         self._results = results
         self._names = {one.person: one.name for one in results.submissions()}
-        self._stored: dict[Key, Stored] = {}
+        self._stored: dict[Key, StoredGrading] = {}
         for person in self._names:
             for stored in results.gradings(person):
                 self._stored[person, stored.unit.exercise] = stored
-        self._exercises = {name: _exercise(course, name) for name in sorted({key[1] for key in self._stored})}
+        sound = {exercise for (_, exercise), stored in self._stored.items() if not stored.damaged}
+        self._exercises = {name: _exercise(course, name) for name in sorted(sound)}
         self._moved: list[Moved] = []
         self._lacking: list[Lacking] = []
 
@@ -86,51 +98,57 @@ class _Regrading:
         self._lacking.sort(key=lambda one: (one.person, one.exercise))
         return Regraded(done, tuple(self._moved), tuple(self._lacking))
 
-    def _judged(self, jobs: int | None) -> Iterator[tuple[Key, Rejudged | Problem | None]]:
+    def _judged(self, jobs: int | None) -> Iterator[tuple[Key, Judged | Unjudged | None]]:
         """None for an exercise of questions alone, whose answers are all the evidence there is."""
         recorded = []
         for key, stored in self._stored.items():
+            if stored.damaged:
+                yield key, Unjudged(UnjudgedCause.MISSING, "What was stored of it is damaged.")
+                continue
             exercise = self._exercises[key[1]]
             if not runs_programs(exercise):
                 yield key, None
             elif stored.evidence:
-                recorded.append(rejudge.Stored(key, exercise, self._out / stored.evidence))
+                recorded.append(StoredRecording(key, exercise, self._out / stored.evidence))
             elif stored.result.verdict is not Verdict.NOT_APPLICABLE:
-                yield key, Problem(Trouble.MISSING, "Nothing was recorded.")
-        yield from rejudge.rejudge(recorded, jobs=jobs)
+                yield key, Unjudged(UnjudgedCause.MISSING, "Nothing was recorded.")
+        yield from rejudge(recorded, jobs=jobs)
 
-    def _take(self, key: Key, judged: Rejudged | Problem | None) -> None:
+    def _take(self, key: Key, judged: Judged | Unjudged | None) -> None:
         person, exercise = key
         stored = self._stored[key]
-        if isinstance(judged, Problem):
+        if isinstance(judged, Unjudged):
             self._lacking.append(Lacking(person, exercise, judged.what))
             return
         answers = self._out / ANSWERS / person
-        judgement = judged.judgement if judged else None
-        if judgement and judgement.fault:
+        judgment = judged.judgment if judged else None
+        if judgment and judgment.fault:
             step = "Mend the grader. No marks were changed."
-            raise OurFault(f"{exercise} cannot be judged: {judgement.fault.summary}", step)
+            raise OurFault(f"{exercise} cannot be judged: {judgment.fault.summary}", step)
         seed = seed_of(person, answers)
-        after = rejudge.regraded(stored.result, self._exercises[exercise], judgement, answers, seed)
-        why = rejudge.lacks(stored.result, after, judged) if judged else None
-        if is_doubtful(after):
+        after = regraded(stored.result, self._exercises[exercise], judgment, answers, seed)
+        why = lacks(stored.result, after, judged) if judged else None
+        if doubt_of(after) is Doubt.BUSY:
             why = "The machine was too busy when it was recorded."
         if why is not None:
             self._lacking.append(Lacking(person, exercise, why))
         else:
             self._record(stored, after)
 
-    def _record(self, stored: Stored, after: Result) -> None:
+    def _record(self, stored: StoredGrading, after: Result) -> None:
         if after == stored.result:
             return
         unit, before = stored.unit, stored.result
         graded = Graded(unit, after, stored.seconds)
-        self._results.record(graded, package.__version__, stored.evidence)
-        moves = rejudge.moves(before, after)
-        if moves:
+        if not self._dry_run:
+            self._results.record(graded, package.__version__, stored.evidence)
+        what = moves(before, after)
+        if what:
             name = self._names[unit.person]
-            moved = Moved(unit.person, name, unit.exercise, before.points, after.points, moves)
-            self._moved.append(moved)
+            most = (before.max_points, after.max_points)
+            self._moved.append(
+                Moved(unit.person, name, unit.exercise, before.points, after.points, what, *most)
+            )
 
 
 def _exercise(course: Course, name: str) -> Exercise:
@@ -142,7 +160,7 @@ def _exercise(course: Course, name: str) -> Exercise:
 
 
 def forget_lacking(results: Results, lacking: tuple[Lacking, ...]) -> None:
-    """So that the next `grade` does these anew."""
+    """So that the next `grade` does these again."""
     with results.all_or_nothing():
         for one in lacking:
             results.forget(Unit(one.person, one.exercise))

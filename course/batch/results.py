@@ -9,22 +9,31 @@ from __future__ import annotations
 import contextlib
 import json
 import sqlite3
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from datetime import datetime, timezone
+from datetime import datetime
 from pathlib import Path
-from types import TracebackType
 
-from course.batch.model import Graded, Unit
-from course.errors import StorageError, UsageError
-from course.grading.result import Result, from_json, to_json
+from msgspec import Struct
 
-FILE = "grades.sqlite3"
+from course.batch.gradings import Graded, Unit
+from course.batch.intake.submission import PackManifest
+from course.batch.intake.tree import RESULTS
+from course.database import BUSY_SECONDS, Database, begin, now, pragma
+from course.errors import DamagedData, StorageError, UsageError
+from course.model import codec, replace
+from course.model.feedback import Feedback
+from course.model.gradebook import Person
+from course.model.result import Result, Verdict, from_json, to_json
+
 SCHEMA_VERSION = 1
+FILE = RESULTS
 APPLICATION = 0x726F7334
-_BUSY_SECONDS = 10.0
 _ELSEWHERE = "Name another folder with --out."
-_SCHEMA = f"""
+# Read from an index alone: a grading that cannot be read still has a name.
+_KEYS = "SELECT rowid, person, exercise FROM gradings"
+SCHEMA = f"""
 BEGIN IMMEDIATE;
 CREATE TABLE batch (key TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE TABLE submissions (
@@ -48,7 +57,7 @@ CREATE TABLE gradings (
     lag REAL NOT NULL,
     version TEXT NOT NULL,        -- of the course that graded it
     evidence TEXT,                -- the recording, relative to this file's folder
-    result TEXT NOT NULL,         -- JSON, as course.grading.result writes it
+    result TEXT NOT NULL,         -- JSON, as course.model.result writes it
     PRIMARY KEY (person, exercise)
 );
 CREATE TABLE checks (
@@ -83,20 +92,21 @@ class Submission:
 
 
 @dataclass(frozen=True)
-class Stored:
-    """A grading as it is kept. evidence: relative to the results' folder, None if there is none."""
+class StoredGrading:
+    """A grading as it is kept. evidence: relative to the results' folder, None if there is none.
+
+    damaged: it cannot be read any more; then the result is an error of ours, which says so.
+    """
 
     unit: Unit
     result: Result
     evidence: str | None
     seconds: float = 0.0
+    damaged: bool = False
 
 
-class Results:
+class Results(Database):
     """The file in one results folder. A context manager."""
-
-    def __init__(self, database: sqlite3.Connection) -> None:
-        self._database = database
 
     @classmethod
     def open(cls, folder: Path, *, create: bool = True) -> Results:
@@ -104,9 +114,10 @@ class Results:
         file = folder / FILE
         if not create and not file.is_file():
             raise UsageError(f"No results of `grade` are in {folder}.", "Name the folder given to --out.")
-        with _storage(file):
+        with storage(file):
             folder.mkdir(parents=True, exist_ok=True)
-            database = sqlite3.connect(file, timeout=_BUSY_SECONDS, isolation_level=None)
+            database = sqlite3.connect(file, timeout=BUSY_SECONDS, isolation_level=None)
+            database.text_factory = text_of
             try:
                 _make_ready(database, file)
             except BaseException:
@@ -121,29 +132,28 @@ class Results:
         results._run("PRAGMA query_only = ON")
         return results
 
-    def __enter__(self) -> Results:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._database.close()
-
     def note(self, key: str, value: str) -> None:
         """Keep something about the batch as a whole."""
         with self._writing():
             self._run("INSERT OR REPLACE INTO batch VALUES (?, ?)", key, value)
 
     def noted(self, key: str) -> str | None:
-        row = self._run("SELECT value FROM batch WHERE key = ?", key).fetchone()
-        return row[0] if row else None
+        """As text that may be damaged."""
+        rows = self._run("SELECT value FROM batch WHERE key = ?", key)
+        return str(rows[0][0]) if rows else None
 
-    def enter(self, submissions: Sequence[Submission]) -> None:
-        """These are the submissions now. What was graded of one that has changed, or is gone, is dropped."""
+    def enter(self, submissions: Sequence[Submission], held: Iterable[str] = ()) -> None:
+        """These are the submissions now. What was graded of one that has changed, or is gone, is dropped.
+
+        held: people whose submission is not to be read yet; what is known of them stays.
+        """
         with self._writing():
-            known = dict(self._run("SELECT person, digest FROM submissions").fetchall())
-            for person in known.keys() - {one.person for one in submissions}:
-                self._run("DELETE FROM submissions WHERE person = ?", person)
+            now = {*(one.person for one in submissions), *held}
+            known = {}
+            for row, person, digest in self._run("SELECT rowid, person, digest FROM submissions"):
+                known[person] = digest
+                if person not in now:
+                    self._run("DELETE FROM submissions WHERE rowid = ?", row)
             for place, one in enumerate(submissions):
                 if known.get(one.person) not in (None, one.digest):
                     self._run("DELETE FROM gradings WHERE person = ?", one.person)
@@ -158,7 +168,7 @@ class Results:
         """Keep a grading, in place of an earlier one. It is on the disk when this returns."""
         unit, result = graded.unit, graded.result
         row = (
-            *(unit.person, unit.exercise, _now(), unit.attempt, result.verdict.value),
+            *(unit.person, unit.exercise, now(), unit.attempt, result.verdict.value),
             *(result.points, result.max_points, result.containment, graded.seconds, result.timing.lag),
             *(version, evidence, to_json(result)),
         )
@@ -174,38 +184,63 @@ class Results:
                 )
 
     def done(self) -> set[tuple[str, str]]:
-        """Person and exercise of all that was graded, our own errors left out."""
-        rows = self._run("SELECT person, exercise FROM gradings WHERE verdict <> 'our error'")
-        return {(person, exercise) for person, exercise in rows}
+        """Person and exercise of all that was graded, our own errors and what is damaged left out."""
+        every = ((one.unit, one.result.verdict) for one in self._every())
+        return {(unit.person, unit.exercise) for unit, verdict in every if verdict is not Verdict.OUR_ERROR}
+
+    def damaged(self) -> list[tuple[str, str]]:
+        """Person and exercise of the gradings that cannot be read any more."""
+        return [(one.unit.person, one.unit.exercise) for one in self._every() if one.damaged]
+
+    def drop_damaged(self) -> list[tuple[str, str]]:
+        """Forget them, so that they are graded again; returns the same."""
+        dropped = self.damaged()
+        with self._writing():
+            for row in self._run(_KEYS):
+                if self._stored(*row).damaged:
+                    self._run("DELETE FROM gradings WHERE rowid = ?", row[0])
+        return dropped
 
     def submissions(self) -> list[Submission]:
         rows = self._run("SELECT person, name, source, digest, remarks FROM submissions ORDER BY place")
         return [
-            Submission(person, name, source, digest, tuple(json.loads(remarks)))
-            for person, name, source, digest, remarks in rows.fetchall()
+            Submission(str(person), str(name), str(source), str(digest), _remarks(remarks))
+            for person, name, source, digest, remarks in rows
         ]
 
-    def gradings(self, person: str) -> list[Stored]:
-        """In the order of their exercises' ids."""
-        rows = self._run(
-            "SELECT person, exercise, attempt, result, evidence, seconds FROM gradings"
-            " WHERE person = ? ORDER BY exercise",
-            person,
-        )
-        return [Stored(Unit(*row[:3]), _result(row[3]), row[4], row[5]) for row in rows.fetchall()]
+    def gradings(self, person: str) -> list[StoredGrading]:
+        """In the order of their exercises' ids. What is damaged is an error of ours; see `StoredGrading`."""
+        rows = self._run(f"{_KEYS} WHERE person = ? ORDER BY exercise", person)
+        return [self._stored(*row) for row in rows]
 
     def evidence(self) -> dict[tuple[str, str], str]:
         """Where recordings are, relative to the results' folder, by person and exercise."""
-        rows = self._run("SELECT person, exercise, evidence FROM gradings WHERE evidence IS NOT NULL")
-        return {(person, exercise): file for person, exercise, file in rows}
+        return {(one.unit.person, one.unit.exercise): one.evidence for one in self._every() if one.evidence}
 
     def verdicts(self) -> dict[str, int]:
         """How many gradings ended with each verdict."""
-        return dict(self._run("SELECT verdict, COUNT(*) FROM gradings GROUP BY verdict").fetchall())
+        return dict(Counter(one.result.verdict.value for one in self._every()))
 
     def containments(self) -> tuple[str, ...]:
-        rows = self._run("SELECT DISTINCT containment FROM gradings WHERE containment <> '' ORDER BY 1")
-        return tuple(row[0] for row in rows.fetchall())
+        return tuple(sorted({one.result.containment for one in self._every()} - {""}))
+
+    def _every(self) -> Iterator[StoredGrading]:
+        for row in self._run(f"{_KEYS} ORDER BY person, exercise"):
+            yield self._stored(*row)
+
+    def _stored(self, row: int, person: str, exercise: str) -> StoredGrading:
+        """Each by itself: what is wrong with one harms no other."""
+        statement = "SELECT attempt, result, evidence, seconds FROM gradings WHERE rowid = ?"
+        try:
+            ((attempt, text, evidence, seconds),) = self._run(statement, row)
+            if isinstance(person, NoText):
+                raise ValueError("it is nobody's")
+            result = read_result(text, exercise)
+            unit = Unit(person, exercise, int(attempt))
+            return StoredGrading(unit, result, _path(evidence), float(seconds))
+        except (DamagedData, ValueError, TypeError):
+            found = damaged_result(str(exercise))
+            return StoredGrading(Unit(str(person), str(exercise)), found, None, damaged=True)
 
     def forget(self, unit: Unit) -> None:
         """As if it had not been graded."""
@@ -214,7 +249,7 @@ class Results:
 
     @contextlib.contextmanager
     def at_one_moment(self) -> Iterator[None]:
-        """Whatever is read meanwhile is of the same moment, whoever writes."""
+        """Everything read inside is from the same moment, even if others write."""
         self._run("BEGIN")
         try:
             yield
@@ -227,45 +262,61 @@ class Results:
         with self._writing():
             yield
 
-    @contextlib.contextmanager
-    def _writing(self) -> Iterator[None]:
-        if self._is_open():
-            yield
-            return
-        with _storage(Path(FILE)):
-            self._database.execute("BEGIN IMMEDIATE")
-            try:
-                yield
-                self._database.execute("COMMIT")
-            except BaseException:
-                if self._is_open():  # a full disk has ended it already
-                    self._database.execute("ROLLBACK")
-                raise
-
-    def _is_open(self) -> bool:
-        """Whether a transaction is."""
-        return self._database.in_transaction
-
-    def _run(self, statement: str, *values: object) -> sqlite3.Cursor:
-        with _storage(Path(FILE)):
-            return self._database.execute(statement, values)
+    def _refusals(self) -> contextlib.AbstractContextManager[None]:
+        return storage(Path(FILE))
 
 
-def _result(text: str) -> Result:
+class NoText(str):
+    """A text of the file that is not UTF-8, as far as it can be read."""
+
+
+def text_of(data: bytes) -> str:
     try:
-        return from_json(text)
-    except (ValueError, KeyError) as error:
-        raise StorageError(f"{FILE} is damaged: {error}.", _ELSEWHERE) from error
+        return data.decode()
+    except UnicodeDecodeError:
+        return NoText(data.decode(errors="replace"))
+
+
+def read_result(text: object, exercise: str) -> Result:
+    """Raises ValueError or DamagedData for what `record` did not write for that exercise."""
+    if isinstance(text, NoText) or not isinstance(text, str):
+        raise ValueError("it is not text")
+    result = from_json(text, "it")
+    if result.exercise != exercise:
+        raise ValueError(f"it is of {result.exercise}")
+    return result
+
+
+def damaged_result(exercise: str) -> Result:
+    fault = Feedback(
+        f"What was stored in {FILE} of this grading is damaged.",
+        advice="Type the command that graded the class again: this one is graded again, the others stay.",
+    )
+    return Result(exercise, Verdict.OUR_ERROR, fault=fault)
+
+
+def _remarks(text: object) -> tuple[str, ...]:
+    with contextlib.suppress(ValueError, RecursionError):
+        found = json.loads(str(text))
+        if isinstance(found, list):
+            return tuple(map(str, found))
+    return (f"What was stored in {FILE} of the remarks is damaged.",)
+
+
+def _path(evidence: object) -> str | None:
+    if evidence is None:
+        return None
+    if not isinstance(evidence, str) or "\0" in evidence:
+        raise ValueError("it is not a path")
+    return evidence
 
 
 def _make_ready(database: sqlite3.Connection, file: Path) -> None:
     database.execute("PRAGMA foreign_keys = ON")
-    version = database.execute("PRAGMA user_version").fetchone()[0]
-    application = database.execute("PRAGMA application_id").fetchone()[0]
+    version, application = pragma(database, "user_version"), pragma(database, "application_id")
     tables = database.execute("SELECT COUNT(*) FROM sqlite_master").fetchone()[0]
     if (version, application, tables) == (0, 0, 0):
-        database.execute("PRAGMA journal_mode = WAL")
-        database.executescript(_SCHEMA)
+        begin(database, SCHEMA)
     elif application != APPLICATION:
         raise UsageError(f"{file} is not a file of ros2course.", _ELSEWHERE)
     elif version > SCHEMA_VERSION:
@@ -273,16 +324,98 @@ def _make_ready(database: sqlite3.Connection, file: Path) -> None:
 
 
 @contextlib.contextmanager
-def _storage(file: Path) -> Iterator[None]:
+def storage(file: Path) -> Iterator[None]:
+    """Say in an instructor's words what the disk or SQLite refused."""
     try:
         yield
     except (OSError, sqlite3.OperationalError) as error:
         raise StorageError(
             f"The results cannot be kept in {file}: {error}.", "Make room, then go on."
         ) from error
-    except sqlite3.DatabaseError as error:
-        raise StorageError(f"{file} is damaged: {error}.", _ELSEWHERE) from error
+    except (sqlite3.DatabaseError, UnicodeDecodeError) as error:  # SQLite's own message may be the damage
+        raise DamagedData(f"{file} is damaged: {error}.", _ELSEWHERE) from error
 
 
-def _now() -> str:
-    return datetime.now(timezone.utc).isoformat(timespec="seconds")
+_KEY = "asked"
+
+
+class BatchSettings(Struct, frozen=True):
+    """wanted: exercises as they were asked for. exercises: ids of what that came to. began: with a zone.
+
+    roster: a list of the whole class. title: of the assignment, as reports show it.
+    complete: the course's own was laid beneath submissions that lack something.
+    names: `strict`, or `lenient`: what has another name was graded as if it were named right.
+    """
+
+    submissions: Path
+    wanted: tuple[str, ...]
+    exercises: tuple[str, ...]
+    single: bool
+    contained: bool
+    began: datetime
+    roster: Path | None = None
+    title: str = ""
+    complete: bool = False
+    names: str = "strict"
+
+
+def keep_settings(results: Results, noted: BatchSettings) -> None:
+    results.note(_KEY, codec.to_json(noted).decode())
+
+
+def settings_of(results: Results) -> BatchSettings:
+    """Raises UsageError when `grade` had not got as far as that."""
+    text = results.noted(_KEY)
+    if text is None:
+        raise UsageError("Nothing has been graded there yet.", "Grade the class first.")
+    try:
+        return codec.from_json(text, BatchSettings, FILE)
+    except DamagedData as error:
+        step = "Type the command that graded the class again: it notes that anew, and keeps what was graded."
+        raise StorageError(f"What was asked for is damaged in {FILE}.", step) from error
+
+
+_PEOPLE = "people"
+
+
+def keep_people(results: Results, people: Sequence[Person], held: Sequence[str] = ()) -> None:
+    """Beside who handed in what: when, in which group, and whose counts. held: as for `Results.enter`."""
+    before = {one.id: one.renamed for one in people_of(results)}
+    kept = [replace(one, renamed=before.get(one.id, ())) if one.id in held else one for one in people]
+    results.note(_PEOPLE, codec.to_json(kept).decode())
+
+
+_PACKED = "packed"
+
+
+def keep_packed(results: Results, packed: Mapping[str, PackManifest], held: Sequence[str] = ()) -> None:
+    """What `pack` wrote into submissions, by person. held: as for `Results.enter`."""
+    texts = {person: text for person, text in _packed(results).items() if person in held}
+    texts |= {person: codec.to_json(each).decode() for person, each in packed.items()}
+    results.note(_PACKED, codec.to_json(texts).decode())
+
+
+def packed_of(results: Results) -> dict[str, PackManifest]:
+    """What `keep_packed` kept, as far as that can be read: of each person by itself."""
+    found = {}
+    for person, text in _packed(results).items():
+        with contextlib.suppress(DamagedData):
+            found[person] = codec.from_json(text, PackManifest, FILE)
+    return found
+
+
+def _packed(results: Results) -> dict[str, str]:
+    with contextlib.suppress(DamagedData):
+        found: dict[str, str] = codec.from_json(results.noted(_PACKED) or "{}", dict[str, str], FILE)
+        return found
+    return {}
+
+
+def people_of(results: Results) -> list[Person]:
+    """Everybody in the order of the class, with what `keep_people` kept, as far as that can be read."""
+    kept: dict[str, Person] = {}
+    with contextlib.suppress(DamagedData):
+        found = codec.from_json(results.noted(_PEOPLE) or "[]", list[Person], FILE)
+        kept = {one.id: one for one in found}
+    every = (Person(one.person, one.name) for one in results.submissions())
+    return [replace(kept.get(one.id, one), name=one.name) for one in every]

@@ -3,30 +3,77 @@
 from __future__ import annotations
 
 import contextlib
-import fcntl
 import os
-from collections import deque
-from collections.abc import Callable, Generator, Iterator
+import shutil
+import threading
+from collections import Counter, deque
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
 import course
-from course.batch.gradings import GradingPool, NextTask
-from course.batch.homes import Homes
-from course.batch.model import Graded, Task, Unit
-from course.batch.plan import Planned, submission_of
+from course.arena.mystery_module import log_file
+from course.batch.batch_plan import BatchPlan, submission_of
+from course.batch.gradings import Graded, GradingPool, GradingTask, NextTask, Unit
+from course.batch.intake import Found, lay_out
+from course.batch.repair import repair
 from course.batch.results import Results
+from course.content import Exercise, answers_file
+from course.content.layout import STATE
 from course.errors import CourseError, UsageError
-from course.feedback import Feedback
-from course.grading.result import Result, Verdict
+from course.files import locked, sweep, wipe
+from course.grading.attempts import deserves_another
+from course.home.course_home import MARKER
 from course.home.opening import Refused
 from course.home.storage import storing
-from course.report.gradebook.files import sweep
-from course.rosenv.files import wipe
+from course.model.feedback import Feedback
+from course.model.result import Result, Verdict
 
-# With nothing beside it, a second look at what was our error; and a third one.
-ATTEMPTS = 3
+
+class Homes:
+    """folder: for the homes. kept: what judging again needs of each submission, beside its recordings."""
+
+    def __init__(self, folder: Path, kept: Path, found: Iterable[Found]) -> None:
+        self._folder = folder
+        self._kept = kept
+        self._found: Mapping[str, Found] = {one.person.id: one for one in found}
+        self._users: Counter[str] = Counter()
+        self._one_at_a_time = threading.Lock()
+
+    def take(self, unit: Unit, exercise: Exercise) -> Path:
+        """The home that the unit is graded in. Raises StorageError and Refused."""
+        home = self._folder / unit.person
+        with self._one_at_a_time:
+            if not self._users[unit.person]:
+                wipe(home)
+                with storing(f"the submission of {unit.person} cannot be laid out"):
+                    home.parent.mkdir(parents=True, exist_ok=True)
+                lay_out(self._found[unit.person], home)
+            with storing(f"the answers of {unit.person} cannot be kept"):
+                self._keep(unit, exercise, home)
+            self._users[unit.person] += 1
+        return home
+
+    def give_back(self, unit: Unit) -> None:
+        """Once for each `take`."""
+        with self._one_at_a_time:
+            self._users[unit.person] -= 1
+            if not self._users[unit.person]:
+                wipe(self._folder / unit.person)
+
+    def _keep(self, unit: Unit, exercise: Exercise, home: Path) -> None:
+        """Answers are judged as they stand, as is what `play` noted; the seed belongs to both."""
+        if not (exercise.questions or exercise.play):
+            return
+        acts = log_file(home / STATE, exercise.id).relative_to(home)
+        for file in (Path(answers_file(exercise.id)), acts, Path(STATE, MARKER)):
+            if (home / file).is_file():
+                target = self._kept / unit.person / file
+                target.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(home / file, target)
+
+
 WORK, EVIDENCE, ANSWERS = "work", "evidence", "answers"
 
 
@@ -38,14 +85,14 @@ class Batch:
     """
 
     out: Path
-    planned: Planned
+    planned: BatchPlan
     jobs: int
     course: Path | None = None
     contained: bool = True
 
 
 @dataclass(frozen=True)
-class Progress:
+class BatchProgress:
     """total: all that is to be graded. before: how many of them an earlier run had graded."""
 
     total: int
@@ -73,9 +120,11 @@ def default_jobs() -> int:
 @contextlib.contextmanager
 def results_folder(out: Path) -> Iterator[Results]:
     """Nobody else may grade into it meanwhile. Raises UsageError and StorageError."""
-    with _alone_in(out), Results.open(out) as results:
-        _sweep(out)
-        yield results
+    with _alone_in(out):
+        repair(out)
+        with Results.open(out) as results:
+            _sweep(out)
+            yield results
 
 
 def _sweep(out: Path) -> None:
@@ -88,22 +137,21 @@ def _sweep(out: Path) -> None:
 @contextlib.contextmanager
 def _alone_in(out: Path) -> Iterator[None]:
     with storing(f"results cannot be kept in {out}"):
-        out.mkdir(parents=True, exist_ok=True)
-        lock = (out / "lock").open("a", encoding="utf-8")
-    with lock:
+        stack = contextlib.ExitStack()
         try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            stack.enter_context(locked(out / "lock", wait=False))
         except BlockingIOError:
             raise UsageError(
                 f"Somebody is grading into {out} at this moment.", "Wait for it, or name another --out."
             ) from None
+    with stack:
         yield
 
 
 def run(
     batch: Batch,
     results: Results,
-    on_progress: Callable[[Progress, Graded | None], None],
+    on_progress: Callable[[BatchProgress, Graded | None], None],
     rounds: Rounds | None = None,
 ) -> None:
     """Grade what has not been graded yet; each result is in `results` before `on_progress` hears of it.
@@ -111,11 +159,12 @@ def run(
     rounds: what does the gradings; None for `batch.jobs` workers on this machine.
     Ctrl+C ends the gradings at once, in order; what was graded stays.
     """
-    results.enter([submission_of(found) for found in batch.planned.found])
+    held = [person.id for person in batch.planned.held]
+    results.enter([submission_of(found) for found in batch.planned.found], held)
     done = results.done()
     units = list(batch.planned.units())
     todo = [unit for unit in units if (unit.person, unit.exercise) not in done]
-    progress = Progress(len(units), len(units) - len(todo))
+    progress = BatchProgress(len(units), len(units) - len(todo))
     on_progress(progress, None)
     work = batch.out / WORK / "homes"
     try:
@@ -158,17 +207,14 @@ class _Schedule:
         with contextlib.closing(graded_now) as found:
             for graded in found:
                 self._homes.give_back(graded.unit)
-                if self._deserves_another(graded):
+                if deserves_another(graded.result, graded.unit.attempt):
                     self._later.append(graded.unit.again())
                 else:
                     yield graded
         yield from self._refused
         self._refused = []
 
-    def _deserves_another(self, graded: Graded) -> bool:
-        return graded.result.verdict is Verdict.OUR_ERROR and graded.unit.attempt < ATTEMPTS
-
-    def _next(self) -> Task | None:
+    def _next(self) -> GradingTask | None:
         while self._waiting:
             unit = self._waiting.popleft()
             try:
@@ -179,7 +225,7 @@ class _Schedule:
             evidence = self._batch.out / _evidence(unit)
             _clear(evidence)
             root = str(self._batch.course) if self._batch.course else None
-            return Task(unit, str(home), str(evidence), root, self._batch.contained)
+            return GradingTask(unit, str(home), str(evidence), root, self._batch.contained)
         return None
 
 

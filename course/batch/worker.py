@@ -1,26 +1,85 @@
-"""A process that grades: `python -m course.batch.worker DESCRIPTOR`; see `answering`."""
+"""A process that grades: `python -m course.batch.worker DESCRIPTOR`; see `course.child`.
+
+Whatever goes wrong is a result like any other.
+"""
 
 from __future__ import annotations
 
 import contextlib
+import os
 import time
 from pathlib import Path
 
-from course.batch.answering import answer_tasks
-from course.batch.model import Graded, Task, graded_to_line, task_from_line
-from course.batch.one import grade
-from course.grading.rejudge import Beside
+from course.arena.mystery_module import seed_of_submission
+from course.batch.gradings import Graded, GradingTask
+from course.child import answer_tasks
+from course.content import open_course
+from course.errors import CourseError
+from course.grading.attempts import concluded
+from course.grading.check import Request, attempt_exercise, solution_passes
+from course.grading.judge.judges import Judge
+from course.grading.load import runs_programs
+from course.grading.outcomes import our_error
+from course.home.course_home import is_home, read_marker
+from course.model.feedback import Feedback
+from course.model.result import Result, Verdict
+from course.rosenv import cache_dir, find_ros
+
+
+def grade(task: GradingTask, home: Path, judge: Judge) -> Result:
+    """The verdict of this attempt; of the last one, what counts."""
+    try:
+        request = _request(task, home)
+        result = attempt_exercise(request, judge)
+        result = concluded(
+            result, task.unit.attempt, request.exercise, lambda: solution_passes(request, judge)
+        )
+    except CourseError as error:
+        return _fault(task, Feedback(summary=error.what, advice=error.next_step))
+    except Exception as error:  # noqa: BLE001 - kept and shown; the others of the batch go on
+        return _fault(task, our_error(error))
+    if task.contained and result.containment not in ("contained", ""):
+        # Nothing of it may count, but it has been run: `grade` looks before it starts the first one.
+        return _fault(task, Feedback(summary=f"It was not contained: {'; '.join(result.notes)}."))
+    return result
+
+
+def _request(task: GradingTask, home: Path) -> Request:
+    course = open_course(Path(task.course) if task.course else None, cache=cache_dir(os.environ) / "lessons")
+    exercise = course.exercise(task.unit.exercise)
+    return Request(
+        exercise,
+        home,
+        ros=find_ros() if runs_programs(exercise) else None,
+        evidence=Path(task.evidence),
+        local=False,
+        seed=seed_of(task.unit.person, home),
+    )
+
+
+def seed_of(person: str, home: Path) -> int:
+    """The learner's own, if their course home came along: their answers belong to it."""
+    if is_home(home):
+        try:
+            return read_marker(home)
+        except CourseError:  # whatever they made of it
+            pass
+    return seed_of_submission(person)
+
+
+def _fault(task: GradingTask, fault: Feedback) -> Result:
+    return Result(task.unit.exercise, Verdict.OUR_ERROR, fault=fault)
 
 
 def main() -> int:
-    with contextlib.closing(Beside()) as beside:
-        answer_tasks(lambda line: graded_to_line(_timed(task_from_line(line), beside)))
+    with contextlib.closing(Judge()) as judge:
+        answer_tasks(GradingTask, lambda task, _: _timed(task, judge))
     return 0
 
 
-def _timed(task: Task, beside: Beside) -> Graded:
+def _timed(task: GradingTask, judge: Judge) -> Graded:
     began = time.monotonic()
-    result = grade(task, Path(task.home), beside.judge)
+    result = grade(task, Path(task.home), judge)
     return Graded(task.unit, result, round(time.monotonic() - began, 3))
 
 

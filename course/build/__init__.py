@@ -1,15 +1,15 @@
 """Building learners' packages with colcon, away from their folders, and saying why a build failed."""
 
+from course.build.build_outcome import BuildFailure, BuildOutcome, InstalledPackage
 from course.build.builder import build
-from course.build.interrupt import Interrupt, Interrupted
-from course.build.outcome import BuildFailure, BuildOutcome, BuiltPackage
+from course.build.runner import Interrupt, Interrupted
 from course.build.store import Store
 from course.build.workspace import Package, Workspace
 
 __all__ = [
     "BuildFailure",
     "BuildOutcome",
-    "BuiltPackage",
+    "InstalledPackage",
     "Interrupt",
     "Interrupted",
     "Package",

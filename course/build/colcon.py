@@ -1,20 +1,29 @@
-"""One run of colcon for one package: its command line and its environment."""
+"""One run of colcon for one package: its command line, its environment, and what this machine lacked for it.
+
+A build that failed for want of something on this machine is never the learner's failure. A log says what the
+build likes, so what it says of the machine must be true of it, too.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
 import os
+import re
 import shutil
+import subprocess
 import sys
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from course.build.store import Entry
+from course.build.store import StoreEntry, disk_full
 from course.build.workspace import Package
-from course.errors import MissingHere
+from course.errors import CourseError, MissingHere
 from course.rosenv import Ros, node_environment
+from course.rosenv.host import SYSTEM, lacks_library, missing_library
 
-# The log shall hold what the tools say, once, and nothing about itself.
+# The log must contain what the tools say, once, and nothing about itself.
 _EVENT_HANDLERS = (
     "console_direct+",
     *(f"{name}-" for name in ("console_start_end", "console_stderr", "summary", "status", "parallel_status")),
@@ -23,9 +32,18 @@ _EVENT_HANDLERS = (
 
 # What each kind of package is built with, beyond Python, and the Debian package that brings it.
 _TOOLS = {"cmake": "cmake", "make": "make", "cc": "gcc", "c++": "g++"}
+_FULL = re.compile(r"No space left on device|Disk quota exceeded")
+_MEMORY = re.compile(r"Killed signal terminated program|Cannot allocate memory|out of memory allocating")
+_PYTHON_HEADERS = re.compile(
+    r"Could NOT find Python3.*missing:.*(Development|Include|INCLUDE)|Python\.h: No such file"
+)
+_NO_COMPILER = re.compile(r"No CMAKE_C(XX)?_COMPILER could be found")
+_NO_LIBRARY = re.compile(r"^\s+(?P<name>Eigen3|Qt5\w*)Config\.cmake$")
+_ROOM = 64 * 1024 * 1024
+_SECONDS = 30.0
 
 
-def colcon_command(package: Package, entry: Entry, ros: Ros, env: Mapping[str, str]) -> list[str]:
+def colcon_command(package: Package, entry: StoreEntry, ros: Ros, env: Mapping[str, str]) -> list[str]:
     """Build the copy in `entry.src` into `entry.install`, isolated. No symlinks: the copy may go away."""
     return [
         *_colcon(ros, env),
@@ -36,7 +54,7 @@ def colcon_command(package: Package, entry: Entry, ros: Ros, env: Mapping[str, s
     ]
 
 
-def build_environment(ros: Ros, entry: Entry, overlays: Sequence[Path]) -> dict[str, str]:
+def build_environment(ros: Ros, entry: StoreEntry, overlays: Sequence[Path]) -> dict[str, str]:
     """Only ROS and `overlays`; messages in English, and nothing of the user's settings for tools.
 
     HOME and TMPDIR lie in the entry's build folder, which goes away with the build.
@@ -89,3 +107,77 @@ def _colcon(ros: Ros, env: Mapping[str, str]) -> list[str]:
 
 def _joined(names: Sequence[str]) -> str:
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def _kills() -> int | None:
+    """How many programs the kernel has killed for want of memory so far; None if it does not say."""
+    with contextlib.suppress(OSError, ValueError):
+        for line in Path("/proc/vmstat").read_text(encoding="ascii").splitlines():
+            if line.startswith("oom_kill "):
+                return int(line.split()[1])
+    return None
+
+
+@dataclass(frozen=True)
+class Killed:
+    """Made before a build: tells afterwards whether the kernel has killed anything for want of memory."""
+
+    before: int | None = field(default_factory=_kills)
+
+    def any(self) -> bool:
+        return self.before is None or _kills() != self.before
+
+
+@dataclass(frozen=True)
+class Machine:
+    """Where builds are kept, and the Python that they use. was_full: whether the disk was, meanwhile."""
+
+    store: Path
+    python: Path
+    killed: Killed
+    system: tuple[Path, ...] = SYSTEM
+    was_full: bool = False
+
+    def is_full(self) -> bool:
+        return self.was_full or shutil.disk_usage(self.store).free < _ROOM
+
+    def lacks_headers(self) -> bool:
+        where = "import sysconfig; print(sysconfig.get_path('include'))"
+        found = _output([str(self.python), "-I", "-c", where])
+        return not Path(found.strip(), "Python.h").exists()
+
+    def lacks_compiler(self) -> bool:
+        return not all(_output([name, "--version"]) for name in ("cc", "c++"))
+
+
+def raise_if_machine(lines: Sequence[str], machine: Machine) -> None:
+    """Raise StorageError or MissingHere when the log says that this machine is at fault, and it is."""
+    for line in lines:
+        fault = _fault(line, machine)
+        if fault is not None:
+            raise fault
+
+
+def _fault(line: str, machine: Machine) -> CourseError | None:
+    if _FULL.search(line) and machine.is_full():
+        return disk_full(machine.store)
+    if _MEMORY.search(line) and machine.killed.any():
+        return MissingHere(
+            "This machine ran out of memory while building.", "Close some programs, then try again."
+        )
+    if _PYTHON_HEADERS.search(line) and machine.lacks_headers():
+        what = (
+            f"Building interfaces needs the header files of {machine.python.name}, which this machine lacks."
+        )
+        return MissingHere(what, "sudo apt install python3-dev")
+    if _NO_COMPILER.search(line) and machine.lacks_compiler():
+        return MissingHere("This machine has no C++ compiler that works.", "sudo apt install g++")
+    if (found := _NO_LIBRARY.search(line)) and lacks_library(found["name"], machine.system):
+        return missing_library(found["name"])
+    return None
+
+
+def _output(command: Sequence[str]) -> str:
+    with contextlib.suppress(OSError, subprocess.TimeoutExpired):
+        return subprocess.run(command, capture_output=True, text=True, timeout=_SECONDS, check=False).stdout
+    return ""

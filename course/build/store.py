@@ -2,13 +2,15 @@
 
     ROOT/<key>/src      the copy that was built
     ROOT/<key>/kept     the same while it is built, out of reach of what the build does to its own
-    ROOT/<key>/install  colcon's install base; the package's prefix lies in it, isolated
+    ROOT/<key>/install  colcon's install base; it contains the package's prefix, isolated
     ROOT/<key>/log      what the build printed
     ROOT/<key>/build    while it is built
     ROOT/<key>/complete written last, by rename: without it the entry is half-made and counts for nothing.
-                        It has a digest of what was installed: an entry that is not that is made anew
-    ROOT/<key>.lock     held by whoever makes or removes the entry
-    ROOT/<key>.like     the key of an entry whose package differs in its modules alone, see `renewal`
+                        It has a digest of what was installed: an entry that differs is made again
+    ROOT/<key>.lock     held while the entry is made or removed
+    ROOT/<key>.used     held, shared, by everyone who uses the entry: it is not removed meanwhile
+    ROOT/<key>.like     the key of an entry whose package differs in its modules alone, see `reuse`
+    ROOT/pruned         when the store was last pruned: the age of the file
 
 An entry that is complete is never written to again. Its paths are baked into what was built, so it
 cannot move. When it was last used is the age of `complete`.
@@ -17,25 +19,28 @@ cannot move. When it was last used is the age of `complete`.
 from __future__ import annotations
 
 import errno
-import fcntl
+import hashlib
 import json
 import os
 import re
+import shutil
+import stat
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.build.intact import digest_of
-from course.build.interrupt import Interrupt
+from course.build.runner import Interrupt
 from course.errors import CourseError, MissingHere, StorageError
+from course.files import open_lock, try_lock, wipe, write_atomic
 from course.rosenv import cache_dir
-from course.rosenv.files import wipe
 
 KEEP_BYTES = 2 * 1024**3
-# A check that has just found its entries is still using them.
-_IN_USE_SECONDS = 3600.0
+# The log of a failed build is kept this long, for those who want to read it.
+_KEEP_FAILURES = 3600.0
+# Builds of a class come many at once; what they add meanwhile is bounded by their claims.
+_PRUNE_EVERY = 10.0
 # flock cannot be waited for together with an Interrupt, so it is asked for again.
 _ASK_AGAIN_SECONDS = 0.05
 
@@ -43,7 +48,7 @@ _KEY = re.compile(r"[0-9a-f]{32}")
 
 
 @dataclass(frozen=True)
-class Entry:
+class StoreEntry:
     """The place of one build, whether it exists or not."""
 
     path: Path
@@ -96,18 +101,21 @@ class Entry:
         for folder in (self.build, self.install, self.log.parent):
             folder.mkdir(parents=True)
 
+    @property
+    def size(self) -> int:
+        """Bytes that it takes on the disk, as noted when it was complete; 0 before that."""
+        return _noted_size(self.marker)
+
     def finish(self, package: str) -> None:
         """Mark as complete, when everything is in place."""
         wipe(self.src, self.build)
         if self.kept.exists():
             self.kept.rename(self.src)
-        beside = self.marker.with_suffix(".new")
         noted = {"package": package, "bytes": _size(self.path), "installed": digest_of(self.install)}
-        beside.write_text(json.dumps(noted), encoding="utf-8")
-        beside.replace(self.marker)
+        write_atomic(self.marker, json.dumps(noted))
 
     def discard(self) -> None:
-        """Leave nothing of a build that did not come to an end."""
+        """Leave nothing of a build that did not finish."""
         wipe(self.path)
 
     def give_up(self) -> None:
@@ -115,7 +123,7 @@ class Entry:
         wipe(self.src, self.kept, self.build, self.install)
 
     def begin_again(self) -> None:
-        """Room for another run of a build that did not come to an end: no trace of the first one."""
+        """Room for another run of a build that did not finish: no trace of the first one."""
         wipe(self.src, self.build, self.install)
         for folder in (self.build, self.install):
             folder.mkdir()
@@ -124,11 +132,13 @@ class Entry:
 class Store:
     """All kept builds of this user. Several processes and threads may use one store at once."""
 
-    def __init__(self, root: Path | None = None) -> None:
+    def __init__(self, root: Path | None = None, keep_bytes: float = KEEP_BYTES) -> None:
+        """keep_bytes: `prune` removes what is beyond that, and not in use."""
         self.root = root or cache_dir(os.environ) / "builds"
+        self._keep_bytes = keep_bytes
 
-    def entry(self, key: str) -> Entry:
-        return Entry(self.root / key)
+    def entry(self, key: str) -> StoreEntry:
+        return StoreEntry(self.root / key)
 
     def alike(self, like: str) -> str | None:
         """The key of the entry that was noted last for that likeness; it may be gone."""
@@ -139,28 +149,45 @@ class Store:
 
     def note_alike(self, like: str, key: str) -> None:
         """To be found by `alike`. Nothing is wrong when that fails: then it is not found."""
-        file = self._like_file(like)
-        beside = file.with_name(f"{key}.like.new")
         with suppress(OSError):
-            beside.write_text(key, encoding="ascii")
-            beside.replace(file)
+            write_atomic(self._like_file(like), key)
 
     @contextmanager
-    def locked(self, key: str, interrupt: Interrupt, on_wait: Callable[[], None]) -> Iterator[Entry]:
+    def locked(self, key: str, interrupt: Interrupt, on_wait: Callable[[], None]) -> Iterator[StoreEntry]:
         """Hold the entry against everyone else; `on_wait` is called once if that takes a while."""
-        lock = self._acquire(key, interrupt, on_wait)
+        lock = self._acquire(self._lock_file(key), interrupt, on_wait)
         try:
             yield self.entry(key)
         finally:
             os.close(lock)
 
-    def _acquire(self, key: str, interrupt: Interrupt, on_wait: Callable[[], None]) -> int:
+    @contextmanager
+    def in_use(self, key: str, interrupt: Interrupt) -> Iterator[None]:
+        """Nobody removes the entry meanwhile, whether it is there already or not."""
+        try:
+            lock = self._acquire(self._use_file(key), interrupt, shared=True)
+        except StorageError:  # what cannot be written to cannot be pruned; a build says what is wrong
+            yield
+            return
+        try:
+            yield
+        finally:
+            os.close(lock)
+
+    def _acquire(
+        self,
+        file: Path,
+        interrupt: Interrupt,
+        on_wait: Callable[[], None] = lambda: None,
+        *,
+        shared: bool = False,
+    ) -> int:
         told = False
         while True:
             with storage(self.root):
                 self.root.mkdir(parents=True, exist_ok=True)
-                lock = self._lock(key)  # opened anew each time: pruning an entry removes its lock file
-            if _try(lock) and self._is_current(key, lock):
+                lock = open_lock(file)  # opened again each time: pruning an entry removes its lock files
+            if try_lock(lock, shared=shared) and _is_current(file, lock):
                 return lock
             os.close(lock)
             if not told:
@@ -168,16 +195,43 @@ class Store:
                 told = True
             interrupt.wait(_ASK_AGAIN_SECONDS)
 
-    def prune(self, keep_bytes: int = KEEP_BYTES, in_use_seconds: float = _IN_USE_SECONDS) -> None:
-        """Remove what failed or was left half-made, and the longest unused until the rest fits."""
+    def free(self) -> int:
+        """Bytes that can still be written here."""
+        return shutil.disk_usage(self.root).free
+
+    def prune_now_and_then(self) -> None:
+        """`prune`, unless that was done a moment ago: it looks at every entry, and there may be thousands."""
+        done = self.root / "pruned"
+        with suppress(FileNotFoundError):
+            if abs(time.time() - done.stat().st_mtime) < _PRUNE_EVERY:
+                return
+        done.touch()
+        self.prune()
+
+    def prune(self) -> None:
+        """Remove old failures, and the longest unused entries until the rest fits."""
         now = time.time()
         kept = 0
+        removed = False
         for used, size, key in sorted(self._entries(), reverse=True):
-            kept += size
-            spare = not size or kept > keep_bytes
-            if spare and now - used > in_use_seconds:
+            # A clock that was set back leaves times in the future.
+            spare = kept + size > self._keep_bytes or (not size and abs(now - used) > _KEEP_FAILURES)
+            if spare and self._remove(key):
+                removed = True
+            else:
+                kept += size
+        if removed:
+            self._forget_likes()
+
+    def make_room(self, wanted: int) -> None:
+        """Remove entries until so many bytes are free: failures, then the longest unused, of any age."""
+        if self.free() >= wanted:  # nearly always; to read what the entries are takes a while
+            return
+        for _, _, key in sorted(self._entries(), key=lambda entry: (entry[1] > 0, entry[0])):
+            if self.free() >= wanted:
+                break
+            with suppress(OSError):  # not even a lock file fits any more
                 self._remove(key)
-                kept -= size
         self._forget_likes()
 
     def _forget_likes(self) -> None:
@@ -188,23 +242,27 @@ class Store:
 
     def _entries(self) -> Iterator[tuple[float, int, str]]:
         """Last use, size and key of each entry; the size of an incomplete one is 0."""
-        for path in self.root.iterdir():
-            if path.is_dir() and _KEY.fullmatch(path.name):
-                with suppress(OSError):  # another process may be pruning too
-                    marker = Entry(path).marker
-                    found = marker if marker.exists() else path
-                    yield found.stat().st_mtime, _noted_size(marker), path.name
+        with os.scandir(self.root) as entries:
+            folders = [entry for entry in entries if _KEY.fullmatch(entry.name) and entry.is_dir()]
+        for folder in folders:
+            with suppress(OSError):  # another process may be pruning too
+                yield *_noted(folder.path), folder.name
 
-    def _remove(self, key: str) -> None:
-        lock = self._lock(key)
-        try:
-            if _try(lock):
-                # The marker goes first: whoever looks meanwhile sees a half-made entry.
-                self.entry(key).marker.unlink(missing_ok=True)
-                wipe(self.entry(key).path)
-                self._lock_file(key).unlink(missing_ok=True)
-        finally:
-            os.close(lock)
+    def _remove(self, key: str) -> bool:
+        """False when somebody makes it or uses it."""
+        files = (self._lock_file(key), self._use_file(key))
+        with ExitStack() as stack:
+            for file in files:
+                lock = open_lock(file)
+                stack.callback(os.close, lock)
+                if not try_lock(lock):
+                    return False
+            # The marker goes first: others who look meanwhile see a half-made entry.
+            self.entry(key).marker.unlink(missing_ok=True)
+            wipe(self.entry(key).path)
+            for file in files:
+                file.unlink(missing_ok=True)
+        return True
 
     def _like_file(self, like: str) -> Path:
         return self.root / f"{like}.like"
@@ -212,14 +270,12 @@ class Store:
     def _lock_file(self, key: str) -> Path:
         return self.root / f"{key}.lock"
 
-    def _lock(self, key: str) -> int:
-        return os.open(self._lock_file(key), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+    def _use_file(self, key: str) -> Path:
+        return self.root / f"{key}.used"
 
-    def _is_current(self, key: str, lock: int) -> bool:
-        """Whether this is still the lock file that others will open."""
-        with suppress(FileNotFoundError):
-            return os.path.samestat(os.fstat(lock), self._lock_file(key).stat())
-        return False
+
+class DiskFull(StorageError):
+    """There was no space left to build."""
 
 
 @contextmanager
@@ -242,17 +298,16 @@ def storage_error(place: Path, error: OSError) -> CourseError:
     )
 
 
-def disk_full(place: Path) -> StorageError:
+def disk_full(place: Path) -> DiskFull:
     what = f"The disk is full: there is no space left to build in {place}."
-    return StorageError(what, "Make some space, then check again. Nothing of yours was lost.")
+    return DiskFull(what, "Make some space, then check again. Nothing of yours was lost.")
 
 
-def _try(lock: int) -> bool:
-    try:
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return False
-    return True
+def _is_current(file: Path, lock: int) -> bool:
+    """Whether this is still the lock file that others will open."""
+    with suppress(FileNotFoundError):
+        return os.path.samestat(os.fstat(lock), file.stat())
+    return False
 
 
 def _size(folder: Path) -> int:
@@ -264,3 +319,45 @@ def _noted_size(marker: Path) -> int:
         return int(json.loads(marker.read_text(encoding="utf-8"))["bytes"])
     except (OSError, ValueError, KeyError, TypeError):
         return 0
+
+
+def _noted(folder: str) -> tuple[float, int]:
+    """When the entry in `folder` was last used, and its size. Asked of every entry after each build."""
+    marker = f"{folder}/complete"
+    try:
+        return os.stat(marker).st_mtime, _noted_size(Path(marker))  # noqa: PTH116 - see above
+    except FileNotFoundError:
+        return os.stat(folder).st_mtime, 0  # noqa: PTH116
+
+
+def digest_of(top: Path) -> str:
+    """32 hexadecimal digits of the names, modes and contents of everything below `top`; links by target.
+
+    Raises OSError when something cannot be read.
+    """
+    hashed, start = hashlib.blake2b(digest_size=16), len(str(top)) + 1
+    for entry in sorted(_below(str(top)), key=lambda entry: entry.path):
+        status = entry.stat(follow_symlinks=False)
+        mode = stat.S_IFMT(status.st_mode) | (status.st_mode & 0o111)
+        name, content = os.fsencode(entry.path[start:]), _content(entry.path, status.st_mode)
+        hashed.update(b"%d\0%d\0%s\0%d\0" % (len(name), mode, name, len(content)) + content)
+    return hashed.hexdigest()
+
+
+def _below(top: str) -> Iterator[os.DirEntry[str]]:
+    waiting = [top]
+    while waiting:
+        with os.scandir(waiting.pop()) as entries:
+            for entry in entries:
+                yield entry
+                if entry.is_dir(follow_symlinks=False):
+                    waiting.append(entry.path)
+
+
+def _content(path: str, mode: int) -> bytes:
+    if stat.S_ISLNK(mode):
+        return os.fsencode(Path(path).readlink())
+    if not stat.S_ISREG(mode):
+        return b""
+    with open(path, "rb", buffering=0) as file:  # noqa: PTH123 - hundreds of them, before each check
+        return file.read()

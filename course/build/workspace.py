@@ -6,16 +6,21 @@ import os
 import stat
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
 from pathlib import Path
 
-from course.build.manifest import Dependency, Manifest, ManifestFault, guessed_name, read_manifest
-from course.build.sources import MOST_DEPTH, within
+from course.build.package_sources import MOST_DEPTH, within
+from course.explain.package_xml import Dependency, Manifest, ManifestFault, guessed_name, read_manifest
 
 _IGNORE_MARKERS = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
 _COLCON_FOLDERS = frozenset({"build", "install", "log"})
 # A package.xml of a course has about a thousand bytes, and a workspace some dozen folders.
 _MOST_BYTES = 256 * 1024
 _MOST_FOLDERS = 20_000
+# No more are read; one more than that is found, to tell.
+MOST_PACKAGES = 200
+_MANIFEST_IS_SHORT = "It holds a few lines; compare it with that of another package."
 
 
 @dataclass(frozen=True)
@@ -49,9 +54,9 @@ class Package:
 
 @dataclass(frozen=True)
 class Workspace:
-    """The packages below `root`/src. `home` is the course home, which places are shown relative to.
+    """The packages below `root`: mostly in its src, but colcon looks everywhere.
 
-    inside: see `read_package`.
+    home: the course home, which places are shown relative to. inside: see `read_package`.
     """
 
     root: Path
@@ -69,7 +74,7 @@ class Workspace:
         """
         home = home or root.parent
         inside = None if trusted else home.resolve()
-        folders = package_folders(root / "src", inside)
+        folders = islice(package_folders(root, inside), MOST_PACKAGES + 1)
         return cls(root, home, tuple(read_package(folder, home, inside) for folder in folders), inside)
 
     def scan_again(self) -> Workspace:
@@ -83,7 +88,14 @@ class Workspace:
 
     def named(self, name: str) -> tuple[Package, ...]:
         """All packages of that name: one, none, or the same name twice."""
-        return tuple(package for package in self.packages if package.name == name)
+        return self._by_name.get(name, ())
+
+    @cached_property
+    def _by_name(self) -> dict[str, tuple[Package, ...]]:
+        found: dict[str, tuple[Package, ...]] = {}
+        for package in self.packages:
+            found[package.name] = (*found.get(package.name, ()), package)
+        return found
 
     def find(self, name: str) -> Package | None:
         """The package of that name, if it is there once."""
@@ -115,9 +127,6 @@ def _manifest_bytes(file: Path, inside: Path | None) -> bytes | ManifestFault:
         if status.st_size > _MOST_BYTES:
             return ManifestFault(f"it has more than {_MOST_BYTES // 1024} KiB", None, _MANIFEST_IS_SHORT)
         return opened.read()
-
-
-_MANIFEST_IS_SHORT = "It holds a few lines; compare it with that of another package."
 
 
 def package_folders(top: Path, inside: Path | None) -> Iterator[Path]:
@@ -154,5 +163,5 @@ def _enters(folder: Path, inside: Path | None, seen: set[Path]) -> bool:
 
 
 def shown(path: Path, home: Path) -> str:
-    """A path as the learner knows it: relative to the course home if it lies there."""
+    """A path as the learner knows it: relative to the course home if it is in there."""
     return path.relative_to(home).as_posix() if path.is_relative_to(home) else str(path)

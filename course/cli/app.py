@@ -2,43 +2,22 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+from importlib import import_module
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperCommand, TyperGroup
 
 from course import __version__
-from course.cli import (
-    bundle,
-    check,
-    doctor,
-    evidence,
-    grade,
-    hint,
-    init,
-    listing,
-    new,
-    next_,
-    play,
-    regrade,
-    report,
-    reset,
-    schema,
-    serve,
-    shell,
-    show,
-    similar,
-    solution,
-    underlay,
-    validate,
-    watch,
-)
+from course.cli.extras import extra
 from course.cli.options import Options, course_named
-from course.cli.words import PROGRAM, examples
+from course.cli.usage import PROGRAM, examples
 
 EPILOG = (
     examples(
-        ("next", "begin, or go on where you left off"),
+        ("next", "begin, or continue where you left off"),
         ("check", "check the exercise you are at"),
         ("watch", "check it at every save"),
         ("hint", "a hint for it"),
@@ -50,9 +29,84 @@ EPILOG = (
     + "\n3 a fault of the course, 4 something is missing here, 130 stopped with Ctrl+C."
 )
 
+
+class LazyCommand(TyperCommand):
+    """A command whose module is imported only when the command is typed, not when it is listed.
+
+    module: in `course.cli`; or, without one of its own, the name of an optional tool. function: its name
+    there, or that of a Typer with commands of its own.
+    """
+
+    def __init__(self, name: str, help: str, module: str, function: str, epilog: str = "EXAMPLES") -> None:
+        super().__init__(name, help=help)
+        self._place = module, function, epilog
+
+    @cached_property
+    def loaded(self) -> Any:
+        """The command itself, or the group of its subcommands."""
+        name, function, epilog = self._place
+        module = extra(name) if name in OPTIONAL else import_module(f"course.cli.{name}")
+        found = getattr(module, function)
+        if not isinstance(found, typer.Typer):
+            single = typer.Typer(rich_markup_mode=None, add_completion=False)
+            single.command(self.name)(found)
+            found = single
+        command = typer.main.get_command(found)
+        command.epilog = getattr(module, epilog)
+        return command
+
+    def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **more: Any) -> Any:
+        return self.loaded.make_context(info_name, args, parent=parent, **more)
+
+
+# Optional tools with a command of their own.
+OPTIONAL = ("similar",)
+# In the order of the list. It describes each with the first sentence of the command's own help.
+COMMANDS = (
+    LazyCommand("next", "Show the next exercise and put its files in place.", "next_", "next_"),
+    LazyCommand("check", "Build and run what you wrote, and judge what it does.", "check", "check"),
+    LazyCommand("watch", "Check at every save, and show the results.", "watch", "watch"),
+    LazyCommand("hint", "Show the next hint for an exercise.", "hint", "hint"),
+    LazyCommand("review", "Answer a few questions of earlier quizzes again.", "review", "review"),
+    LazyCommand("play", "Start the nodes of a mystery, for you to explore.", "play", "play"),
+    LazyCommand("list", "List the exercises with what you have reached in each.", "listing", "list_"),
+    LazyCommand("show", "Show the text of an exercise. Changes nothing.", "show", "show"),
+    LazyCommand("reset", "Put an exercise's files back as they were at its start.", "reset", "reset"),
+    LazyCommand("solution", "Show a solution as the difference to your files.", "solution", "solution"),
+    LazyCommand("init", "Make a course home, the folder in which you work.", "init", "init"),
+    LazyCommand("shell", "Open bash in your course home, with ROS 2 ready.", "shell", "shell"),
+    LazyCommand(
+        "env", "Print what makes your own shell ready for the course.", "shell", "env", "ENV_EXAMPLES"
+    ),
+    LazyCommand("pack", "Make a zip to hand in.", "pack", "pack"),
+    LazyCommand("grade", "Grade a class of submissions.", "grade", "grade"),
+    LazyCommand("regrade", "Judge a graded class again.", "regrade", "regrade"),
+    LazyCommand("results", "Mark a class by hand, or fill in your LMS.", "results", "results"),
+    LazyCommand("report", "Make a page of a graded class.", "report", "report"),
+    LazyCommand("serve", "Show a class while it is being graded.", "serve", "serve"),
+    LazyCommand("bundle", "Make an autograder for Gradescope.", "bundle", "make_bundle"),
+    LazyCommand("similar", "Show submissions with similar code.", "similar", "similar"),
+    LazyCommand("new", "Make a course, a chapter or an exercise to start from.", "new", "new"),
+    LazyCommand("api", "Show what a grader can call, and what it gets back.", "api", "api"),
+    LazyCommand("schema", "Show the JSON Schema of lesson.yaml and the like.", "schema", "schema"),
+    LazyCommand("validate", "Prove that a course does what it claims.", "validate", "validate"),
+    LazyCommand("doctor", "Look at this machine: ROS 2, compilers, disk, clock.", "doctor", "doctor"),
+    LazyCommand(
+        "build-underlay", "Build the ROS packages that come with the course.", "underlay", "build_underlay"
+    ),
+    LazyCommand("evidence", "Look at what `check` recorded, or take it along.", "evidence", "evidence"),
+)
+
+
+class Commands(TyperGroup):
+    def __init__(self, **attrs: Any) -> None:
+        super().__init__(**{**attrs, "commands": COMMANDS})
+
+
 app = typer.Typer(
     name=PROGRAM,
-    # Plain help: quick to show, and the same with and without colour.
+    cls=Commands,
+    # Plain help: quick to show, and the same with and without color.
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -87,41 +141,11 @@ def program(
 ) -> None:
     """An interactive ROS 2 course: read, write a node, have it checked.
 
-    Your work lies in a course home: the folder given with --home, else in the
+    Your work is in a course home: the folder given with --home, else in the
     environment variable ROS2COURSE_HOME, else the one you are in, else
-    ~/ros2course. `next` makes it when there is none. One that was made with
-    --course remembers it.
+    ~/ros2course. `next` makes it if there is none. A course home that was made
+    with --course remembers its course.
     """
     ctx.obj = Options(home=home, course=course_named(course))
     if ctx.invoked_subcommand is None:
         typer.echo(ctx.get_help())
-
-
-for command, name, epilog in (
-    (next_.next_, "next", next_.EXAMPLES),
-    (check.check, "check", check.EXAMPLES),
-    (watch.watch, "watch", watch.EXAMPLES),
-    (hint.hint, "hint", hint.EXAMPLES),
-    (play.play, "play", play.EXAMPLES),
-    (listing.list_, "list", listing.EXAMPLES),
-    (show.show, "show", show.EXAMPLES),
-    (reset.reset, "reset", reset.EXAMPLES),
-    (solution.solution, "solution", solution.EXAMPLES),
-    (init.init, "init", init.EXAMPLES),
-    (shell.shell, "shell", shell.EXAMPLES),
-    (shell.env, "env", shell.ENV_EXAMPLES),
-    (grade.grade, "grade", grade.EXAMPLES),
-    (regrade.regrade, "regrade", regrade.EXAMPLES),
-    (report.report, "report", report.EXAMPLES),
-    (serve.serve, "serve", serve.EXAMPLES),
-    (bundle.make_bundle, "bundle", bundle.EXAMPLES),
-    (similar.similar, "similar", similar.EXAMPLES),
-    (new.new, "new", new.EXAMPLES),
-    (schema.schema, "schema", schema.EXAMPLES),
-    (validate.validate, "validate", validate.EXAMPLES),
-    (doctor.doctor, "doctor", doctor.EXAMPLES),
-    (underlay.build_underlay, "build-underlay", underlay.EXAMPLES),
-):
-    app.command(name, epilog=epilog)(command)
-
-app.add_typer(evidence.evidence, name="evidence", epilog=evidence.EXAMPLES)

@@ -13,9 +13,15 @@ from typing import Annotated
 import typer
 
 import course
+from course.batch.batch_plan import exercises_named
 from course.cli.options import options_of
-from course.cli.words import examples
+from course.cli.session import course_of
+from course.cli.usage import examples
 from course.errors import MissingHere, UsageError
+from course.files import write_pieces
+from course.report.activity import activity
+from course.report.console import error_console
+from course.report.gradebook.gradescope import bundle, zipped
 
 EXAMPLES = examples(
     ("bundle --exercises 18,19", "autograder.zip, for two chapters"),
@@ -28,12 +34,15 @@ _CHECKOUT = Path(course.__file__).parents[1]
 def make_bundle(
     ctx: typer.Context,
     exercises: Annotated[
-        str, typer.Option("--exercises", metavar="ID,...", help="What to grade; else all that is handed in.")
+        str,
+        typer.Option(
+            "--exercises", metavar="ID,...", help="What to grade; by default, everything that is handed in."
+        ),
     ] = "",
     out: Annotated[Path, typer.Option("--out", metavar="FILE", help="The zip.")] = Path("autograder.zip"),
     wheel: Annotated[
         Path | None,
-        typer.Option("--wheel", metavar="FILE", help="A wheel of ros2course; else one is made."),
+        typer.Option("--wheel", metavar="FILE", help="A wheel of ros2course; by default, one is built."),
     ] = None,
     no_sandbox: Annotated[
         bool, typer.Option("--no-sandbox", help="Grade there even if submissions cannot be contained.")
@@ -44,27 +53,20 @@ def make_bundle(
     Upload the zip as the assignment's autograder. It sets itself up on Ubuntu
     22.04 or newer and grades each submission as `grade` does.
     """
-    from course.batch.plan import exercises_named
-    from course.cli.desk import course_of
-    from course.report.activity import activity
-    from course.report.console import error_console
-    from course.report.gradebook.autograder import bundle, zipped
-    from course.report.gradebook.files import write
-
     options = options_of(ctx)
     wanted = [name.strip() for name in exercises.split(",") if name.strip()]
-    exercises_named(course_of(options), wanted)  # a name that does not exist is told of here, not there
+    exercises_named(course_of(options), wanted)  # report unknown names here, not in Gradescope
     with activity(error_console(), "making the wheel", quiet=wheel is not None), _made(wheel) as made:
         packed = bundle(
             made.name, made.read_bytes(), wanted, _files_of(options.course), contained=not no_sandbox
         )
-    write(out.absolute(), [zipped(packed)])
+    write_pieces(out.absolute(), [zipped(packed)])
     print(f"{out} is ready: {out.stat().st_size / 1e6:.1f} MB.")
 
 
 @contextlib.contextmanager
 def _made(given: Path | None) -> Iterator[Path]:
-    """The wheel that is given, or a new one for as long as it is needed."""
+    """The given wheel, or a new one that exists only as long as it is needed."""
     if given is not None and not given.is_file():
         raise UsageError(f"There is no {given}.", "Name a wheel, or leave --wheel out.")
     with tempfile.TemporaryDirectory(prefix="ros2course-wheel-") as folder:
@@ -86,7 +88,7 @@ def _make(folder: Path) -> Path:
 
 
 def _files_of(root: Path | None) -> Mapping[str, bytes]:
-    """Another course's files; none for the one that comes along."""
+    """The files of another course; none for the one that comes with `ros2course`."""
     if root is None:
         return {}
     files = (file for file in sorted(root.rglob("*")) if file.is_file() and "__pycache__" not in file.parts)

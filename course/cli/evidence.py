@@ -2,19 +2,59 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from course.cli.arguments import CurrentExercise, Pager, complete_exercise
-from course.cli.words import examples, typed
+from course.cli.session import CourseSession, CurrentExercise, Pager, complete_exercise, open_session
+from course.cli.usage import examples, typed
 from course.errors import StorageError, UsageError
+from course.evidence.mcap_file import BadRecording, OtherFormat, load
+from course.evidence.recording import Recording
+from course.grading.load import runs_programs
+from course.home import CourseHome
+from course.home.storage import copy_new, copy_over, storing
+from course.report.activity import activity
+from course.report.console import error_console, open_console, paged
+from course.report.pictures.recording_text import belongs, is_secret, render_exported, render_recording
 
 if TYPE_CHECKING:
-    from course.cli.desk import Desk
-    from course.cli.recorded import Recorded
-    from course.grading.result import Result
+    from course.model.result import Result
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """A recording, and the file that it was read from. size: of the file, in bytes."""
+
+    recording: Recording
+    file: Path
+    size: int
+
+
+def recording_file(home: CourseHome, exercise: str) -> Path:
+    """The path of this exercise's last recording, whether or not it exists."""
+    return home.state / "evidence" / f"{exercise}.mcap"
+
+
+def recorded(home: CourseHome, exercise: str) -> Recorded | None:
+    """The last recording of this exercise; None when there is none. Raises as `read_recording` does."""
+    file = recording_file(home, exercise)
+    return read_recording(file, f"`{typed(f'check {exercise}')}` records again.") if file.is_file() else None
+
+
+def read_recording(file: Path, otherwise: str) -> Recorded:
+    """Raises UsageError, with `otherwise` as the next step, if it is damaged or not a recording."""
+    try:
+        with activity(error_console(), "reading the recording", quiet=True):
+            return Recorded(load(file), file, file.stat().st_size)
+    except OtherFormat:
+        raise UsageError(f"{file} was recorded by another version of ros2course.", otherwise) from None
+    except BadRecording:
+        raise UsageError(f"{file} is damaged, or no recording of the course.", otherwise) from None
+
 
 SHOW_EXAMPLES = examples(
     ("evidence show", "of the exercise you are at"),
@@ -60,11 +100,6 @@ def show(
     expected beside it; numbers in messages and the time between them; who
     publishes and who listens.
     """
-    from contextlib import nullcontext
-
-    from course.report.console import open_console, paged
-    from course.report.drawn.album import render_recording
-
     found, result = _of_file(Path(what)) if what and what.endswith(_FILE) else _of_exercise(ctx, what)
     console = open_console()
     with paged(console) if pager else nullcontext():
@@ -76,21 +111,17 @@ def export(
     ctx: typer.Context,
     to: Annotated[Path, typer.Option("--to", metavar="FILE", help="The new file, or a folder for it.")],
     exercise: CurrentExercise = None,
-    force: Annotated[bool, typer.Option("--force", help="Also in place of a file that is there.")] = False,
+    force: Annotated[bool, typer.Option("--force", help="Replace the file if it exists.")] = False,
 ) -> None:
     """Copy the last check's recording to where you want it.
 
     It is an MCAP file, which Foxglove and PlotJuggler open. A file that is there already is kept,
     unless you say --force.
     """
-    from course.report.console import open_console
-    from course.report.drawn.album import is_secret
-    from course.report.drawn.exported import render_exported
-
     found, _ = _of_exercise(ctx, exercise)
     name = found.recording.exercise
     if is_secret(found.recording):
-        what = f"{name} is a mystery: what you are to find out stands in its recording."
+        what = f"{name} is a mystery: its recording contains what you should find out."
         raise UsageError(what, f"`{typed(f'play {name}')}` runs its nodes for you to explore.")
     target = to / found.file.name if to.is_dir() else to
     _copy(found.file, target, force=force)
@@ -98,22 +129,16 @@ def export(
 
 
 def _of_exercise(ctx: typer.Context, name: str | None) -> tuple[Recorded, Result | None]:
-    """The last recording, and what the checks said of it, where that is known."""
-    from course.cli.desk import open_desk
-    from course.report.drawn.album import belongs
-
-    with open_desk(ctx) as desk:
-        found = _recorded(desk, name)
-        last = desk.progress.last_result(found.recording.exercise)
+    """The last recording, and the results of its checks, if known."""
+    with open_session(ctx) as session:
+        found = _recorded(session, name)
+        last = session.progress.last_result(found.recording.exercise)
     return found, last if belongs(last, found.recording) else None
 
 
-def _recorded(desk: Desk, name: str | None) -> Recorded:
-    from course.cli.recorded import recorded
-    from course.grading.load import runs_programs
-
-    chosen = desk.exercise(name)
-    found = recorded(desk.home, chosen.id)
+def _recorded(session: CourseSession, name: str | None) -> Recorded:
+    chosen = session.exercise(name)
+    found = recorded(session.home, chosen.id)
     if found is None:
         if not runs_programs(chosen):
             raise UsageError(f"{chosen.id} has questions only: nothing is run, so nothing is recorded.")
@@ -124,16 +149,12 @@ def _recorded(desk: Desk, name: str | None) -> Recorded:
 
 
 def _of_file(file: Path) -> tuple[Recorded, None]:
-    from course.cli.recorded import read_recording
-
     if not file.is_file():
         raise UsageError(f"There is no file {file}.", f"`{typed('evidence show')}` shows the last recording.")
     return read_recording(file, f"`{typed('evidence show')}` shows the last recording."), None
 
 
 def _copy(source: Path, target: Path, *, force: bool) -> None:
-    from course.home.storage import copy_new, copy_over, storing
-
     if target.resolve() == source.resolve():
         raise UsageError(f"{target} is the recording itself.", "Name another file.")
     if not target.parent.is_dir():

@@ -1,4 +1,4 @@
-"""`hint`: one hint more each time."""
+"""`hint`: one further hint each time."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from course.cli.arguments import CurrentExercise
-from course.cli.words import examples, typed
+from course.cli.session import CourseSession, CurrentExercise, open_session
+from course.cli.usage import examples, typed
+from course.report.console import open_console, put, put_steps
+from course.report.exercise_text import render_hint
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from course.cli.desk import Desk
     from course.content import Exercise
 
 EXAMPLES = examples(
@@ -31,40 +32,34 @@ def hint(
 ) -> None:
     """Show the next hint for an exercise.
 
-    Each call goes one hint further, and what you have seen is remembered.
+    Each call shows one more hint. The course remembers which ones you have seen.
     """
-    from course.cli.desk import open_desk
-    from course.report.console import open_console
-
-    with open_desk(ctx) as desk:
-        _show(open_console(), desk, desk.exercise(exercise), again=again, every=all_)
+    with open_session(ctx) as session:
+        _show(open_console(), session, session.exercise(exercise), again=again, every=all_)
 
 
-def _show(console: Console, desk: Desk, exercise: Exercise, *, again: bool, every: bool) -> None:
-    from course.report.console import put, put_steps
-    from course.report.lesson import render_hint
-
+def _show(console: Console, session: CourseSession, exercise: Exercise, *, again: bool, every: bool) -> None:
     total = len(exercise.hints)
     if total == 0:
         put(console, f"There are no hints for {exercise.id}.")
-    for index in _indices(desk, exercise, again=again, every=every):
+    for index in _indices(session, exercise, again=again, every=every):
         render_hint(console, exercise.id, index + 1, total, exercise.hints[index])
-    last = desk.progress.hints_shown(exercise.id) >= total
+    last = session.progress.hints_shown(exercise.id) >= total
     if last and total:
         put(console, "That was the last hint.")
         put(console)
     put_steps(console, _steps(exercise, last=last))
 
 
-def _indices(desk: Desk, exercise: Exercise, *, again: bool, every: bool) -> range:
+def _indices(session: CourseSession, exercise: Exercise, *, again: bool, every: bool) -> range:
     """Which hints to show, from 0; showing a new one is remembered."""
     total = len(exercise.hints)
-    shown = min(desk.progress.hints_shown(exercise.id), total)
+    shown = min(session.progress.hints_shown(exercise.id), total)
     if every or total == 0:
-        while desk.progress.hints_shown(exercise.id) < total:
-            desk.progress.next_hint(exercise.id, total)
+        while session.progress.hints_shown(exercise.id) < total:
+            session.progress.next_hint(exercise.id, total)
         return range(total)
-    index = shown - 1 if again and shown else desk.progress.next_hint(exercise.id, total)
+    index = shown - 1 if again and shown else session.progress.next_hint(exercise.id, total)
     return range(index, index + 1)
 
 

@@ -6,25 +6,23 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from course.cli.words import examples
+from course.cli.session import open_session
+from course.cli.usage import examples
+from course.report.console import open_console
+from course.report.exercise_text import ExerciseRow, render_list
 
 if TYPE_CHECKING:
     from course.content import Chapter, ChapterRef, Exercise
     from course.progress import Progress
-    from course.report.overview import Row
 
 EXAMPLES = examples(("list", "all exercises, with what you have reached"))
 
 
 def list_(ctx: typer.Context) -> None:
     """List the exercises with what you have reached in each."""
-    from course.cli.desk import open_desk
-    from course.report.console import open_console
-    from course.report.overview import render_list
-
-    with open_desk(ctx) as desk:
-        chapters = desk.course.chapters()
-        rows = [row_of(one, desk.progress) for chapter in chapters for one in chapter.exercises]
+    with open_session(ctx) as session:
+        chapters = session.course.chapters()
+        rows = [row_of(one, session.progress) for chapter in chapters for one in chapter.exercises]
         render_list(open_console(), rows, map(heading_of, chapters))
 
 
@@ -32,11 +30,9 @@ def heading_of(chapter: Chapter | ChapterRef) -> str:
     return f"{chapter.number} {chapter.title}"
 
 
-def row_of(exercise: Exercise, progress: Progress) -> Row:
-    from course.report.overview import Row
-
+def row_of(exercise: Exercise, progress: Progress) -> ExerciseRow:
     last = progress.last_result(exercise.id)
-    return Row(
+    return ExerciseRow(
         chapter=heading_of(exercise.chapter),
         exercise=exercise.id,
         title=f"{exercise.title} (bonus)" if exercise.bonus else exercise.title,

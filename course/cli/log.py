@@ -1,4 +1,4 @@
-"""Where the details of a fault of ours are written down, for whoever is to mend it."""
+"""Writes the details of our own errors to a log, for the people who fix them."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from course import __version__
+from course.files import cache_dir
 
 
 def write_log(kind: str, error: Exception, words: Sequence[str]) -> Path | None:
@@ -21,8 +22,6 @@ def write_log(kind: str, error: Exception, words: Sequence[str]) -> Path | None:
 
 def save_log(kind: str, text: str) -> Path | None:
     """Write `text` to a new dated file among the logs; None where it cannot be written."""
-    from course.rosenv.paths import cache_dir
-
     stamp = time.strftime("%Y-%m-%dT%H-%M-%S")
     file = cache_dir(os.environ) / "logs" / f"{kind}-{stamp}-{os.getpid()}.log"
     try:

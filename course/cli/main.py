@@ -8,6 +8,10 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
+from typer.main import get_command
+
+from course.cli.app import app
+from course.cli.usage import PROGRAM, global_options_first
 from course.errors import ContentError, CourseError, ExitCode
 
 DEBUG = "ROS2COURSE_DEBUG"
@@ -36,11 +40,6 @@ def main(words: Sequence[str]) -> int:
 
 
 def _dispatch(words: Sequence[str]) -> int:
-    from typer.main import get_command
-
-    from course.cli.app import app
-    from course.cli.words import PROGRAM, global_options_first
-
     try:
         get_command(app).main(args=global_options_first(words), prog_name=PROGRAM)
     except SystemExit as exit_:
@@ -69,7 +68,7 @@ def _reader_went_away() -> int:
 
 
 def _report(error: CourseError) -> int:
-    from course.cli.words import spoken
+    from course.cli.usage import spoken
     from course.report.console import error_console
     from course.report.problem import render_problem
 

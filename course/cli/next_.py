@@ -8,17 +8,30 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from course.cli.arguments import Pager, complete_exercise
-from course.cli.words import examples, typed
+from course.cli.init import home_or_new
+from course.cli.options import options_of
+from course.cli.session import (
+    REVIEW_AFTER,
+    CourseSession,
+    Pager,
+    complete_exercise,
+    next_exercise,
+    not_passed_yet,
+    open_session,
+    unread,
+)
+from course.cli.usage import examples, typed
+from course.home import begin
+from course.report.console import open_console, paged, put, put_steps
+from course.report.exercise_text import put_requires, render_exercise, render_lesson, render_new_files
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from course.cli.desk import Desk
     from course.content import Exercise
 
 EXAMPLES = examples(
-    ("next", "begin, or go on where you left off"),
+    ("next", "begin, or continue where you left off"),
     ("next --lesson", "with the chapter's lesson once more"),
     ("next 18-publisher", "go to this exercise"),
     ("--home ~/ros2 next", "in another course home"),
@@ -39,42 +52,43 @@ def next_(
     lesson: Annotated[bool, typer.Option("--lesson", help="Show the chapter's lesson again.")] = False,
     pager: Pager = False,
 ) -> None:
-    """Show the next exercise and lay its first files.
+    """Show the next exercise and put its files in place.
 
-    Makes a course home when there is none. A chapter's lesson is shown the
-    first time. A file that is there already is never changed.
+    Makes a course home if there is none. Shows a chapter's lesson the first
+    time. Files that already exist are never changed.
     """
-    from course.cli.desk import open_desk
-    from course.cli.homes import home_or_new
-    from course.cli.options import options_of
-    from course.cli.reading import next_exercise
-    from course.report.console import open_console, paged
-
     console = open_console()
-    with open_desk(ctx, home_or_new(console, options_of(ctx))) as desk:
-        chosen = desk.course.exercise(exercise) if exercise else next_exercise(desk)
+    with open_session(ctx, home_or_new(console, options_of(ctx))) as session:
+        chosen = session.course.exercise(exercise) if exercise else next_exercise(session)
         if chosen is None:
-            _congratulate(console, desk)
+            _congratulate(console, session)
         else:
             with paged(console) if pager else nullcontext():
-                _begin(console, desk, chosen, lesson=lesson)
+                _begin(console, session, chosen, lesson=lesson)
 
 
-def _begin(console: Console, desk: Desk, exercise: Exercise, *, lesson: bool) -> None:
-    from course.cli.reading import not_passed_yet, unread
-    from course.home import begin
-    from course.report.console import put_steps
-    from course.report.lesson import put_requires, render_exercise, render_lesson, render_new_files
-
-    new = begin(desk.home, exercise)
-    desk.progress.set_current(exercise.id)
-    lessons = desk.course.lessons(exercise)
-    for shown in lessons if lesson else unread(desk, lessons):
+def _begin(console: Console, session: CourseSession, exercise: Exercise, *, lesson: bool) -> None:
+    new = begin(session.home, exercise)
+    session.progress.set_current(exercise.id)
+    lessons = session.course.lessons(exercise)
+    for shown in lessons if lesson else unread(session, lessons):
         render_lesson(console, shown.chapter, shown.text)
-    render_exercise(console, exercise, desk.home.path, desk.progress.state(exercise.id))
-    render_new_files(console, desk.home.path, new)
-    put_requires(console, not_passed_yet(desk, exercise))
-    put_steps(console, list(_steps(exercise)))
+    render_exercise(console, exercise, session.home.path, session.progress.state(exercise.id))
+    render_new_files(console, session.home.path, new)
+    put_requires(console, not_passed_yet(session, exercise))
+    steps = list(_steps(exercise))
+    if _after_a_block(session, exercise):
+        steps.insert(0, (typed("review"), "to answer a few earlier questions again, before you go on"))
+    put_steps(console, steps)
+
+
+def _after_a_block(session: CourseSession, exercise: Exercise) -> bool:
+    """Whether it is the first exercise after another REVIEW_AFTER chapters, and has not been tried yet."""
+    order = session.course.exercises()
+    at = next(place for place, one in enumerate(order) if one.id == exercise.id)
+    before = order[at - 1].chapter.number if at else exercise.chapter.number
+    another = (before - 1) // REVIEW_AFTER < (exercise.chapter.number - 1) // REVIEW_AFTER
+    return another and session.progress.state(exercise.id) == "begun"
 
 
 def _steps(exercise: Exercise) -> Iterator[tuple[str, str]]:
@@ -96,12 +110,8 @@ def _questions(exercise: Exercise) -> str:
     return "its question" if count == 1 else f"its {count} questions"
 
 
-def _congratulate(console: Console, desk: Desk) -> None:
-    from course.cli.reading import unread
-    from course.report.console import put, put_steps
-    from course.report.lesson import render_lesson
-
-    for shown in unread(desk, desk.course.last_lessons()):
+def _congratulate(console: Console, session: CourseSession) -> None:
+    for shown in unread(session, session.course.last_lessons()):
         render_lesson(console, shown.chapter, shown.text)
     put(console, "You have passed every exercise of this course. Well done!", "bold green")
     put(console)

@@ -26,7 +26,7 @@ def options_of(ctx: typer.Context) -> Options:
 
 def course_named(value: object) -> Path | None:
     """The folder of the course that --course names. Raises UsageError when there is none of that name."""
-    from course.content.named import named_course
+    from course.content.layout import named_course
 
     return named_course(str(value)) if value else None
 

@@ -1,23 +1,30 @@
-"""`regrade`: the marks of a class by the checks as they are now."""
+"""`regrade`: judges a class again with the current checks."""
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from course.batch.class_page import decisions_in
+from course.batch.regrade import Moved, Regraded, forget_lacking
+from course.batch.regrade import regrade as judge_again
+from course.batch.results import FILE, Results, people_of, settings_of
+from course.batch.run import results_folder
+from course.cli.grade import grade_again, report_again
 from course.cli.options import Options, options_of
-from course.cli.words import examples, typed
+from course.cli.session import course_of
+from course.cli.usage import examples, typed
 from course.errors import UsageError
-
-if TYPE_CHECKING:
-    from course.batch.regrade import Moved, Regraded
-    from course.batch.results import Results
-    from course.report.moves import Row
+from course.report.activity import activity
+from course.report.batch import MovedRow, render_lacking, render_moves
+from course.report.console import error_console, open_console, put
 
 EXAMPLES = examples(
     ("regrade grades/", "after points or checks were changed"),
+    ("regrade grades/ --dry-run", "only show whose marks would move"),
     ("regrade grades/ --rerun", "and run again where that is needed"),
 )
 
@@ -26,26 +33,30 @@ def regrade(
     ctx: typer.Context,
     results: Annotated[Path, typer.Argument(metavar="DIR", help="The results' folder of `grade`.")],
     rerun: Annotated[
-        bool, typer.Option("--rerun", help="Grade those anew whose recordings do not suffice.")
+        bool, typer.Option("--rerun", help="Grade those again whose recordings are not enough.")
+    ] = False,
+    dry_run: Annotated[
+        bool, typer.Option("--dry-run", help="Show whose marks would move, and change nothing.")
     ] = False,
     jobs: Annotated[
-        int | None, typer.Option("--jobs", min=1, max=64, help="Processes at once; by default one a core.")
+        int | None, typer.Option("--jobs", min=1, max=64, help="Processes at once; by default, one per core.")
     ] = None,
 ) -> None:
     """Judge a graded class again.
 
-    By the recordings that `grade` keeps: changed points, tolerances and checks
-    take effect, and no submission is run. Shows whose marks moved, and why. All
-    marks move together, or none do.
+    Uses the recordings that `grade` keeps, so changed points, tolerances and
+    checks take effect, but no submission runs. Shows whose marks changed, and
+    why. Either all marks change together, or none do.
     """
-    from course.batch.regrade import forget_lacking
-    from course.batch.run import results_folder
-
+    if rerun and dry_run:
+        raise UsageError("--rerun grades again, and --dry-run changes nothing.", "Give one of them.")
     options, out = options_of(ctx), results.absolute()
     _is_there(out)
     with results_folder(out) as stored:
-        found = _judge_again(options, out, stored, jobs)
-        _show(found, out, rerun=rerun)
+        found = _judge_again(options, out, stored, jobs, dry_run=dry_run)
+        _show(found, results, rerun=rerun)
+        if dry_run:
+            put(open_console(), "Nothing was changed.")
         if rerun:
             forget_lacking(stored, found.lacking)
     if rerun and found.lacking:
@@ -53,50 +64,42 @@ def regrade(
 
 
 def _is_there(out: Path) -> None:
-    from course.batch.results import FILE
-
     if not (out / FILE).is_file():
         raise UsageError(f"No results of `grade` are in {out}.", "Name the folder that was given to --out.")
 
 
-def _judge_again(options: Options, out: Path, stored: Results, jobs: int | None) -> Regraded:
-    from course.batch.regrade import regrade as judge_again
-    from course.cli.class_ import report_again
-    from course.cli.desk import course_of
-    from course.report.activity import activity
-    from course.report.console import error_console
-
+def _judge_again(
+    options: Options, out: Path, stored: Results, jobs: int | None, *, dry_run: bool
+) -> Regraded:
     course = course_of(options)
+    asked = settings_of(stored).exercises
+    exercises = [exercise for exercise in course.exercises() if exercise.id in asked]
+    decisions_in(out, people_of(stored), exercises)  # report typos before anything changes
     with activity(error_console(), "judging again", quiet=True) as say:
 
         def told(done: int, total: int) -> None:
             say(f"judging again: {done} of {total}")
 
-        found = judge_again(out, stored, course, told, jobs=jobs)
-        report_again(course, stored, out)
+        found = judge_again(out, stored, course, told, jobs=jobs, dry_run=dry_run)
+        if not dry_run:
+            report_again(course, stored, out)
     return found
 
 
 def _show(found: Regraded, out: Path, *, rerun: bool) -> None:
-    from course.report.console import open_console
-    from course.report.moves import render_lacking, render_moves
-
+    """out: as it was typed."""
     console = open_console()
     render_moves(console, [_row(one) for one in found.moved], found.judged)
     lacking = [(one.person, one.exercise, one.why) for one in found.lacking]
-    command = "it is done now." if rerun else f"`{typed('regrade')} {out.name} --rerun`"
+    command = "it is done now." if rerun else f"`{typed('regrade')} {shlex.quote(str(out))} --rerun`"
     render_lacking(console, lacking, command)
 
 
-def _row(moved: Moved) -> Row:
-    from course.report.moves import Row
-
+def _row(moved: Moved) -> MovedRow:
     reasons = [f"{move.title}: {move.why}" for move in moved.moves]
-    return Row(moved.name, moved.exercise, moved.before, moved.after, reasons)
+    marks = (moved.before, moved.after, moved.most_before, moved.most_after)
+    return MovedRow(moved.name, moved.exercise, *marks, reasons)
 
 
 def _grade_anew(options: Options, out: Path) -> None:
-    from course.cli.class_ import grade_again
-    from course.cli.desk import course_of
-
     grade_again(course_of(options), out, options.course)

@@ -7,12 +7,22 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from course.batch.class_page import PICTURES_ROOM, of_one, read_class, with_pictures
+from course.batch.results import Results
+from course.cli.grade import say_damaged
 from course.cli.options import Options, options_of
-from course.cli.words import examples
+from course.cli.session import course_of
+from course.cli.signals import ended_cleanly
+from course.cli.usage import examples
 from course.errors import UsageError
+from course.files import write_pieces
+from course.report.activity import activity
+from course.report.console import error_console, open_console, put
+from course.report.gradebook.sheets import Names, file_stem
+from course.report.page.html import class_page, learner_page
 
 if TYPE_CHECKING:
-    from course.report.page.model import ClassPage
+    from course.report.page.data import ClassPage
 
 EXAMPLES = examples(
     ("report grades/", "the class: grades/report.html"),
@@ -27,7 +37,7 @@ def report(
     results: Annotated[Path, typer.Argument(metavar="DIR", help="The results' folder of `grade`.")],
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="The page; by default report.html in DIR."),
+        typer.Option("--out", metavar="FILE", help="The file to write; by default, report.html in DIR."),
     ] = None,
     learner: Annotated[
         str | None, typer.Option("--learner", metavar="ID", help="A page for this learner alone.")
@@ -36,19 +46,23 @@ def report(
         Path | None,
         typer.Option("--learners", metavar="DIR", help="A page for each learner, without others' data."),
     ] = None,
+    title: Annotated[
+        str,
+        typer.Option(
+            "--title", metavar="TEXT", help="The assignment; by default, the one that `grade` was given."
+        ),
+    ] = "",
 ) -> None:
     """Make a page of a graded class.
 
-    One file with everything in it, which asks nothing of any server: people and
-    exercises to sort and filter, the distribution of marks, how hard each check
-    was, the commonest mistakes, and each submission's feedback with pictures of
-    what happened.
+    It is a single file that needs no server. It shows people and exercises to
+    sort and filter, the distribution of marks, how hard each check was, the
+    most common mistakes, and each submission's feedback with pictures of what
+    happened.
     """
-    from course.report.console import open_console, put
-
     if learners and (learner or out):
         raise UsageError("--learners makes a page each.", "Leave --learner and --out out.")
-    page = _page(options_of(ctx), results.absolute(), everybody=learner is None, who=learner)
+    page = _page(options_of(ctx), results.absolute(), title, everybody=learner is None, who=learner)
     if learners:
         said = f"{learners}/  {_write_each(page, learners)} pages"
     elif learner is not None:
@@ -58,18 +72,13 @@ def report(
     put(open_console(), said)
 
 
-def _page(options: Options, folder: Path, *, everybody: bool, who: str | None) -> ClassPage:
-    from course.batch.pages import PICTURES_ROOM, of_one, read, with_pictures
-    from course.batch.results import Results
-    from course.cli.desk import course_of
-    from course.cli.ending import ended_cleanly
-    from course.report.activity import activity
-    from course.report.console import error_console
-
+def _page(options: Options, folder: Path, title: str, *, everybody: bool, who: str | None) -> ClassPage:
     course = course_of(options)
     with ended_cleanly(), activity(error_console(), "Reading the results", quiet=True) as say:
         with Results.look(folder) as stored:
-            found = read(folder, stored, course)
+            found = read_class(folder, stored, course, title)
+            damaged = stored.damaged()
+        say_damaged(damaged, "the command that graded the class grades it again.")
         if not everybody and who is not None:
             return of_one(found, _place_of(found.page, who))
         return with_pictures(found, PICTURES_ROOM, lambda done, total: say(f"Drawing: {done} of {total}"))
@@ -84,29 +93,19 @@ def _place_of(page: ClassPage, who: str) -> int:
 
 
 def _write_class(page: ClassPage, file: Path) -> Path:
-    from course.report.gradebook.files import write
-    from course.report.page.html import class_page
-
-    write(file, class_page(page))
+    write_pieces(file, class_page(page))
     return file
 
 
 def _write_one(page: ClassPage, place: int, out: Path | None, results: Path) -> Path:
-    from course.report.gradebook.files import file_stem, write
-    from course.report.page.html import learner_page
-
     file = out or results / f"report-{file_stem(page.sheets[place].person.id)}.html"
-    write(file, [learner_page(page, place)])
+    write_pieces(file, [learner_page(page, place)])
     return file
 
 
 def _write_each(page: ClassPage, folder: Path) -> int:
-    from course.report.gradebook.files import file_stem, write
-    from course.report.gradebook.unique import Names
-    from course.report.page.html import learner_page
-
     names = Names()
     for place, sheet in enumerate(page.sheets):
         name = names.unique(file_stem(sheet.person.id))
-        write(folder / f"{name}.html", [learner_page(page, place)])
+        write_pieces(folder / f"{name}.html", [learner_page(page, place)])
     return len(page.sheets)

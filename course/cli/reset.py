@@ -1,4 +1,4 @@
-"""`reset`: an exercise's files as they were at its beginning; yours go to a backup."""
+"""`reset`: puts an exercise's files back as they were at its start; yours go to a backup."""
 
 from __future__ import annotations
 
@@ -7,14 +7,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from course.cli.arguments import ExerciseId
-from course.cli.words import examples, typed
+from course.cli.session import ExerciseId, open_session
+from course.cli.usage import examples, typed
+from course.home import reset as reset_files
+from course.report.console import open_console, put_steps
+from course.report.exercise_text import render_reset
 
 if TYPE_CHECKING:
     from course.content import Exercise
 
 EXAMPLES = examples(
-    ("reset 18-publisher", "begin anew; yours goes to a backup"),
+    ("reset 18-publisher", "start again; your files go to a backup"),
     ("reset 18-publisher --yes", "without being asked"),
 )
 
@@ -24,22 +27,17 @@ def reset(
     exercise: ExerciseId,
     yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask.")] = False,
 ) -> None:
-    """Lay an exercise's files as they were at its beginning.
+    """Put an exercise's files back as they were at its start.
 
-    What you wrote is not lost: it goes to a dated backup in your course home,
-    and you are told where.
+    Your work is not lost: it is moved to a dated backup in your course home,
+    and the command says where.
     """
-    from course.cli.desk import open_desk
-    from course.home import reset as reset_files
-    from course.report.console import open_console, put_steps
-    from course.report.lesson import render_reset
-
-    with open_desk(ctx) as desk:
-        chosen = desk.exercise(exercise)
+    with open_session(ctx) as session:
+        chosen = session.exercise(exercise)
         if not yes and sys.stdin.isatty() and not _agrees(chosen):
             typer.echo("Nothing was changed.")
             raise typer.Exit()
-        report = reset_files(desk.home, chosen)
+        report = reset_files(session.home, chosen)
     console = open_console()
     render_reset(console, report)
     put_steps(console, [(typed(f"show {chosen.id}"), "to read the exercise again")])

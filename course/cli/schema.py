@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from course.cli.words import examples
-
-if TYPE_CHECKING:
-    from course.content.json_schema import Kind
+from course.cli.usage import examples
+from course.content.schema import Kind, schema_text
+from course.errors import UsageError
+from course.files import write_atomic
+from course.home.storage import storing
+from course.spelling import did_you_mean
 
 EXAMPLES = examples(
     ("schema", "of lesson.yaml"),
@@ -25,7 +27,12 @@ def schema(
     ] = "lesson",
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="Write it there; shown if left out.", show_default=False),
+        typer.Option(
+            "--out",
+            metavar="FILE",
+            help="Write it to this file; by default, it is shown.",
+            show_default=False,
+        ),
     ] = None,
 ) -> None:
     """Show the JSON Schema of lesson.yaml and the like.
@@ -33,25 +40,16 @@ def schema(
     Editors check and complete with it: the first line of such a file names it,
     `# yaml-language-server: $schema=../../.schema/lesson.schema.json`.
     """
-    from course.content.json_schema import schema_text
-
     text = schema_text(_kind(file))
     if out is None:
         typer.echo(text, nl=False)
         return
-    from course.home.storage import storing
-    from course.rosenv.files import write_atomic
-
     with storing(f"{out} cannot be written"):
         write_atomic(out.absolute(), text)
     print(f"Wrote {out}")
 
 
 def _kind(name: str) -> Kind:
-    from course.content.json_schema import Kind
-    from course.content.names import did_you_mean
-    from course.errors import UsageError
-
     known = [kind.value for kind in Kind]
     plain = name.removesuffix(".yaml")
     if plain not in known:

@@ -7,8 +7,13 @@ from typing import Annotated
 
 import typer
 
+from course.batch.class_page import Live
 from course.cli.options import options_of
-from course.cli.words import examples
+from course.cli.session import course_of
+from course.cli.signals import ended_cleanly
+from course.cli.usage import examples
+from course.report.console import error_console, open_console, put
+from course.report.page.serving import serving
 
 EXAMPLES = examples(
     ("serve grades/", "look on while `grade` fills it"),
@@ -20,23 +25,17 @@ def serve(
     ctx: typer.Context,
     results: Annotated[Path, typer.Argument(metavar="DIR", help="The results' folder of `grade`.")],
     port: Annotated[
-        int, typer.Option("--port", min=0, max=65535, help="By default one that is free.", show_default=False)
+        int, typer.Option("--port", min=0, max=65535, help="By default, a free one.", show_default=False)
     ] = 0,
 ) -> None:
     """Show a class while it is being graded.
 
-    The page of `report`, which renews itself. Only this machine can open it,
-    and only with the address that is printed; nothing can be changed through
+    It is the page of `report`, and it updates itself. Only this machine can
+    open it, and only with the printed address. Nothing can be changed through
     it. Ctrl+C ends it.
     """
-    from course.batch.live import Live
-    from course.cli.desk import course_of
-    from course.cli.ending import ended_cleanly
-    from course.report.console import error_console, open_console, put
-    from course.report.page.serving import serving
-
     live = Live(results.absolute(), course_of(options_of(ctx)))
-    live.news()  # what is wrong with the folder is told here, not in a browser
+    live.news()  # report problems with the folder here, not in a browser
     with ended_cleanly(), serving(live, port) as server:
         put(open_console(), server.address)
         put(error_console(), "Open this address in a browser on this machine. Ctrl+C ends it.")

@@ -7,14 +7,70 @@ import shlex
 import shutil
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from course.cli.words import CALLED_AS, LAUNCHER, PROGRAM, examples, typed
+from course.cli.options import options_of
+from course.cli.session import home_of
+from course.cli.usage import CALLED_AS, LAUNCHER, PROGRAM, examples, typed
+from course.errors import MissingHere
+from course.files import write_atomic
+from course.home import CourseHome
+from course.home.storage import storing
+from course.rosenv import cache_dir, find_ros, prepare, setup_script
+from course.rosenv.paths import split, without
 
-if TYPE_CHECKING:
-    from course.home import CourseHome
+# The learner's .bashrc comes after ROS 2 and before our prompt, so their settings count.
+# Completion is loaded at the first Tab: 124 tells bash to look again.
+_START = """\
+# Written by `ros2course shell` each time: edit ~/.bashrc instead.
+. {setup}
+if [ -r ~/.bashrc ]; then . ~/.bashrc; fi
+case ":$PATH:" in *:{folder}:*) ;; *) PATH={folder}:$PATH ;; esac
+PS1='(ros2course) \\w\\$ '
+_ros2course_first_tab() {{
+    eval "$(_ROS2COURSE_COMPLETE=source_bash ros2course)" && return 124
+}}
+complete -F _ros2course_first_tab ros2course
+"""
+_COMMAND = """\
+#!/bin/sh
+# Written by `ros2course shell`.
+export {called_as}=ros2course _ROS_WHEELS_BOOTSTRAP_COMPLETE=1
+exec {command} "$@"
+"""
+
+
+def write_start_file(home: CourseHome, setup: Path) -> Path:
+    """Write bash's start file, for the ROS 2 that `setup` sources; returns its path."""
+    folder = write_command(home)
+    start = folder.with_name("start.bash")
+    text = _START.format(setup=shlex.quote(str(setup)), folder=shlex.quote(str(folder)))
+    with storing(f"{start} cannot be written"):
+        write_atomic(start, text)
+    return start
+
+
+def write_command(home: CourseHome) -> Path:
+    """Write the program that calls this one from anywhere; returns the folder for PATH."""
+    file = home.state / "shell" / "bin" / PROGRAM
+    with storing(f"{file} cannot be written"):
+        write_atomic(file, _COMMAND.format(called_as=CALLED_AS, command=own_command(file)))
+        file.chmod(0o755)
+    return file.parent
+
+
+def own_command(not_this: Path) -> str:
+    """The words that run this program from any folder: the launcher, the installed script, or Python."""
+    for candidate in (os.environ.get(LAUNCHER), sys.argv[0]):
+        file = Path(candidate or "").absolute()
+        if file.name == PROGRAM and file != not_this and os.access(file, os.X_OK) and file.is_file():
+            return shlex.quote(str(file))
+    root = Path(__file__).parents[2]
+    code = f"import sys; sys.path[0] = {str(root)!r}; from course.cli.main import run; run()"
+    return f"{shlex.quote(sys.executable)} -c {shlex.quote(code)}"
+
 
 EXAMPLES = examples(
     ("shell", "until you type exit"),
@@ -39,11 +95,6 @@ def shell(
     In it, ~ is your course home, so every path in the lessons can be typed as it
     stands; your own home is not touched. Ends with bash's exit code.
     """
-    from course.cli.desk import home_of
-    from course.cli.options import options_of
-    from course.cli.shell_files import write_start_file
-    from course.errors import MissingHere
-
     bash = shutil.which("bash")
     if bash is None:
         raise MissingHere("The program bash is missing.", "Install it: `sudo apt install bash`.")
@@ -57,15 +108,11 @@ def shell(
 
 
 def env(ctx: typer.Context) -> None:
-    """Print what makes a shell of your own ready for the course.
+    """Print what makes your own shell ready for the course.
 
     The lines set ROS 2 up, say where your course home is, and let you type
     ros2course in any folder.
     """
-    from course.cli.desk import home_of
-    from course.cli.options import options_of
-    from course.cli.shell_files import write_command
-
     home = home_of(options_of(ctx))
     lines = (
         setup_line(),
@@ -83,16 +130,12 @@ def setup_line() -> str:
 
 
 def _setup_script() -> Path:
-    from course.rosenv import find_ros, prepare, setup_script
-
     ros = find_ros()
     prepare(ros)
     return setup_script(ros)
 
 
 def _environment(home: CourseHome) -> dict[str, str]:
-    from course.rosenv import cache_dir
-
     dropped = (LAUNCHER, CALLED_AS, "PROMPT_COMMAND")
     environment = {name: value for name, value in _without_own_libraries().items() if name not in dropped}
     # With another HOME, the cache and the course home would be looked for in other places.
@@ -109,8 +152,6 @@ def _without_own_libraries() -> dict[str, str]:
 
     It lists libraries in an order that varies, so two shells would differ; setup.bash has them in order.
     """
-    from course.rosenv.overlays import split, without
-
     name, prefix = "LD_LIBRARY_PATH", sys.prefix
     environment = dict(os.environ)
     if name in environment and prefix not in split(environment.get("AMENT_PREFIX_PATH")):

@@ -7,8 +7,10 @@ from typing import Annotated
 
 import typer
 
-from course.cli.arguments import CurrentExercise, Pager
-from course.cli.words import examples
+from course.cli.session import CurrentExercise, Pager, open_session
+from course.cli.usage import examples
+from course.report.console import open_console, paged
+from course.report.exercise_text import render_exercise, render_lesson
 
 EXAMPLES = examples(
     ("show", "the exercise you are at"),
@@ -20,21 +22,19 @@ EXAMPLES = examples(
 def show(
     ctx: typer.Context,
     exercise: CurrentExercise = None,
-    lesson: Annotated[bool, typer.Option("--lesson", help="The chapter's lesson before it.")] = False,
+    lesson: Annotated[bool, typer.Option("--lesson", help="Show the chapter's lesson first.")] = False,
     pager: Pager = False,
 ) -> None:
     """Show the text of an exercise. Changes nothing."""
-    from course.cli.desk import open_desk
-    from course.cli.reading import put_questions
-    from course.report.console import open_console, paged
-    from course.report.lesson import render_exercise, render_lesson
-
     console = open_console()
-    with open_desk(ctx) as desk:
-        shown = desk.exercise(exercise)
-        state = desk.progress.state(shown.id)
+    with open_session(ctx) as session:
+        shown = session.exercise(exercise)
+        state = session.progress.state(shown.id)
         with paged(console) if pager else nullcontext():
-            for read in desk.course.lessons(shown) if lesson else ():
+            for read in session.course.lessons(shown) if lesson else ():
                 render_lesson(console, read.chapter, read.text)
-            render_exercise(console, shown, desk.home.path, state)
-            put_questions(console, desk, shown)
+            render_exercise(console, shown, session.home.path, state)
+            if shown.questions:
+                from course.cli.quiz import put_questions  # takes three times as long as all else
+
+                put_questions(console, session, shown)

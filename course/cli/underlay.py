@@ -1,16 +1,17 @@
-"""`build-underlay`: build now what is otherwise built at first need."""
+"""`build-underlay`: builds packages now that would otherwise be built when first needed."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from course.cli.words import examples
+from course.build.underlay_build import build_underlay as build
+from course.cli.usage import examples
 from course.errors import UsageError
-
-if TYPE_CHECKING:
-    from course.rosenv import Ros
+from course.report.activity import activity
+from course.report.console import error_console
+from course.rosenv import Ros, compiled_of_underlay, find_ros, missing_of_underlay, prepare
 
 EXAMPLES = examples(
     ("build-underlay", "all of them, ahead of time"),
@@ -21,19 +22,15 @@ EXAMPLES = examples(
 def build_underlay(
     packages: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[PACKAGE]...", help="All if none is given."),
+        typer.Argument(metavar="[PACKAGE]...", help="By default, all of them."),
     ] = None,
 ) -> None:
     """Build the ROS packages that come with the course.
 
-    ROS 2 from pip lacks some; an installed one is complete. You need not call
-    this: what first asks for such a package builds it, in up to two minutes.
+    ROS 2 from pip lacks some packages; an installed ROS 2 is complete. You don't
+    have to run this: the first command that needs such a package builds it, in
+    up to two minutes.
     """
-    from course.build.underlay import build_underlay as build
-    from course.report.activity import activity
-    from course.report.console import error_console
-    from course.rosenv import find_ros, prepare
-
     ros = find_ros()
     prepare(ros)
     names = _known(packages, ros)
@@ -46,8 +43,6 @@ def build_underlay(
 
 def _known(wanted: list[str] | None, ros: Ros) -> list[str]:
     """The names to build: those that were asked for, or whatever is missing."""
-    from course.rosenv import compiled_of_underlay, missing_of_underlay
-
     if not wanted:
         return [package.name for package in missing_of_underlay(ros)]
     known = [package.name for package in compiled_of_underlay(ros)]

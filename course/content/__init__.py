@@ -3,10 +3,10 @@
 Importing this is quick; YAML and pydantic are imported when a file is read that is not remembered.
 """
 
+from course.content.chapter import Chapter, ChapterRef, Exercise, Lesson
 from course.content.course import Course, open_course, problems, shared_files
+from course.content.entries import Alternative, Choice, Edit, KnownAnswer, Mistake, Question
 from course.content.layout import answers_file
-from course.content.model import Alternative, Chapter, ChapterRef, Edit, Exercise, Lesson, Mistake
-from course.content.question import Choice, Known, Question
 
 __all__ = [
     "Alternative",
@@ -16,7 +16,7 @@ __all__ = [
     "Course",
     "Edit",
     "Exercise",
-    "Known",
+    "KnownAnswer",
     "Lesson",
     "Mistake",
     "Question",

@@ -6,18 +6,20 @@ and through what only several of them together can tell.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from course.content import layout
 from course.content.chapter import read_text
-from course.content.document import Document
+from course.content.document import Document, Place
+from course.content.entries import Edit, Mistake
+from course.content.layout import ADDED_TO
 from course.content.lesson import LessonReading, read_lesson
-from course.content.names import did_you_mean
-from course.content.proof_problems import proof_problems
-from course.content.requires import requires_problems
+from course.content.mistakes import read_alternatives, read_mistakes
 from course.errors import ContentError
+from course.spelling import did_you_mean
 
 
 def audit(root: Path) -> tuple[ContentError, ...]:
@@ -30,7 +32,7 @@ def audit(root: Path) -> tuple[ContentError, ...]:
     for folder, reading in readings.items():
         if reading.data is not None:
             ids = tuple(exercise["id"] for exercise in reading.data["exercises"])
-            found += [*_text_problems(folder, ids), *_strays(folder, ids)]
+            found += [*_text_problems(folder, reading.data), *_strays(folder, ids)]
             found += [*_grader_and_solution(folder, reading), *proof_problems(folder, ids)]
     return tuple(sorted(found, key=lambda problem: (str(problem.file), problem.line or 0)))
 
@@ -44,8 +46,13 @@ def _same_number(folders: tuple[Path, ...]) -> Iterator[ContentError]:
             yield ContentError(what, "give each chapter a number of its own", file=folder)
 
 
-def _text_problems(folder: Path, ids: tuple[str, ...]) -> Iterator[ContentError]:
-    for file in (folder / layout.LESSON_TEXT, *(layout.exercise_text(folder, name) for name in ids)):
+def _text_problems(folder: Path, data: dict[str, Any]) -> Iterator[ContentError]:
+    files = [folder / layout.LESSON_TEXT]
+    for exercise in data["exercises"]:
+        files.append(layout.exercise_text(folder, exercise["id"]))
+        names = filter(None, (question["program"] for question in exercise["questions"]))
+        files += [folder / layout.PROGRAMS / name for name in names]
+    for file in files:
         try:
             read_text(file)
         except ContentError as error:
@@ -92,3 +99,203 @@ def _computed_by_nobody(
                 what = f"`{exercise['id']}` has no mystery that could compute the answer"
                 place = ("exercises", index, "questions", number, "computed")
                 yield document.error(what, f"create play/{exercise['id']}.py", place=place)
+
+
+Graph = dict[str, tuple[str, ...]]
+
+
+def requires_problems(readings: Iterable[LessonReading]) -> Iterator[ContentError]:
+    usable = [reading for reading in readings if reading.data is not None]
+    graph: Graph = {}
+    for reading in usable:
+        graph.update(_edges(reading))
+    for reading in usable:
+        yield from _unknown_requires(reading, graph)
+        yield from _cycles(reading, graph)
+
+
+def _edges(reading: LessonReading) -> Graph:
+    assert reading.data is not None
+    return {exercise["id"]: tuple(exercise["requires"]) for exercise in reading.data["exercises"]}
+
+
+def _places(reading: LessonReading) -> Iterator[tuple[Document, str, int, int, str]]:
+    """Document, exercise id, its index, and each thing that it requires with its index."""
+    assert reading.data is not None and reading.document is not None
+    for index, exercise in enumerate(reading.data["exercises"]):
+        for number, required in enumerate(exercise["requires"]):
+            yield reading.document, exercise["id"], index, number, required
+
+
+def _unknown_requires(reading: LessonReading, graph: Graph) -> Iterator[ContentError]:
+    for document, _id, index, number, required in _places(reading):
+        if required not in graph:
+            what = f"there is no exercise `{required}`{did_you_mean(required, graph)}"
+            place = ("exercises", index, "requires", number)
+            yield document.error(what, "allowed: the id of an exercise of this course", place=place)
+
+
+def _cycles(reading: LessonReading, graph: Graph) -> Iterator[ContentError]:
+    for document, exercise, index, number, required in _places(reading):
+        way = _way(graph, required, exercise)
+        if way and exercise == min(way):  # said once, not by each member of the circle
+            what = f"`{exercise}` requires itself: {' -> '.join((exercise, *way))}"
+            place = ("exercises", index, "requires", number)
+            yield document.error(what, "take one of them out of `requires`", place=place)
+
+
+def _way(graph: Graph, start: str, goal: str) -> tuple[str, ...]:
+    """The exercises from `start` to `goal` along `requires`, or nothing."""
+    ways: list[tuple[str, ...]] = [(start,)]
+    seen = {start}
+    for way in ways:  # grows while it is walked: breadth first
+        if way[-1] == goal:
+            return way
+        new = [name for name in graph.get(way[-1], ()) if name not in seen]
+        seen.update(new)
+        ways += [(*way, name) for name in new]
+    return ()
+
+
+Ids = tuple[str, ...]
+
+# The right answers to questions, and the acts in a mystery, are computed where no file of them is stored;
+# and a workspace that is built in the trial home is in none. (What is installed there: see `_is_made`.)
+_MADE = re.compile(r"answers/|\.ros2course/acts/|[^/]+_workspace/(build|install|log|src$)")
+
+
+# Where a line of built.txt installs a CMake project to.
+_INSTALLED = re.compile(r"-DCMAKE_INSTALL_PREFIX=~/(\S+)")
+
+
+def proof_problems(chapter: Path, ids: Ids) -> Iterator[ContentError]:
+    solution = layout.solution_folder(chapter)
+    yield from _mistakes_problems(chapter, ids, solution)
+    for reading in read_alternatives(solution):
+        yield from reading.problems
+        if reading.alternative and reading.document:
+            yield from _unknown_exercises(reading.document, reading.alternative.exercises, ids)
+            yield from _missing_deletes(reading.document, reading.alternative.deletes, solution)
+
+
+def _mistakes_problems(chapter: Path, ids: Ids, solution: Path) -> Iterator[ContentError]:
+    reading = read_mistakes(chapter)
+    yield from reading.problems
+    for index, mistake in enumerate(reading.mistakes):
+        assert reading.document is not None
+        if mistake.exercise not in ids:
+            yield _no_exercise(reading.document, mistake.exercise, ids, ("mistakes", index, "exercise"))
+        yield from _edit_problems(reading.document, mistake, ("mistakes", index, "edits"), solution)
+
+
+def _unknown_exercises(document: Document, wanted: Ids, ids: Ids) -> Iterator[ContentError]:
+    for index, name in enumerate(wanted):
+        if name not in ids:
+            yield _no_exercise(document, name, ids, ("exercises", index))
+
+
+def _missing_deletes(document: Document, files: tuple[str, ...], solution: Path) -> Iterator[ContentError]:
+    for index, file in enumerate(files):
+        if not (solution / file).is_file():
+            yield _no_file(document, file, solution, ("deletes", index))
+
+
+def _edit_problems(
+    document: Document, mistake: Mistake, place: Place, solution: Path
+) -> Iterator[ContentError]:
+    """Each edit is judged by what those before it made of the solution."""
+    edited = Edited(solution)
+    for index, edit in enumerate(mistake.edits):
+        yield from _edit_problem(document, edit, (*place, index), edited)
+        edited.apply(edit)
+
+
+def _edit_problem(document: Document, edit: Edit, place: Place, edited: Edited) -> Iterator[ContentError]:
+    if edit.answers is not None:
+        yield from _answers_problem(document, edit, place)
+        return
+    if edit.content is not None or _is_made(edit.file, edited.solution):
+        return
+    if (edit.delete or edit.rename is not None) and (edited.solution / edit.file).is_dir():
+        return
+    text = edited.text(edit.file)
+    if text is None and (edited.solution / edit.file).is_file():
+        what = f"an edit before this one took `{edit.file}` away"
+        yield document.error(what, "change their order, or name the file as it is called then", place=place)
+    elif text is None:
+        yield _no_file(document, edit.file, edited.solution, (*place, "file"))
+    elif edit.replace is not None and edit.replace not in text:
+        what = f"this text does not occur in {edit.file}"
+        advice = "copy the text from the reference solution, with its spaces and line ends"
+        if text != Edited(edited.solution).text(edit.file):
+            advice += "; an edit before this one has changed the file"
+        yield document.error(what, advice, place=(*place, "replace"))
+
+
+def _is_made(file: str, solution: Path) -> bool:
+    """Whether the file is in no solution: it is made when a trial home is laid."""
+    built = solution / layout.BUILT
+    text = built.read_text(encoding="utf-8") if built.is_file() else ""
+    prefixes = _INSTALLED.findall(text)
+    return bool(_MADE.match(file)) or any(f"{file}/".startswith(f"{prefix}/") for prefix in prefixes)
+
+
+def _answers_problem(document: Document, edit: Edit, place: Place) -> Iterator[ContentError]:
+    """The question ids are proved by the exercise's own tests: a chapter's questions are not known here."""
+    folder, _, name = edit.file.rpartition("/")
+    if folder != "answers" or not name.endswith(".yaml"):
+        what = f"`answers` goes with an answers file, not with `{edit.file}`"
+        yield document.error(what, "allowed: `answers/<exercise>.yaml`", place=(*place, "file"))
+
+
+def _no_exercise(document: Document, name: str, ids: Ids, place: Place) -> ContentError:
+    what = f"no exercise of this chapter is called `{name}`{did_you_mean(name, ids)}"
+    return document.error(what, f"allowed: {', '.join(ids)}", place=place)
+
+
+def _no_file(document: Document, file: str, solution: Path, place: Place) -> ContentError:
+    known = [path.relative_to(solution).as_posix() for path in solution.rglob("*") if path.is_file()]
+    what = f"`{file}` is not in the reference solution{did_you_mean(file, known)}"
+    return document.error(what, "allowed: a file of the reference solution", place=place)
+
+
+class Edited:
+    """The files of `solution` and of those before it; `apply` changes what `text` tells of them."""
+
+    def __init__(self, solution: Path) -> None:
+        self.solution = solution
+        self._changed: dict[str, str | None] = {}
+
+    def text(self, file: str) -> str | None:
+        """None where there is no such file, or not any more."""
+        if file in self._changed:
+            return self._changed[file]
+        own = _read(self.solution / file)
+        if own is not None and file not in ADDED_TO:
+            return own
+        # A trial holds what the exercises before have made, too: any earlier chapter's, without asking which.
+        others = sorted(self.solution.parent.glob("*/"), reverse=True)
+        earlier = [_read(other / file) for other in others if other.name < self.solution.name]
+        found = [text for text in (own, *earlier) if text is not None]
+        if file in ADDED_TO:
+            return "\n".join(found) if found else None
+        return found[0] if found else None
+
+    def apply(self, edit: Edit) -> None:
+        """An edit that does not fit changes nothing."""
+        text = self.text(edit.file)
+        if edit.content is not None:
+            self._changed[edit.file] = edit.content
+        elif text is not None and (edit.delete or edit.rename is not None):
+            self._changed[edit.file] = None
+            if edit.rename is not None:
+                self._changed[edit.rename] = text
+        elif text is not None and edit.replace is not None:
+            self._changed[edit.file] = text.replace(edit.replace, edit.with_ or "")
+
+
+def _read(file: Path) -> str | None:
+    try:
+        return file.read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return None

@@ -1,15 +1,156 @@
-"""Makes a Chapter of what its folder holds."""
+"""What a course is made of: chapters and their exercises. Read-only data.
+
+Known mistakes and other solutions, which only graders' tests need, are read when asked for. A lesson that was
+found right is remembered, so that a command need not prove it again: reading YAML and checking it with
+pydantic costs about 0.15 s, most of it imports, which every `hint` would pay. It is kept as JSON with a hash
+of the file and of the rules it was checked by: when either changes it is read again. Anything odd about what
+is kept means reading the lesson again.
+"""
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
+import json
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from course.content import layout
-from course.content.cache import LessonCache
-from course.content.model import Chapter, ChapterRef, Exercise, Lesson
-from course.content.question import question_of
+from course.content.entries import Alternative, Mistake, Question, question_of
+from course.content.layout import LESSON, WORKSPACE
 from course.errors import ContentError
+from course.files import write_atomic
+
+
+@dataclass(frozen=True)
+class ChapterRef:
+    """What an exercise knows about its chapter. `slug` is its folder's name: `12-a-node-from-scratch`."""
+
+    number: int
+    title: str
+    slug: str
+
+
+@dataclass(frozen=True)
+class Lesson:
+    """What is read of a chapter before its exercises; text: Markdown."""
+
+    chapter: ChapterRef
+    text: str
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """One exercise of a chapter.
+
+    files: the learner's files, relative to the course home. packages: ROS packages built for it,
+    which lie in `workspace`/src.
+    grader_packages: packages whose reference build the grader itself needs. requires: ids of the
+    exercises that it builds on. text, hints, after: Markdown. time_limit: seconds.
+    starter, grader, solution: paths that may not exist (a quiz has no solution). questions: asked
+    by `check`. play: the module of the exercise's mystery, if it has one. looks_at: more files,
+    folders and patterns of the course home that the grader looks at. bonus: not needed to complete
+    the course. local_only: about the learner's own machine, so no part of a submission.
+    """
+
+    id: str
+    title: str
+    summary: str
+    chapter: ChapterRef
+    text: str
+    hints: tuple[str, ...]
+    after: str | None
+    files: tuple[str, ...]
+    packages: tuple[str, ...]
+    grader_packages: tuple[str, ...]
+    requires: tuple[str, ...]
+    time_limit: float
+    grader: Path
+    starter: Path
+    solution: Path
+    folder: Path
+    questions: tuple[Question, ...] = ()
+    play: Path | None = None
+    looks_at: tuple[str, ...] = ()
+    bonus: bool = False
+    local_only: bool = False
+    workspace: str = WORKSPACE
+
+    def mistakes(self) -> tuple[Mistake, ...]:
+        """The mistakes listed for this exercise; read from the chapter's mistakes.yaml now."""
+        from course.content.mistakes import load_mistakes  # reads YAML: not worth its import elsewhere
+
+        return tuple(mistake for mistake in load_mistakes(self.folder) if mistake.exercise == self.id)
+
+    def alternatives(self) -> tuple[Alternative, ...]:
+        """Other right solutions of this exercise; read from the chapter's solutions folder now."""
+        from course.content.mistakes import load_alternatives  # as above
+
+        return tuple(other for other in load_alternatives(self.solution) if self.id in other.exercises)
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """One chapter. `slug` is the name of `folder`; `text` is the Markdown of lesson.md, with its links."""
+
+    number: int
+    slug: str
+    title: str
+    summary: str
+    text: str
+    exercises: tuple[Exercise, ...]
+    folder: Path
+
+
+LessonData = dict[str, Any]
+_RULES = ("schema.py", "schema_types.py", "schema_errors.py", "lesson.py")
+
+
+@dataclass(frozen=True)
+class LessonCache:
+    """Lessons kept in `folder`, one small file for each chapter."""
+
+    folder: Path
+
+    def get(self, chapter: Path, read: Callable[[], LessonData]) -> LessonData:
+        """The chapter's lesson: the kept one if it still holds, else what `read` gives or raises."""
+        try:
+            proof = _proof(chapter)  # before reading: a file that changes meanwhile must not be kept as read
+        except OSError:
+            return read()
+        kept = self._kept(chapter, proof)
+        if kept is not None:
+            return kept
+        lesson = read()
+        self._keep(chapter, proof, lesson)
+        return lesson
+
+    def _kept(self, chapter: Path, proof: str) -> LessonData | None:
+        try:
+            kept = json.loads(self._file(chapter).read_text(encoding="utf-8"))
+            lesson = kept["lesson"] if kept["proof"] == proof else None
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+        return lesson if isinstance(lesson, dict) else None
+
+    def _keep(self, chapter: Path, proof: str, lesson: LessonData) -> None:
+        """A full or read-only disk only costs time at the next command."""
+        with contextlib.suppress(OSError):
+            write_atomic(self._file(chapter), json.dumps({"proof": proof, "lesson": lesson}))
+
+    def _file(self, chapter: Path) -> Path:
+        place = hashlib.sha256(os.fsencode(chapter.resolve())).hexdigest()[:16]
+        return self.folder / f"{chapter.name}-{place}.json"
+
+
+def _proof(chapter: Path) -> str:
+    """A hash of all that decides what reading this lesson gives."""
+    here = Path(__file__).parent
+    parts = [chapter / LESSON, *(here / name for name in _RULES)]
+    return hashlib.sha256(b"\0".join(part.read_bytes() for part in parts)).hexdigest()
 
 
 def load_chapter(folder: Path, cache: LessonCache | None = None) -> Chapter:
@@ -21,7 +162,7 @@ def load_chapter(folder: Path, cache: LessonCache | None = None) -> Chapter:
         slug=ref.slug,
         title=ref.title,
         summary=data["summary"],
-        text=read_text(folder / layout.LESSON_TEXT),
+        text=_lesson_text(folder, data["links"]),
         exercises=tuple(_exercise(folder, ref, item) for item in data["exercises"]),
         folder=folder,
     )
@@ -44,6 +185,13 @@ def read_text(file: Path) -> str:
     if not text.strip():
         raise ContentError(f"{file.name} is empty", "write the text into it", file=file, line=1)
     return text
+
+
+def _lesson_text(folder: Path, links: dict[str, str]) -> str:
+    text = read_text(folder / layout.LESSON_TEXT)
+    # In a code block, a terminal shows each address on one line, where it can be clicked or copied.
+    pages = "\n\n".join(f"{title}\n{url}" for title, url in links.items())
+    return f"{text.rstrip()}\n\n## Read more\n\n```text\n{pages}\n```\n" if pages else text
 
 
 def _lesson(folder: Path) -> dict[str, Any]:
@@ -74,12 +222,17 @@ def _exercise(folder: Path, ref: ChapterRef, data: dict[str, Any]) -> Exercise:
         starter=layout.starter_folder(folder, data["id"]),
         solution=layout.solution_folder(folder),
         folder=folder,
-        questions=tuple(question_of(item) for item in data["questions"]),
+        questions=tuple(_question(folder, item) for item in data["questions"]),
         play=layout.play_file(folder, data["id"]),
         looks_at=tuple(data["looks_at"]),
         bonus=data["bonus"],
         local_only=data["local_only"],
     )
+
+
+def _question(folder: Path, data: dict[str, Any]) -> Question:
+    program = folder / layout.PROGRAMS / data["program"] if data["program"] else None
+    return question_of(data, program, read_text(program) if program else "")
 
 
 def _files(data: dict[str, Any]) -> tuple[str, ...]:

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from itertools import takewhile
 from pathlib import Path
 
-from course.content import layout, lookup
-from course.content.cache import LessonCache
-from course.content.chapter import lesson_of, load_chapter, read_text
-from course.content.model import Chapter, Exercise, Lesson
-from course.errors import ContentError
+from course.content import layout
+from course.content.chapter import Chapter, Exercise, Lesson, LessonCache, lesson_of, load_chapter
+from course.errors import ContentError, UsageError
+from course.spelling import close_names
 
 
 class Course:
@@ -37,19 +37,19 @@ class Course:
         Raises UsageError with the nearest ids when there is none. Reads only the chapter that the
         number names; a bare name makes it read them all.
         """
-        name = lookup.tidy(wanted)
-        exercises = {exercise.id: exercise for exercise in self._numbered(lookup.chapter_number(name))}
-        found = lookup.choose(name, exercises)
+        name = tidy(wanted)
+        exercises = {exercise.id: exercise for exercise in self._numbered(chapter_number(name))}
+        found = choose(name, exercises)
         if found is None:
             exercises = {exercise.id: exercise for exercise in self.readable_exercises()}
-            found = lookup.choose(name, exercises)
+            found = choose(name, exercises)
         if found is None:
-            raise lookup.unknown(name, exercises)
+            raise unknown(name, exercises)
         return exercises[found]
 
     def lessons(self, exercise: Exercise) -> tuple[Lesson, ...]:
         """The lesson of its chapter, behind those of chapters right before that have no exercises."""
-        own = Lesson(exercise.chapter, read_text(exercise.folder / layout.LESSON_TEXT))
+        own = lesson_of(self._load(exercise.folder))
         return (*self._without_exercises(self._folders.index(exercise.folder)), own)
 
     def last_lessons(self) -> tuple[Lesson, ...]:
@@ -101,3 +101,68 @@ def shared_files(exercise: Exercise) -> frozenset[str]:
     course = Course(exercise.folder.parents[1])
     others = (other for other in course.readable_exercises() if other.id != exercise.id)
     return frozenset(exercise.files) & {file for other in others for file in other.files}
+
+
+def chapter_number(wanted: str) -> int | None:
+    """18 for `18-publisher`, `18-pub` and `18`; None when no number leads."""
+    match = re.match(r"(\d+)(-|$)", wanted)
+    return int(match[1]) if match else None
+
+
+def tidy(wanted: str) -> str:
+    """What is typed in a hurry, as ids are written."""
+    return wanted.strip().lower().replace("_", "-").replace(" ", "-")
+
+
+def choose(wanted: str, ids: Iterable[str]) -> str | None:
+    """The one id that `wanted` is or abbreviates, or None. Raises UsageError when several fit."""
+    known = tuple(ids)
+    for fits in (_is_id, _is_name, _is_chapter, _begins_id, _begins_name):
+        found = [candidate for candidate in known if wanted and fits(wanted, candidate)]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise UsageError(f"`{wanted}` fits several exercises", f"say which one: {_listed(found)}")
+    return None
+
+
+def unknown(wanted: str, ids: Iterable[str]) -> UsageError:
+    """No exercise fits: name the likeliest, by the whole id or by the part after the number."""
+    known = tuple(ids)
+    names = {_name(candidate): candidate for candidate in known}
+    alike = [*close_names(wanted, known), *(names[name] for name in close_names(_name(wanted), names))]
+    guess = f"did you mean {' or '.join(list(dict.fromkeys(alike))[:3])}? " if alike else ""
+    return UsageError(f"there is no exercise `{wanted}`", f"{guess}`ros2course list` shows them all")
+
+
+def _listed(ids: list[str]) -> str:
+    return ", ".join(ids[:6]) + (", ..." if len(ids) > 6 else "")
+
+
+def _name(exercise: str) -> str:
+    return re.sub(r"^\d+-", "", exercise)
+
+
+def _is_id(wanted: str, candidate: str) -> bool:
+    return _padded(wanted) == candidate
+
+
+def _is_name(wanted: str, candidate: str) -> bool:
+    return wanted == _name(candidate)
+
+
+def _is_chapter(wanted: str, candidate: str) -> bool:
+    return _padded(wanted) == candidate[:2]
+
+
+def _begins_id(wanted: str, candidate: str) -> bool:
+    return "-" in wanted and candidate.startswith(_padded(wanted))
+
+
+def _begins_name(wanted: str, candidate: str) -> bool:
+    return _name(candidate).startswith(wanted)
+
+
+def _padded(wanted: str) -> str:
+    """`2-script` as `02-script`."""
+    return re.sub(r"^(\d)(?=-|$)", r"0\1", wanted)

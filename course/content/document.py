@@ -18,10 +18,14 @@ except ImportError:  # PyYAML built without libyaml: the same result, more slowl
 
 Place = tuple[int | str, ...]
 
+# What PyYAML raises for text that it cannot convert: a date like 2026-13-40, `!!int ""`, `!!bool x`,
+# a number of four hundred digits in base 60, deeply nested brackets.
+NOT_YAML = (yaml.YAMLError, ValueError, ArithmeticError, LookupError, AttributeError, RecursionError)
+
 
 @dataclass(frozen=True)
 class Document:
-    """A parsed file. `data` is plain YAML data; `repeated` tells of keys that occur twice in a mapping."""
+    """A parsed file. `data` is plain YAML data; `repeated` lists keys that occur twice in a mapping."""
 
     file: Path
     data: Any
@@ -29,7 +33,7 @@ class Document:
     root: yaml.Node | None
 
     def line(self, place: Place) -> int:
-        """The line (from 1) of a key or list item; of the nearest thing around it when there is none."""
+        """Return the line (from 1) of a key or list item, or of the closest one around it."""
         node, line = self.root, 1
         for part in place:
             found = _step(node, part)
@@ -39,6 +43,7 @@ class Document:
         return line
 
     def error(self, what: str, next_step: str | None = None, *, place: Place = ()) -> ContentError:
+        """Return an error about this place in the file, to be raised: what is wrong, and the next step."""
         key = key_text(place) or None
         return ContentError(what, next_step, file=self.file, line=self.line(place), key=key)
 
@@ -64,12 +69,12 @@ def read_document(file: Path) -> Document:
 
 
 def parse_document(file: Path, text: str) -> Document:
-    """As `read_document`, for the text of a file that was read already."""
+    """Like `read_document`, for the text of a file that was already read."""
     try:
         return _parse(file, text)
     except yaml.MarkedYAMLError as error:
         raise _syntax_error(file, error) from None
-    except (yaml.YAMLError, ValueError) as error:  # ValueError: a date like 2026-13-40
+    except NOT_YAML as error:
         raise ContentError(f"this is not YAML: {error}".replace("\n", " "), file=file) from None
 
 
@@ -106,8 +111,8 @@ def _step(node: yaml.Node | None, part: int | str) -> tuple[int, yaml.Node] | No
 
 
 def _repeated_keys(file: Path, node: yaml.Node | None, visited: set[int]) -> Iterator[ContentError]:
-    """PyYAML lets the last of two equal keys win, silently; an author wants to know."""
-    if node is None or id(node) in visited:  # an alias may lead back to what holds it
+    """PyYAML silently lets the last of two equal keys win, but an author wants to know."""
+    if node is None or id(node) in visited:  # an alias may lead back to its own container
         return
     visited.add(id(node))
     if isinstance(node, yaml.MappingNode):

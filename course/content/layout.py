@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 import re
+from importlib.machinery import PathFinder
 from pathlib import Path
 
 from course.errors import OurFault, UsageError
+from course.spelling import did_you_mean
 
 LESSON = "lesson.yaml"
 LESSON_TEXT = "lesson.md"
 MISTAKES = "mistakes.yaml"
+PROGRAMS = "programs"  # scripts whose output questions ask for
 ALTERNATIVE = "alternative.yaml"
 # What must have been built in a solution is said here, a line each: the folder of a workspace, and options of
 # colcon; or that of a CMake project, which is installed, and options of cmake.
 BUILT = "built.txt"
-PARTS = ("chapters", "graders", "solutions")
+GRADERS = "graders"
+PARTS = ("chapters", GRADERS, "solutions")
 # In every course home and solution: where an exercise's packages lie, and are built, if it names no other.
 WORKSPACE = "ros2_tutorial_workspace"
+# In a course home: what the course keeps for itself there.
+STATE = ".ros2course"
 CHAPTER_FOLDER = re.compile(r"(\d\d)-[a-z0-9]+(-[a-z0-9]+)*")
 
 
@@ -44,7 +50,7 @@ def _lack(root: Path) -> str | None:
         return "there is no such folder"
     if not (root / "chapters").is_dir():
         return f"it has no {', '.join(f'{part}/' for part in PARTS if not (root / part).is_dir())}"
-    return None if chapter_folders(root) else "no chapter lies in its chapters/ folder"
+    return None if chapter_folders(root) else "there is no chapter in its chapters/ folder"
 
 
 def chapter_folders(root: Path) -> tuple[Path, ...]:
@@ -79,3 +85,45 @@ def answers_file(exercise: str) -> str:
 
 def exercise_text(chapter: Path, exercise: str) -> Path:
     return chapter / f"{exercise}.md"
+
+
+# A package holds a course as its own folders, or beside its code in a folder of its own.
+_INSIDE = ("", "_course")
+
+
+def named_course(name: str) -> Path:
+    """The folder of that name, else the course in the installed package of that name; nothing is imported.
+
+    Raises UsageError when it can only be a package and is none. A folder need not be a course yet.
+    """
+    folder = Path(name).expanduser()
+    if folder.exists() or not name.isidentifier():
+        return folder
+    found = PathFinder.find_spec(name)
+    if found is None:
+        near = did_you_mean(name, (path.name for path in Path().iterdir() if path.is_dir()))
+        what = f"there is no course folder `{name}` here, and no installed package of that name{near}"
+        raise UsageError(what, "give the course's folder: `--course DIR`")
+    return _inside(name, tuple(map(Path, found.submodule_search_locations or ())))
+
+
+def _inside(name: str, places: tuple[Path, ...]) -> Path:
+    roots = (place / inside for place in places for inside in _INSIDE)
+    course = next((root for root in roots if (root / "chapters").is_dir()), None)
+    if course is None:
+        where = f" ({places[0]})" if places else ""
+        raise UsageError(
+            f"the installed package {name}{where} holds no course",
+            "a course holds chapters/, graders/ and solutions/",
+        )
+    return course
+
+
+ADDED_TO = frozenset({".bashrc"})
+
+
+def with_addition(text: str, addition: str) -> str:
+    """`text` with `addition` as its last lines; unchanged when it holds them already."""
+    if addition.strip() in text:
+        return text
+    return f"{text.rstrip()}\n\n{addition}" if text.strip() else addition

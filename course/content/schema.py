@@ -6,10 +6,15 @@ A field's description says what is allowed there: error messages and the authors
 
 from __future__ import annotations
 
+import json
+import math
+import re
+from enum import Enum
 from typing import Annotated, Any
 
 from pydantic import (
     AfterValidator,
+    BaseModel,
     ConfigDict,
     Field,
     ValidationInfo,
@@ -17,11 +22,11 @@ from pydantic import (
     field_validator,
     model_validator,
 )
+from pydantic.json_schema import GenerateJsonSchema
 from typing_extensions import Self
 
 from course.content.layout import WORKSPACE
-from course.content.question_schema import QuestionSchema
-from course.content.schema_parts import (
+from course.content.schema_types import (
     ExerciseId,
     HomePath,
     Line,
@@ -31,11 +36,106 @@ from course.content.schema_parts import (
     Slug,
     Strict,
     Text,
+    Url,
     Workspace,
     one_of,
     unempty,
     wrong,
 )
+
+_SCRIPT = r"^[a-z0-9_]+\.(cpp|py|sh)$"
+_SHARE = r"^\d+(\.\d+)?\s?%$"
+
+
+def _script(text: str) -> str:
+    if not re.fullmatch(_SCRIPT, text):
+        raise wrong(f"must be the name of a script, like `count.py`, `count.sh` or `count.cpp`, not `{text}`")
+    return text
+
+
+Script = Annotated[str, AfterValidator(_script), WithJsonSchema({"type": "string", "pattern": _SCRIPT})]
+
+
+def _tolerance(value: Any) -> Any:
+    is_share = isinstance(value, str) and re.fullmatch(_SHARE, value)
+    is_width = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < math.inf
+    if not is_share and not is_width:
+        raise wrong(f"must be a number from 0 on, or a share like `10%`, not `{value}`")
+    return value
+
+
+def _short(value: Any) -> Any:
+    if isinstance(value, bool) or not isinstance(value, str | int | float) or not str(value).strip():
+        raise wrong("must be a text or a number (put it in quotes if it is a text)")
+    return value
+
+
+def _finite(value: float) -> float:
+    if not math.isfinite(value):
+        raise wrong(f"must be a number, not {value}")
+    return value
+
+
+def _worth(value: float) -> float:
+    if not math.isfinite(value) or value <= 0:
+        raise wrong(f"must be a number greater than 0, not {value:g}")
+    return value
+
+
+class ChoiceSchema(Strict):
+    """One entry of `choices`."""
+
+    id: Slug | None = Field(
+        default=None, description="a short name that stands for it in the answers file; its text if left out"
+    )
+    text: Line = Field(description="one line of Markdown, shown to choose from")
+    right: bool = Field(default=False, description="`true` when it is right")
+    why: Text | None = Field(default=None, description="an explanation; every wrong choice needs one")
+
+
+class KnownSchema(Strict):
+    """One entry of `wrong`: an answer that learners are known to give."""
+
+    answer: Annotated[Any, AfterValidator(_short), WithJsonSchema({"type": ["string", "number"]})] = Field(
+        description="a text or a number that is wrong"
+    )
+    why: Text = Field(description="what is wrong about it, without saying what is right")
+
+
+class QuestionSchema(Strict):
+    """One entry of `questions` in lesson.yaml; `question_problems` holds what spans keys."""
+
+    model_config = one_of(("choices",), ("text",), ("all_of",), ("number",), ("computed",))
+
+    id: Slug = Field(description="a short name in small letters, unique in the exercise: `tab-key`")
+    ask: Text = Field(description="the question, in Markdown; its first line is the check's title")
+    choices: list[ChoiceSchema] = Field(default=[], description="a list of choices, one of them right")
+    multiple: bool = Field(default=False, description="`true` when several choices may be right")
+    keep_order: bool = Field(default=False, description="`true` when choices are not to be shuffled")
+    text: list[Line] = Field(default=[], description="a list of accepted short texts")
+    all_of: list[Line] = Field(default=[], description="a list of short texts that are wanted all")
+    exact: bool = Field(default=False, description="`true` when capitals and spaces in a text count")
+    number: Annotated[float, AfterValidator(_finite)] | None = Field(default=None, description="the number")
+    tolerance: Annotated[
+        Any,
+        AfterValidator(_tolerance),
+        WithJsonSchema({"type": ["number", "string"], "minimum": 0, "pattern": _SHARE}),
+    ] = Field(default=0.0, description="how far off a number may be: `0.5`, or `10%` of it")
+    wrong: list[KnownSchema] = Field(default=[], description="a list of known wrong answers with `why`")
+    explain: Text | None = Field(
+        default=None, description="a text shown after a right answer, and after an unlisted wrong one"
+    )
+    otherwise: Text | None = Field(
+        default=None, description="a text shown after an unlisted wrong answer, instead of `explain`"
+    )
+    program: Script = Field(
+        default="",
+        description="a script in the chapter's folder `programs`, shown with the question and run after "
+        "the answer; choices have each line of its output in backquotes",
+    )
+    computed: bool = Field(default=False, description="`true` when the chapter's mystery gives what is right")
+    points: Annotated[float, AfterValidator(_worth)] = Field(default=1.0, description="points; 1 if left out")
+
 
 FEWEST_HINTS = 3
 OPERATIONS = ("replace", "delete", "rename", "content", "mode", "answers")
@@ -68,7 +168,7 @@ class ExerciseSchema(Strict):
         default=[], description="a list of packages whose reference build the grader itself needs"
     )
     requires: list[ExerciseId] = Field(
-        default=[], description="a list of ids of the exercises whose work this one stands on"
+        default=[], description="a list of ids of the exercises that this one builds on"
     )
     files: list[HomePath] = Field(
         default=[], description="a list of the learner's files, relative to the course home"
@@ -108,6 +208,16 @@ class LessonSchema(Strict):
     chapter: int = Field(description="the chapter's number, as in its folder's name")
     title: Line = Field(description="one line, shown as the chapter's heading")
     summary: Line = Field(description="one line that says what the chapter is about")
+    links: dict[Line, Url] = Field(
+        default={},
+        description="the official pages of what the chapter teaches, by title; "
+        "the lesson ends with them, under `Read more`",
+    )
+    terms: list[Line] = Field(
+        default=[],
+        description="words that the lesson explains, each in bold where it does; "
+        "`validate` reports texts that use them before",
+    )
     exercises: list[ExerciseSchema] = Field(description="a list of exercises; `[]` if there are none")
 
 
@@ -118,7 +228,7 @@ def _answer_given(value: Any) -> Any:
     return value
 
 
-# As it stands in the answers file: a text, a number in quotes, or a list of texts.
+# As it is written in the answers file: a text, a number in quotes, or a list of texts.
 AnswerGiven = Annotated[
     Any,
     AfterValidator(_answer_given),
@@ -190,3 +300,40 @@ class AlternativeSchema(Strict):
     answers: dict[Slug, AnswerGiven] = Field(
         default={}, description="question ids with other right answers; the other answers stay"
     )
+
+
+_DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
+
+class Kind(str, Enum):
+    """The files that have a schema, as they are called in `ros2course schema KIND`."""
+
+    LESSON = "lesson"
+    MISTAKES = "mistakes"
+    ALTERNATIVE = "alternative"
+
+
+_MODELS: dict[Kind, type[BaseModel]] = {
+    Kind.LESSON: LessonSchema,
+    Kind.MISTAKES: MistakesSchema,
+    Kind.ALTERNATIVE: AlternativeSchema,
+}
+
+
+class _Plain(GenerateJsonSchema):
+    """Without a title for each key, which would only repeat its name."""
+
+    def field_title_should_be_set(self, schema: Any) -> bool:
+        return False
+
+
+def json_schema(kind: Kind) -> dict[str, Any]:
+    """The schema of `lesson.yaml`, `mistakes.yaml` or `alternative.yaml`, in draft 2020-12."""
+    made = _MODELS[kind].model_json_schema(by_alias=True, schema_generator=_Plain)
+    head = {"$schema": _DIALECT, "$id": f"urn:ros2course:{kind.value}", "title": f"{kind.value}.yaml"}
+    return {**head, **{key: value for key, value in made.items() if key != "title"}}
+
+
+def schema_text(kind: Kind) -> str:
+    """The same as the text of a file."""
+    return json.dumps(json_schema(kind), indent=2, ensure_ascii=False) + "\n"

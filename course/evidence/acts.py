@@ -6,15 +6,15 @@ import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from course.evidence.events import Acted, Event, OutputLine
+from course.model.events import Acted, Event, OutputLine
 
-# The name under which a mystery's nodes run in the arena. There they print acts as lines of JSON.
+# The name that a mystery's nodes have in the arena, where they print acts as lines of JSON.
 MYSTERY = "mystery"
 
 
 @dataclass(frozen=True)
 class Act:
-    """Something that was done. The mystery's author chooses the name; detail: what was seen of it."""
+    """Something the learner did. name: chosen by the mystery's author. detail: what was seen of it."""
 
     name: str
     detail: str = ""

@@ -1,7 +1,7 @@
 """Files and folders of the course home as they were when the learner's work was judged.
 
-Here are their names, kinds and modes; the texts are in `Sources`. `Home` is the view that checks
-ask, so that none of them looks at a real disk.
+This module has their names, kinds and modes; `Sources` has the texts. Checks use the view `Home`, so none
+of them looks at a real disk.
 """
 
 from __future__ import annotations
@@ -10,20 +10,20 @@ import os
 import stat
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from fnmatch import fnmatchcase
 from itertools import islice
 from pathlib import Path, PurePosixPath
 from typing import Literal
 
+from course.content.layout import STATE
 from course.evidence.sources import LEFT_OUT, MAX_DEPTH, MAX_FILES, Sources, leads_away, name_in
+from course.spelling import close_names
 
 Kind = Literal["file", "folder", "link", "other", "missing"]
 
-_OURS = ".ros2course"
 _MAGIC = frozenset("*?[")
-# `minimalist_script.py` and `minimalist_class.py` are alike to 0.8, and not a slip; in another folder,
-# neither are `test_minimalist_class.py` and `_minimalist_class.py`, with 0.91.
+# `lamp_shop_script.py` and `lamp_shop_class.py` are 0.76 alike, but not a typo; in another folder,
+# neither are `test_lamp_shop_class.py` and `_lamp_shop_class.py`, at 0.9.
 _ALIKE = 0.85
 _ALIKE_ELSEWHERE = 0.92
 _SEPARATORS = str.maketrans("- ", "__")
@@ -33,9 +33,9 @@ _SEPARATORS = str.maketrans("- ", "__")
 class HomeEntry:
     """One file or folder; `path` is relative to the course home.
 
-    kind: "link" is one that leads out of the course home or nowhere; other links count as what they
-    lead to. mode: permission bits (0o755). size: bytes. target: what a link names. modified: when its
-    content last changed, in seconds since 1970.
+    kind: "link" for one that leads out of the course home or nowhere; any other link counts as its target.
+    mode: permission bits (0o755). size: bytes. target: where a link points. modified: when the content last
+    changed, in seconds since 1970.
     """
 
     path: str
@@ -48,9 +48,9 @@ class HomeEntry:
 
 @dataclass(frozen=True)
 class HomeFile:
-    """What is at one path of the home; kind "missing" when nothing is.
+    """What is at one path of the home; kind "missing" if nothing is.
 
-    text: None for what is no text file, or too large to keep.
+    text: None if it is not a text file, or too large to keep.
     """
 
     path: str
@@ -70,13 +70,13 @@ class HomeFile:
 
     @property
     def dos_line_ends(self) -> bool:
-        """Whether its lines end as in Windows; its text has them as everywhere else."""
+        """Whether its lines end as on Windows; `text` has normal line ends."""
         ends = (self.text or "").count("\n")
         return ends > 0 and self.size - len((self.text or "").encode()) >= ends
 
     @property
     def lines(self) -> tuple[str, ...]:
-        """Its lines without line ends; none when it has no text."""
+        """Its lines without line ends; empty if it has no text."""
         return tuple((self.text or "").splitlines())
 
 
@@ -92,7 +92,7 @@ class Home:
         return cls({entry.path: entry for entry in entries}, sources.files)
 
     def file(self, path: str) -> HomeFile:
-        """What is at `path`, relative to the home (`a_folder/an_empty_file.txt`)."""
+        """Return what is at `path`, relative to the home (`a_folder/an_empty_file.txt`)."""
         found = self.entries.get(path)
         if found is None:
             return HomeFile(path, "missing")
@@ -100,14 +100,14 @@ class Home:
         return HomeFile(path, found.kind, found.mode, found.size, found.target, text)
 
     def inside(self, folder: str = "") -> tuple[str, ...]:
-        """Names right inside a folder of the home (of the home itself), as far as they were looked at."""
+        """Names directly inside a folder of the home (by default, the home), if the exercise looks there."""
         paths = (PurePosixPath(path) for path in self.entries)
         return tuple(sorted(path.name for path in paths if path.parent == PurePosixPath(folder)))
 
     def near(self, path: str) -> tuple[str, ...]:
-        """Files (for a folder's path, folders too) that were probably meant to be this one, likeliest first.
+        """Files (for a folder's path, also folders) that the learner probably meant as this one, best first.
 
-        A name much like it in the same folder; then its name elsewhere; then one like it elsewhere.
+        First a similar name in the same folder, then the same name elsewhere, then a similar one elsewhere.
         """
         wanted = PurePosixPath(path)
         others = [PurePosixPath(p) for p, e in self.entries.items() if p != path and e.kind != "folder"]
@@ -118,11 +118,11 @@ class Home:
         return tuple(dict.fromkeys(str(other) for other in found))
 
     def near_folder(self, path: str) -> str | None:
-        """A folder whose name is much like this one's, or that lies elsewhere."""
+        """A folder with a similar name, or with this name in another place."""
         return next(iter(self.near_folders(path)), None)
 
     def near_folders(self, path: str) -> tuple[str, ...]:
-        """Folders that were probably meant to be this one, likeliest first."""
+        """Folders that the learner probably meant as this one, best first."""
         wanted = PurePosixPath(path)
         folders = [PurePosixPath(p) for p, e in self.entries.items() if p != path and e.kind == "folder"]
         here = [folder for folder in folders if folder.parent == wanted.parent]
@@ -131,14 +131,14 @@ class Home:
 
 
 def _alike(name: str, candidates: Iterable[PurePosixPath], cutoff: float = _ALIKE) -> list[PurePosixPath]:
-    """Those whose name is a slip of the keyboard away, in other order, or ends otherwise (`.txt.txt`)."""
+    """Those whose names differ by a typo, the order of words, or an extra ending (`.txt.txt`)."""
     every = list(candidates)
     plain: dict[str, list[PurePosixPath]] = {}
     for candidate in every:
         plain.setdefault(_plain(candidate.name), []).append(candidate)
-    close = get_close_matches(_plain(name), list(plain), n=3, cutoff=cutoff)
+    close = close_names(_plain(name), plain, cutoff=cutoff)
     turned = {_in_order(key): key for key in plain}
-    mixed = get_close_matches(_in_order(_plain(name)), list(turned), n=3, cutoff=cutoff)
+    mixed = close_names(_in_order(_plain(name)), turned, cutoff=cutoff)
     stem = _plain(name).split(".")[0]
     same_stem = [key for key in plain if stem and key.split(".")[0] == stem]
     keys = dict.fromkeys((*close, *same_stem, *(turned[key] for key in mixed)))
@@ -146,7 +146,7 @@ def _alike(name: str, candidates: Iterable[PurePosixPath], cutoff: float = _ALIK
 
 
 def _in_order(name: str) -> str:
-    """`class_minimalist_tests.py` for `minimalist_class_tests.py`."""
+    """The name with its words sorted: `class_lamp_tests.py` for `lamp_class_tests.py`."""
     stem, dot, rest = name.partition(".")
     return "_".join(sorted(filter(None, stem.split("_")))) + dot + rest
 
@@ -156,11 +156,11 @@ def _plain(name: str) -> str:
 
 
 def read_entries(home: Path, patterns: Iterable[str]) -> tuple[HomeEntry, ...]:
-    """What `patterns` name in the course home, each once, in their order, and not without end.
+    """Everything that `patterns` match in the course home, each once, in their order, up to a limit.
 
-    A pattern is a file, a folder (which stands for all below it), or a name with `*`, `?` or `[...]` in
-    any of its parts, which stands for just what it matches; as in a shell, a `*` at the beginning of a
-    name matches no leading dot. What the course keeps for itself in the home is never among them.
+    A pattern is a file, a folder (with everything below it), or a name with `*`, `?` or `[...]` in any of
+    its parts, which stands only for what it matches. As in a shell, a leading `*` does not match a leading
+    dot. What the course stores in the home for itself is never included.
     """
     inside = home.resolve()
     found = (path for pattern in patterns for path in _matches(home, pattern, inside))
@@ -180,7 +180,7 @@ def _matches(home: Path, pattern: str, inside: Path) -> Iterator[Path]:
 def _walk(folder: Path, parts: tuple[str, ...], inside: Path) -> Iterator[Path]:
     head, rest = parts[0], parts[1:]
     names = [head] if not _MAGIC & set(head) else [name for name in _names(folder) if _fits(name, head)]
-    for path in (folder / name for name in names if name != _OURS):
+    for path in (folder / name for name in names if name != STATE):
         if not os.path.lexists(path):
             continue
         if not rest:
@@ -194,7 +194,7 @@ def _fits(name: str, pattern: str) -> bool:
 
 
 def _below(folder: Path, inside: Path, depth: int) -> Iterator[Path]:
-    """Everything in a folder, its own entries before those of folders in it."""
+    """Everything in a folder: its own entries first, then those of its subfolders."""
     paths = [folder / name for name in _names(folder) if name not in LEFT_OUT]
     yield from paths
     for path in paths:
@@ -221,7 +221,7 @@ def _entry(path: Path, home: Path, inside: Path) -> HomeEntry:
         if target is not None and (leads_away(path, inside) or not path.exists()):
             return HomeEntry(name, "link", target=target)
         found = path.stat()
-    except OSError:  # it was just taken away, or may not be looked at
+    except OSError:  # it was just removed, or is not readable
         return HomeEntry(name, "other")
     mode = stat.S_IMODE(found.st_mode)
     return HomeEntry(name, _kind(found.st_mode), mode, found.st_size, target, found.st_mtime)

@@ -1,7 +1,7 @@
 """Messages without rclpy: the text definition of a type, and CDR bytes back into fields.
 
-Recordings keep messages as the bytes that came over the wire together with the type's text
-definition, in the form that MCAP and rosbag2 use. So they can be judged again anywhere.
+Recordings keep messages as the bytes that were received, together with the type's text definition, in the
+form that MCAP and rosbag2 use. So they can be judged again anywhere.
 """
 
 from __future__ import annotations
@@ -11,9 +11,12 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from course.errors import OurFault
+from course.model.feedback import Failure, Feedback
+
 SEPARATOR = "=" * 80
 _FIELD = re.compile(r"^\s*([A-Za-z][\w/]*)")
-# mcap_ros2 reads it as signed; in ROS 2 it is a uint8.
+# mcap_ros2 reads it as signed, but in ROS 2 it is a uint8.
 _CHAR = re.compile(r"^(\s*)char(?=[\s\[])", re.MULTILINE)
 _HALVES = re.compile(r"^---.*\n?", re.MULTILINE)
 _PRIMITIVES = frozenset(
@@ -22,19 +25,19 @@ _PRIMITIVES = frozenset(
 
 
 class UnknownType(LookupError):
-    """No definition of this message type is in any of the given prefixes."""
+    """None of the given prefixes has a definition of this message type."""
 
 
 class Undecodable(ValueError):
-    """The bytes do not hold a message of the type they were received as."""
+    """The bytes are not a valid message of the type with which they were received."""
 
 
 def full_definition(type_name: str, prefixes: Iterable[Path]) -> str:
-    """The definition of `pkg/msg/Type` with those of all types inside it, as rosbag2 writes it.
+    """The definition of `pkg/msg/Type` and of all types inside it, as rosbag2 writes it.
 
     `pkg/srv/Type_Request` and `pkg/srv/Type_Response` are the two halves of a service.
 
-    Raises UnknownType when a definition is in none of the install prefixes.
+    Raises UnknownType if a definition is in none of the install prefixes.
     """
     roots = tuple(prefixes)
     own = _read(type_name, roots)
@@ -64,13 +67,13 @@ def _read(type_name: str, prefixes: tuple[Path, ...]) -> str:
 
 
 def _half(service: str, which: str) -> str:
-    """The request or the response out of a service's definition."""
+    """The request or response part of a service definition."""
     request, response = _HALVES.split(service, maxsplit=1)
     return request if which == "Request" else response
 
 
 def _inner_types(definition: str, owner: str) -> list[str]:
-    """Full names of the message types that fields of this definition have."""
+    """Full names of the message types used by the fields of this definition."""
     names = []
     for line in definition.splitlines():
         match = _FIELD.match(line.split("#", 1)[0])
@@ -88,7 +91,7 @@ def _full_name(name: str, owner: str) -> str:
 class Decoder:
     """Turns CDR bytes into objects whose attributes are the message's fields.
 
-    definitions: type name to text, as `full_definition` gives.
+    definitions: type name to text, as `full_definition` returns it.
     """
 
     def __init__(self, definitions: Mapping[str, str]) -> None:
@@ -96,17 +99,17 @@ class Decoder:
         self._decoders: dict[str, Callable[[bytes], Any]] = {}
 
     def decode(self, type_name: str, data: bytes) -> Any:
-        """Raises Undecodable when the bytes do not fit the type."""
+        """Return the message. Raises Undecodable if the bytes do not match the type."""
         if type_name not in self._decoders:
             self._decoders[type_name] = _make_decoder(type_name, self._definitions[type_name])
         try:
             return self._decoders[type_name](_Whole(data))
-        except Exception as error:  # the library raises whatever its parsing ran into
+        except Exception as error:  # the library raises all kinds of errors
             raise Undecodable(f"{type_name}: {error}") from error
 
 
 class _Whole(bytes):
-    """Bytes that refuse a slice beyond their end, where a plain slice would quietly give less."""
+    """Bytes that refuse a slice beyond their end, where plain bytes would silently return less."""
 
     def __getitem__(self, key: Any) -> Any:
         if isinstance(key, slice) and key.stop > len(self):
@@ -115,7 +118,7 @@ class _Whole(bytes):
 
 
 def _make_decoder(type_name: str, definition: str) -> Callable[[bytes], Any]:
-    # Imported late: only a recording with messages needs it.
+    # Imported late because only recordings with messages need it.
     from mcap.records import Schema
     from mcap.well_known import MessageEncoding, SchemaEncoding
     from mcap_ros2.decoder import DecoderFactory
@@ -126,3 +129,56 @@ def _make_decoder(type_name: str, definition: str) -> Callable[[bytes], Any]:
     if decoder is None:
         raise UnknownType(type_name)
     return decoder
+
+
+class Unreadable:
+    """Replaces the fields of an unreadable message; reading one of them raises the learner's Failure.
+
+    It is false, while a message is true. source: the topic or service that it came from.
+    """
+
+    def __init__(self, source: str, type_name: str, error: Undecodable) -> None:
+        self._feedback = _feedback(source, type_name, error)
+
+    def __bool__(self) -> bool:
+        return False
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Unreadable) and other._feedback == self._feedback
+
+    def __hash__(self) -> int:
+        return hash(self._feedback)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):  # asked by Python itself, for example by copy
+            raise AttributeError(name)
+        raise Failure(self._feedback)
+
+
+def decoded(source: str, type_name: str, data: bytes, decoder: Decoder) -> Any:
+    """The message's fields as attributes, or an `Unreadable` if the bytes are not a message of that type.
+
+    Raises OurFault for a type that our own decoder does not support.
+    """
+    try:
+        return decoder.decode(type_name, data)
+    except Undecodable as error:
+        if isinstance(error.__cause__, NotImplementedError):
+            raise OurFault(f"{type_name} cannot be decoded here: {error.__cause__}") from error
+        return Unreadable(source, type_name, error)
+
+
+def _feedback(source: str, type_name: str, error: Undecodable) -> Feedback:
+    if isinstance(error.__cause__, UnicodeDecodeError):
+        return Feedback(
+            summary=f"A text in a message on `{source}` is not valid UTF-8, so nobody can read the message.",
+            expected="text in UTF-8",
+            seen=f"bytes that are none: {error.__cause__.reason}",
+            advice="Put text into string fields as it is, and do not encode it or cut its bytes.",
+        )
+    return Feedback(
+        summary=f"A message on `{source}` cannot be read as `{type_name}`.",
+        expected=f"the fields of {type_name}, in their order",
+        seen=f"other bytes: {error}",
+        advice=f"Does the program use a `{type_name}` with other fields? Build its package again.",
+    )

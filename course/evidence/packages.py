@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
-from course.feedback import Feedback, feedback_from_dict
+from course.model.feedback import Feedback
 
 
 @dataclass(frozen=True)
@@ -25,16 +23,11 @@ class BuiltPackage:
 
 @dataclass(frozen=True)
 class BuiltPackages:
-    """All packages built for an exercise; `failure` says why the build failed, if it did."""
+    """All packages built for an exercise. failure: why the build failed, if it did."""
 
     built: tuple[BuiltPackage, ...] = ()
     failure: Feedback | None = None
 
     def get(self, name: str) -> BuiltPackage | None:
+        """Return the package of that name; None if it does not exist or could not be built."""
         return next((package for package in self.built if package.name == name), None)
-
-
-def packages_from_dict(data: Mapping[str, Any]) -> BuiltPackages:
-    """Built packages out of their JSON form."""
-    built = (BuiltPackage(**{**item, "executables": tuple(item["executables"])}) for item in data["built"])
-    return BuiltPackages(tuple(built), feedback_from_dict(data["failure"]))

@@ -1,8 +1,7 @@
-"""The recorder: listens on real ROS 2 and puts what it hears on the time line.
+"""The recorder: listens to a real ROS 2 and puts what it hears on the time line.
 
-The only module of the engine that imports rclpy. It runs one node of its own, with a hidden,
-random name, in a thread of its own; messages are taken as bytes and stamped with the time at
-which the middleware received them here.
+This is the only module of the engine that imports rclpy. It runs one node, with a hidden random name, in a
+thread of its own. Messages are kept as bytes, with the time at which the middleware received them here.
 """
 
 from __future__ import annotations
@@ -11,7 +10,7 @@ import contextlib
 import os
 import secrets
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from itertools import count
 from pathlib import Path
 from types import TracebackType
@@ -30,7 +29,12 @@ from rclpy.signals import SignalHandlerOptions
 from rclpy.subscription import Subscription
 
 from course.errors import OurFault
-from course.evidence.events import (
+from course.evidence.graph_reader import GraphReader
+from course.evidence.messages import UnknownType, full_definition
+from course.evidence.recording import GRAPH_CUT, ROSOUT, ROSOUT_TYPE, UNREADABLE
+from course.evidence.ros_services import Answer, Client, Parameters, Server, filled, load_type
+from course.evidence.timeline import Timeline
+from course.model.events import (
     GraphSeen,
     Joined,
     Marked,
@@ -39,23 +43,17 @@ from course.evidence.events import (
     MessageSent,
     MessagesLost,
 )
-from course.evidence.graph import Graph, Kind, infrastructure
-from course.evidence.graph_reader import GraphReader
-from course.evidence.messages import UnknownType, full_definition
-from course.evidence.recording import GRAPH_CUT, ROSOUT, ROSOUT_TYPE, UNREADABLE
-from course.evidence.ros_parameters import Parameters
-from course.evidence.ros_services import Answer, Client, Server
-from course.evidence.ros_types import filled, load_type
-from course.evidence.timeline import Timeline
+from course.model.feedback import Spoilt
+from course.model.graph import Graph, Kind, infrastructure
 
 DEPTH = 1000
-# A node that publishes as fast as it can must not fill our memory; nobody judges so many.
+# A node that publishes as fast as it can must not fill our memory; no check needs more.
 MAX_MESSAGES = 50_000
 MAX_BYTES = 64 * 1024 * 1024
-# Each change is kept with the whole graph, which a program that makes topics without end must not fill.
+# Each change stores the whole graph, so a program that creates topics endlessly could fill our memory.
 MAX_ENDPOINTS = 200_000
 GRAPH_PERIOD = 0.02
-# Of one topic, before others have their turn.
+# Messages of one topic before the others get their turn.
 AT_ONCE = 100
 
 
@@ -66,7 +64,7 @@ class Recorder:
         self.timeline = timeline
         self.definitions: dict[str, str] = {}
         self.graph = Graph()
-        self.numbers = count(1)
+        self.numbers: Iterator[int] = count(1)
         self._context = Context()
         self._closing = False
         self._error: Exception | None = None
@@ -86,7 +84,7 @@ class Recorder:
             context=self._context,
             enable_rosout=False,
             start_parameter_services=False,
-            # Its types alone load numpy, which takes a tenth of the CPU time of a grading.
+            # Its types alone load numpy, which takes a tenth of the CPU time of a check.
             parameter_overrides=[Parameter("start_type_description_service", value=False)],
         )
         self._reader = GraphReader(self._node)
@@ -107,22 +105,23 @@ class Recorder:
         self._thread.join(timeout=2.0)
         self._node.destroy_node()
         if self._error is not None and error is None:
-            raise OurFault(f"the recorder stopped in the middle: {self._error}") from self._error
+            # It failed on something that a program sent.
+            raise Spoilt(f"the recorder stopped in the middle: {self._error}") from self._error
 
     def _spin(self) -> None:
         try:
             while not self._spin_until_garbage():
                 pass
         except ExternalShutdownException:
-            pass  # how rclpy says that our own __exit__ ended it
+            pass  # raised by rclpy when our own __exit__ ends it
         except Exception as error:  # noqa: BLE001 - kept and raised by __exit__: deaf evidence blames nobody
-            # Whoever is in the middle of something when we close meets a context that is gone.
+            # A thread that is busy when we close finds its context gone.
             self._error = None if self._closing else error
 
     def _spin_until_garbage(self) -> bool:
-        """True when the spinning is over; False when somebody's request or answer holds no UTF-8.
+        """True when spinning is over; False when a request or an answer is not valid UTF-8.
 
-        rclpy decodes those by itself, and what a program sends must not make us deaf.
+        rclpy itself decodes those, and a program's data must not stop us from listening.
         """
         try:
             self._executor.spin()
@@ -134,10 +133,10 @@ class Recorder:
     def subscribe(
         self, topic: str, type_name: str, *, reliability: str = "reliable", durability: str = "volatile"
     ) -> Listener:
-        """Record every message on `topic` from now on. One listener serves each topic.
+        """Record every message on `topic` from now on. Each topic has one listener.
 
-        Asks for the given QoS first; when a publisher offers less, it takes what is offered.
-        Raises OurFault when this type is not known to the grader's own ROS.
+        Asks for the given QoS first; if a publisher offers less, accepts what it offers. Raises OurFault if
+        the grader's own ROS does not have this type.
         """
         if topic not in self._listeners:
             self.define(type_name)
@@ -148,7 +147,7 @@ class Recorder:
     def publisher(
         self, topic: str, type_name: str, *, reliability: str = "reliable", durability: str = "volatile"
     ) -> Stimulus:
-        """A publisher of our own, whose messages are recorded as sent."""
+        """A publisher of ours, whose messages are recorded as sent."""
         self.define(type_name)
         self._joined(topic, type_name, "publisher")
         return Stimulus(self, topic, type_name, _profile(reliability, durability))
@@ -166,15 +165,15 @@ class Recorder:
         return Server(self, service, type_name, answer)
 
     def parameters(self, node: str) -> Parameters:
-        """Asks a node about its parameters, and hears of their changes."""
+        """Asks a node for its parameters, and listens to their changes."""
         return Parameters(self, node)
 
-    def serialised(self, message: Any) -> bytes:
+    def serialized(self, message: Any) -> bytes:
         """The message's CDR bytes."""
         return bytes(serialize_message(message))
 
     def watch(self, state: Callable[[], object]) -> None:
-        """Whoever waits on the time line looks again whenever `state()` is another than it was."""
+        """Wake up those who wait on the time line whenever `state()` has changed."""
         self._watched.append(state)
 
     def _look_around(self) -> None:
@@ -185,7 +184,7 @@ class Recorder:
             self.timeline.look_again()
 
     def look_at_graph(self) -> None:
-        """Record the graph if it is not as it was."""
+        """Record the graph if it has changed."""
         graph = self._reader.read_if_changed()
         if graph is None or graph == self.graph:
             return
@@ -197,7 +196,7 @@ class Recorder:
             self.timeline.add(Marked(self.timeline.now(), GRAPH_CUT))
 
     def define(self, type_name: str) -> None:
-        """Keep the text definition of this type for those who read the recording."""
+        """Keep this type's text definition for readers of the recording."""
         if type_name not in self.definitions:
             prefixes = [Path(part) for part in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)]
             try:
@@ -211,7 +210,7 @@ class Recorder:
 
     @property
     def service_profile(self) -> QoSProfile:
-        """For our ends of services: none of many calls at once is lost on our side."""
+        """For our ends of services: keeps all of many simultaneous calls."""
         return _profile("reliable", "volatile")
 
 
@@ -238,7 +237,7 @@ class Listener:
         profile = _profile(*self._wanted)
 
         def receive(data: bytes, info: Mapping[str, Any]) -> None:
-            if this_round == self._round:  # an earlier, stricter subscription is deaf from then on
+            if this_round == self._round:  # an earlier, stricter subscription is ignored from then on
                 self._receive(data, info)
                 self._receive_waiting()
 
@@ -247,15 +246,15 @@ class Listener:
         )
 
     def close(self) -> None:
-        """Hear no more; what was heard stays. For topics that say the same again and again."""
+        """Stop listening, but keep what was received. For topics that repeat themselves."""
         self._round += 1
         if self._subscription is not None:
             self._recorder.node.destroy_subscription(self._subscription)
 
     def _receive_waiting(self) -> None:
-        """Take what else has come in: rclpy would set up its whole wait anew for each."""
+        """Take everything else that has come in: rclpy would set up its whole wait again for each message."""
         subscription = self._subscription
-        if subscription is None:  # it hears before it has been handed to us
+        if subscription is None:  # it can receive before we have it
             return
         with contextlib.suppress(InvalidHandle), subscription.handle:  # closed meanwhile
             for _ in range(AT_ONCE):
@@ -290,7 +289,7 @@ class Listener:
         timeline.add(MessagesLost(timeline.now(), self.topic, int(info.total_count_change)))
 
     def _incompatible(self, info: Any) -> None:
-        """A publisher offers less than we asked for: ask for the least, which matches all."""
+        """A publisher offers less than we asked for, so ask for the least, which matches all."""
         if self._wanted != ("best_effort", "volatile"):
             self._wanted = ("best_effort", "volatile")
             self._open()
@@ -309,11 +308,11 @@ class Stimulus:
 
     @property
     def matched(self) -> int:
-        """How many subscriptions receive what is published now."""
+        """How many subscriptions would receive a message now."""
         return int(self._publisher.get_subscription_count())
 
     def publish(self, **fields: Any) -> None:
-        """Publish a message with these fields; nested messages are given as dicts."""
+        """Publish a message with these fields; pass nested messages as dicts."""
         data = serialize_message(filled(self._class(), fields))
         self._timeline.add(MessageSent(self._timeline.now(), self.topic, self.type, data))
         self._publisher.publish(data)

@@ -5,17 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from course.evidence.events import Event, ServiceAnswered, ServiceCalled, Side
-from course.evidence.messages import Decoder
-from course.evidence.unreadable import decoded
+from course.evidence.messages import Decoder, decoded
+from course.model.events import Event, ServiceAnswered, ServiceCalled, Side
 
 
 @dataclass(frozen=True)
 class ServiceCall:
-    """One call: when it was asked and answered (s), and the fields of both halves as attributes.
+    """One call: its times (s), and request and response with their fields as attributes.
 
-    response, answered: None when no answer came.
-    client: which of the arena's clients asked, or the learner's node; "" when that is not certain.
+    asked: when it was sent. response, answered: None if no answer came. client: which of the arena's
+    clients asked, or the learner's node; "" if that is uncertain.
     """
 
     asked: float
@@ -26,7 +25,7 @@ class ServiceCall:
 
     @property
     def duration(self) -> float | None:
-        """Seconds from the request to its answer; None without one."""
+        """Seconds from request to answer; None if there was no answer."""
         return None if self.answered is None else self.answered - self.asked
 
 
@@ -34,8 +33,8 @@ class ServiceCall:
 class ServiceView:
     """What happened on one service.
 
-    calls: those that the arena made, to the learner's server. requests: those that reached the
-    arena's own server. Both in the order in which they were asked.
+    calls: the arena's calls of the learner's server. requests: those that reached the arena's own server.
+    Both are in the order in which they were sent.
     """
 
     name: str
@@ -54,13 +53,8 @@ class ServiceView:
 
     @property
     def answered(self) -> tuple[ServiceCall, ...]:
-        """The arena's calls that got an answer."""
+        """The arena's calls that were answered."""
         return tuple(call for call in self.calls if call.answered is not None)
-
-    @property
-    def unanswered(self) -> tuple[ServiceCall, ...]:
-        """The arena's calls that got none."""
-        return tuple(call for call in self.calls if call.answered is None)
 
 
 def _call(asked: ServiceCalled, answer: ServiceAnswered | None, decoder: Decoder) -> ServiceCall:

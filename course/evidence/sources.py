@@ -1,7 +1,7 @@
 """The learner's files as they were when their work was judged.
 
-Verdicts come from what programs do; the files serve to say where the cause is, and where
-a file itself is the exercise (a package.xml), to judge it.
+Verdicts come from what programs do. The files help to find the cause, and are judged only if a file itself
+is the exercise (a package.xml).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ LEFT_OUT = frozenset({"__pycache__", "build", "install", "log", ".git", ".pytest
 class Sources:
     """Text files by path relative to the course home; other files by name only.
 
-    others: files that exist but are not text or too large to keep.
+    others: files that are not text or are too large to keep.
     """
 
     files: Mapping[str, str] = field(default_factory=dict)
@@ -35,7 +35,7 @@ class Sources:
         return tuple(sorted((*self.files, *self.others)))
 
     def below(self, folder: str) -> Sources:
-        """The same files, only those inside `folder`, still named from the course home."""
+        """Return only the files inside `folder`, still with paths relative to the course home."""
         prefix = folder.rstrip("/") + "/"
         return Sources(
             {name: text for name, text in self.files.items() if name.startswith(prefix)},
@@ -44,17 +44,17 @@ class Sources:
 
 
 def read_sources(home: Path, roots: Iterable[str], *, trusted: bool = False) -> Sources:
-    """Read the files and folders `roots` (relative to `home`), each file once and not without end.
+    """Read the files and folders `roots` (relative to `home`), each file once, up to a limit.
 
-    As for the build, a link counts as what it leads to if that lies in the course home. trusted: so does
-    a root that is a link itself, or lies behind one, wherever it leads.
+    As in the build, a link counts as its target if that is in the course home. trusted: so does a root that
+    is a link, or that is reached through one, wherever it leads.
     """
     files: dict[str, str] = {}
     others: list[str] = []
     total = 0
     inside = home.resolve()
     every = (entry for root in roots for entry in _at(home / root, inside, trusted=trusted))
-    # Folders count, too: links among them make ways through them without end.
+    # Folders count, too, because links among them create endless paths.
     few = (path for path, is_folder in islice(every, 4 * MAX_FILES) if not is_folder)
     for path in islice(dict.fromkeys(few), MAX_FILES):
         name = name_in(home, path)
@@ -68,12 +68,12 @@ def read_sources(home: Path, roots: Iterable[str], *, trusted: bool = False) -> 
 
 
 def name_in(home: Path, path: Path) -> str:
-    """A path of the home as texts can hold it, even where its name is no valid UTF-8."""
+    """A path of the home as texts can hold it, even if its name is not valid UTF-8."""
     return os.fsencode(path.relative_to(home)).decode("utf-8", errors="replace")
 
 
 def _at(root: Path, inside: Path, *, trusted: bool) -> Iterable[tuple[Path, bool]]:
-    with contextlib.suppress(OSError, RuntimeError):  # RuntimeError: links in a circle
+    with contextlib.suppress(OSError, RuntimeError):  # RuntimeError: a loop of links
         if not trusted and not root.resolve().is_relative_to(inside):
             return ()
         if root.is_dir():
@@ -84,7 +84,7 @@ def _at(root: Path, inside: Path, *, trusted: bool) -> Iterable[tuple[Path, bool
 
 
 def _below(folder: Path, inside: Path, depth: int) -> Iterator[tuple[Path, bool]]:
-    """What lies below a folder, and whether it is one: own files before those of folders in it, by name."""
+    """What is below a folder, and whether each is a folder: its own files before its subfolders, by name."""
     found = _entries(folder, inside)
     yield from ((path, False) for path, is_folder in found if not is_folder)
     for path, is_folder in found:
@@ -94,7 +94,7 @@ def _below(folder: Path, inside: Path, depth: int) -> Iterator[tuple[Path, bool]
 
 
 def _entries(folder: Path, inside: Path) -> list[tuple[Path, bool]]:
-    """What lies in a folder, and whether it is one itself; links that lead away are left out."""
+    """A folder's entries, and whether each is a folder; leaves out links that lead outside."""
     try:
         with os.scandir(folder) as entries:
             few = list(islice(entries, 2 * MAX_FILES))
@@ -104,7 +104,7 @@ def _entries(folder: Path, inside: Path) -> list[tuple[Path, bool]]:
 
 
 def leads_away(path: Path, inside: Path) -> bool:
-    """Whether this is a link out of the course home, or up to a folder that holds it."""
+    """Whether this link leads out of the course home, or up to a folder that contains it."""
     if not path.is_symlink():
         return False
     try:
@@ -115,7 +115,7 @@ def leads_away(path: Path, inside: Path) -> bool:
 
 
 def _text(path: Path) -> str | None:
-    """The file's text; None for a device, something large or not UTF-8."""
+    """The file's text; None for a device, a large file or invalid UTF-8."""
     try:
         if not path.is_file() or path.stat().st_size > MAX_FILE:
             return None

@@ -1,26 +1,27 @@
-"""A stream: rows of numbers, each with the moment at which it came. Needs no ROS.
+"""A stream: rows of numbers, each with the time at which it arrived. Needs no ROS.
 
-Plain Python does: ten seconds of six joints at 500 Hz are 30,000 numbers, and each question goes through them
-once. numpy comes with ROS alone, and whoever judges a recording again has none.
+Plain Python is fast enough: ten seconds of six numbers at 500 Hz are 30,000, and each question goes through
+them once. numpy comes only with ROS, which a recording can be judged without.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import inf
 
 from course.evidence.topic_view import Message
+from course.model import replace
 
 Row = tuple[float, ...]
 
 
 @dataclass(frozen=True)
 class Stream:
-    """`rows[i]` came at `times[i]` (s, our own clock, never falling); rows may differ in length.
+    """`rows[i]` arrived at `times[i]` (s, our clock, never decreasing); rows may differ in length.
 
-    name: of the topic. lost: rows that our own reception missed.
+    name: of the topic. lost: rows that our own subscription missed.
     """
 
     name: str
@@ -30,7 +31,7 @@ class Stream:
 
     @classmethod
     def of(cls, name: str, field: str, messages: Iterable[Message], lost: int = 0) -> Stream:
-        """What the list `field` of these messages holds. A message that cannot be read raises Failure."""
+        """What the list `field` of these messages contains. An unreadable message raises Failure."""
         kept = tuple(messages)
         rows = (tuple(float(value) for value in getattr(message.data, field)) for message in kept)
         return cls(name, tuple(message.t for message in kept), tuple(rows), lost)
@@ -39,20 +40,20 @@ class Stream:
         return len(self.times)
 
     def between(self, begin: float = -inf, end: float = inf) -> Stream:
-        """The rows that came from `begin` to `end`, both included."""
+        """Return the rows that arrived from `begin` to `end` (s), both included."""
         first, last = bisect_left(self.times, begin), bisect_right(self.times, end)
         return replace(self, times=self.times[first:last], rows=self.rows[first:last])
 
     def at(self, moment: float) -> Row | None:
-        """The last row that had come by that moment."""
+        """Return the last row that had arrived by that moment (s); None if there was none."""
         place = bisect_right(self.times, moment)
         return self.rows[place - 1] if place else None
 
-    def column(self, joint: int) -> Row:
-        """The values of one joint. Raises IndexError where a row is too short."""
-        return tuple(row[joint] for row in self.rows)
+    def column(self, place: int) -> Row:
+        """Return the values at index `place` (from 0). Raises IndexError if a row is too short."""
+        return tuple(row[place] for row in self.rows)
 
     @property
     def widths(self) -> tuple[int, ...]:
-        """The lengths that its rows have, each once."""
+        """The different lengths of its rows."""
         return tuple(sorted({len(row) for row in self.rows}))

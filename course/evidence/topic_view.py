@@ -1,25 +1,45 @@
-"""Messages of one topic as checks see them, and what can be expected of them."""
+"""Messages of one topic as checks see them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from itertools import pairwise
-from statistics import median
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
 from typing import Any
 
-from course.evidence.messages import Decoder
-from course.evidence.unreadable import decoded
-from course.feedback import Failure, Feedback, Pace
+from course.evidence.messages import Decoder, decoded
+from course.model import replace
+from course.model.feedback import Pace
 
 MIN_INTERVALS = 4
+# What the current check asks for. A recording is a value, so this is not stored in it.
+_ASKED: ContextVar[list[Pace] | None] = ContextVar("paces", default=None)
+
+
+@contextmanager
+def paces_asked() -> Iterator[list[Pace]]:
+    """The paces that a check asks for inside this context, in order, whether it passes or not."""
+    asked: list[Pace] = []
+    token = _ASKED.set(asked)
+    try:
+        yield asked
+    finally:
+        _ASKED.reset(token)
+
+
+def ask_for(topic: str, shortest: float, longest: float) -> None:
+    """Tell the report what time between two messages (s) a check wants, so that it can plot the range."""
+    asked = _ASKED.get()
+    if asked is not None:
+        asked.append(Pace(topic, shortest, longest))
 
 
 @dataclass(frozen=True)
 class Message:
     """One message: when it arrived (s), its type, and its fields as attributes of `data`.
 
-    Where the bytes are not a message of that type, `data` is false, and to read a field of it is
+    If the bytes are not a message of that type, `data` is false, and reading one of its fields counts as
     the learner's failure.
     """
 
@@ -54,60 +74,26 @@ _LEVELS = {10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
 
 @dataclass(frozen=True)
 class TopicView:
-    """What arrived on one topic. `lost`: messages that our own reception missed.
+    """What arrived on one topic. lost: messages that our own subscription missed.
 
-    watched: how long the recording lasted, in seconds. asked: told of each pace that is asked for.
+    watched: length of the recording (s).
     """
 
     name: str
     messages: tuple[Message, ...]
     lost: int
     watched: float
-    asked: Callable[[Pace], None] = field(default=lambda pace: None, compare=False, repr=False)
 
     @property
     def times(self) -> tuple[float, ...]:
+        """When each message arrived (s)."""
         return tuple(message.t for message in self.messages)
 
-    def expect_period(self, period: float, *, tolerance: float = 0.2, advice: str | None = None) -> None:
-        """The median interval is `period` seconds, within the fraction `tolerance`.
-
-        Needs at least four intervals. Raises Failure with both figures otherwise.
-        """
-        self.asked(Pace(self.name, period * (1 - tolerance), period * (1 + tolerance)))
-        expect_period(self.times, period, what=f"messages on {self.name}", tolerance=tolerance, advice=advice)
-
-
-def expect_period(
-    times: tuple[float, ...], period: float, *, what: str, tolerance: float = 0.2, advice: str | None = None
-) -> None:
-    """`times` (s, our own clock) come every `period` seconds by their median interval."""
-    intervals = [later - earlier for earlier, later in pairwise(times)]
-    if intervals and abs(median(intervals) - period) > tolerance * period:
-        seen = median(intervals)
-        raise Failure(
-            Feedback(
-                summary=f"The {what} come every {seconds(seen)}, not every {seconds(period)}.",
-                expected=f"one every {seconds(period)} ({_hertz(period)})",
-                seen=f"one every {seconds(seen)} ({_hertz(seen)})",
-                advice=advice,
-            )
-        )
-    if len(intervals) < MIN_INTERVALS:
-        raise Failure(
-            Feedback(
-                summary=f"Only {len(times)} {what} came, too few to tell how often they come.",
-                expected=f"at least {MIN_INTERVALS + 1}, one every {seconds(period)}",
-                seen=f"{len(times)}",
-                advice=advice,
-            )
-        )
+    def between(self, begin: float, end: float) -> TopicView:
+        """Return what arrived from `begin` (s) up to, but not including, `end` (s)."""
+        return replace(self, messages=tuple(one for one in self.messages if begin <= one.t < end))
 
 
 def seconds(value: float) -> str:
     """A duration for people: `0.50 s`, `2.3 ms`."""
     return f"{value * 1000:.2g} ms" if value < 0.01 else f"{value:.2f} s"
-
-
-def _hertz(period: float) -> str:
-    return f"{1 / period:.3g} Hz" if period > 0 else "all at once"

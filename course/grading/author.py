@@ -1,4 +1,4 @@
-"""What a grader module is written with: one `Grader` an exercise, its scenario, its checks.
+"""The words of a grader module: one `Grader` per exercise, with its scenario and its checks.
 
     publisher = Grader("18-publisher")
 
@@ -8,19 +8,20 @@
     @publisher.check("rate", "publishes twice per second", points=2, needs="publishes")
     def twice_per_second(recording): ...
 
-The scenario acts and is run once; checks are pure functions of the recording. The functions
-stay plain functions: pytest collects them, with fixtures and all, through `grading.plugin`.
+The scenario acts and runs once; checks are pure functions of the recording. The functions
+stay plain functions: pytest collects them, with fixtures and all, through `judge.plugin`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from course.errors import OurFault
 from course.evidence.recording import Recording
-from course.feedback import Failure
+from course.model.feedback import Failure
 
 if TYPE_CHECKING:
     from course.arena.arena import Arena
@@ -35,8 +36,8 @@ BUILDS = "builds"
 class CheckSpec:
     """One check as its author declared it.
 
-    id: unique in the exercise and stable. needs: ids of checks that must pass, else this one
-    is skipped.
+    id: unique in the exercise and stable. needs: ids of checks that must pass; otherwise this one is
+    skipped.
     """
 
     id: str
@@ -48,13 +49,13 @@ class CheckSpec:
 
 
 class Grader:
-    """The grader of one exercise: at most one scenario, and the checks in their order.
+    """The grader of one exercise: at most one scenario, and the checks in order.
 
-    builds: points of the check that the packages build, which comes first and which every
-    other check needs unless it says otherwise; None for an exercise without packages.
-    ros: False when its scenario has nothing to do with ROS, which then is not started.
-    sanitizers: True when its scenario compiles programs with the address sanitizer (`arena.compile`), which
-    takes more addresses than programs of a submission have otherwise.
+    builds: points of the check that the packages build. It comes first, and every other check needs it
+    unless declared otherwise. None for an exercise without packages. ros: False if the scenario does not
+    use ROS, which is then not started. sanitizers: True if the scenario compiles programs with the address
+    sanitizer (`arena.cpp.compile`), which needs more address space than programs of a submission usually
+    get.
     """
 
     def __init__(
@@ -70,7 +71,7 @@ class Grader:
             self._add(CheckSpec(BUILDS, "the packages build", builds, False, (), exercise), _packages_build)
 
     def scenario(self, function: Scenario) -> Scenario:
-        """Decorator: this function acts in the arena and is over once the evidence is complete."""
+        """Decorator: this function acts in the arena, and returns when the evidence is complete."""
         if self.scenario_function is not None:
             raise OurFault(f"{self.exercise} has two scenarios")
         self.scenario_function = function
@@ -87,11 +88,10 @@ class Grader:
     ) -> Callable[[_Function], _Function]:
         """Decorator: this function judges the recording.
 
-        It returns when all is well and raises `course.feedback.Failure` (most easily by
-        `fail()` or an `expect_*`) when the learner's work is not right. Any other exception
-        is our error; `course.feedback.NotApplicable` says that it cannot be judged here, which is
-        nobody's fault and costs no points. needs: ids of checks; by default that the packages build;
-        () for none.
+        It returns if all is well, and raises `course.model.feedback.Failure`, as each `expect_*` does, if
+        the learner's work is wrong. Any other exception is our error, except
+        `course.model.feedback.NotApplicable`: it cannot be judged here, which is nobody's fault and costs
+        no points. needs: ids of checks; by default that the packages build; () for none.
         """
         wanted = (
             self._default_needs() if needs is None else ((needs,) if isinstance(needs, str) else tuple(needs))
@@ -113,6 +113,11 @@ class Grader:
         if unknown:
             raise OurFault(
                 f"check {spec.id} of {self.exercise} needs {unknown[0]}, which does not stand before it"
+            )
+        if not 0 < spec.points < inf:
+            raise OurFault(
+                f"check {spec.id} of {spec.exercise} is worth {spec.points:g} points",
+                "give it more than 0 points; `bonus=True` is for a check that costs nothing when it fails",
             )
         self.checks[spec.id] = spec
         self.functions[spec.id] = function

@@ -1,207 +1,328 @@
 """One check from the learner's files to the verdict.
 
-Builds what the exercise needs, starts the grading process in the enclosure that this machine
-allows, and waits for its judgement within the time limit. Whatever goes wrong on our side
-becomes an «our error» result: the learner is never blamed for it.
+Builds what the exercise needs, starts the recording process as far apart as this machine allows, waits
+for its recording within the time limit, and has it judged by another process. Whatever goes wrong on our side
+becomes the result "our error": the learner is never blamed for it.
 """
 
 from __future__ import annotations
 
 import contextlib
+import functools
+import os
 import sys
+import tempfile
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import course
-from course.arena.acts import acts_file, read_acts
-from course.arena.containment import Containment, Places, containment
-from course.arena.play_module import seed_for
-from course.arena.sandbox.plan import Plan
-from course.arena.sandbox.view import hidden, shown
+from course.arena.command_lines import installed_executables
+from course.arena.mystery_module import log_file, read_log, seed_for
 from course.build import BuildOutcome, Interrupt, Store, Workspace, build
-from course.build.underlay import provide
-from course.content import Exercise
-from course.errors import MissingHere, OurFault
-from course.grading.channel import Judgement
-from course.grading.job import Job
+from course.build.budget import SUBMISSION
+from course.build.underlay_build import provide
+from course.content import Exercise, open_course
+from course.content.layout import STATE
+from course.errors import CourseError, MissingHere, OurFault, StorageError
+from course.evidence.mcap_file import keep as keep_recording
+from course.evidence.packages import BuiltPackage, BuiltPackages
+from course.explain.observed import asks_why
+from course.grading import trial
+from course.grading.attempts import concluded, deserves_another, doubt_of
+from course.grading.judge.judges import Judge
 from course.grading.load import runs_programs
-from course.grading.outcome import is_spoilt
-from course.grading.packages import as_evidence
-from course.grading.quiz.check import check_quiz, with_questions
-from course.grading.reference import reference_packages
-from course.grading.result import Result, Timing, Verdict, not_applicable, verdict_of
+from course.grading.protocol import Judgment, RecordingOutcome, RecordingTask
+from course.grading.quiz.questions import check_quiz, with_questions
+from course.grading.reference import reference_packages, workers
 from course.grading.supervisor import Supervisor
-from course.grading.workers import workers
+from course.grading.trial_answers import SEED
+from course.isolation import Level
+from course.isolation.isolation_plan import IsolationPlan
+from course.isolation.levels import Isolation, MachinePlaces, isolated
+from course.isolation.view import view
+from course.model import replace
+from course.model.result import Result, Timing, Verdict, not_applicable, verdict_of
 from course.rosenv import Ros, node_environment, places_of, plain_environment, prepare
 
-STATE = ".ros2course"
-
-ON_OWN_MACHINE = "It is about your own machine, and no part of what is handed in."
+ON_OWN_MACHINE = "It is about your own computer, and not part of what you hand in."
 
 Progress = Callable[[str], None]
-Judge = Callable[[Exercise, Path], Judgement]
 
 
-def check_exercise(
-    exercise: Exercise,
-    home: Path,
-    *,
-    ros: Ros | None,
-    store: Store | None = None,
-    on_progress: Progress = lambda text: None,
-    namespaces: bool = True,
-    evidence: Path | None = None,
-    local: bool = True,
-    seed: int | None = None,
-    judge: Judge | None = None,
-) -> Result:
-    """Grade `exercise` as it stands in the course home `home`.
+@dataclass(frozen=True)
+class Request:
+    """What is to be graded, and how. Nothing in the course home `home` is written.
 
-    Nothing in `home` is written. on_progress gets short texts, from this thread or others.
-    evidence: keep the recording in this MCAP file.
+    ros: None only where `load.runs_programs` says that none is needed.
     namespaces: False grades in a ROS domain of its own even where namespaces would work.
+    evidence: keep the recording in this MCAP file.
     local: False for a submission: what is about the learner's own machine is then not applicable.
-    ros: None only where `load.runs_programs` says that none is needed. seed: the learner's own (see
-    `CourseHome.seed`), or one made of their submission's name; needed for mysteries.
-    judge: judges the recording kept in `evidence`, in place of the grading process (see `rejudge.Beside`).
+    seed: the learner's own (see `CourseHome.seed`), or one made of their submission's name; needed for
+    mysteries. on_progress: gets short texts, from the caller's thread or others. looks_for_cause: whether
+    to run a second time for checks that failed without a proven cause; by default where the result is
+    certain. so_far: gets the result before that run, which changes nothing in it but advice.
+    """
+
+    exercise: Exercise
+    home: Path
+    ros: Ros | None = None
+    store: Store = field(default_factory=Store)
+    namespaces: bool = True
+    evidence: Path | None = None
+    local: bool = True
+    seed: int | None = None
+    on_progress: Progress = lambda text: None
+    looks_for_cause: Callable[[Result], bool] = lambda result: doubt_of(result) is None
+    so_far: Callable[[Result], None] = lambda result: None
+
+
+def check_exercise(request: Request) -> Result:
+    """Grade an exercise as it stands, again where there is doubt: see `attempts`.
+
+    Raises what `attempt_exercise` does.
+    """
+    with contextlib.closing(Judge()) as judge:
+        attempt, result = 1, attempt_exercise(request, judge)
+        while deserves_another(result, attempt):
+            request.on_progress("watching your program once more")
+            attempt, result = attempt + 1, attempt_exercise(request, judge)
+        return concluded(result, attempt, request.exercise, lambda: solution_passes(request, judge))
+
+
+def solution_passes(request: Request, judge: Judge) -> bool:
+    """Whether the course's own solution can be judged on this machine, and passes."""
+    exercise = request.exercise
+    with tempfile.TemporaryDirectory(prefix="ros2course-") as home:
+        trial.lay_solution(open_course(exercise.grader.parents[1]), exercise, Path(home))
+        own = Request(
+            exercise,
+            Path(home),
+            ros=request.ros,
+            store=request.store,
+            namespaces=request.namespaces,
+            local=False,
+            seed=SEED,
+        )
+        return attempt_exercise(own, judge).verdict is Verdict.PASSED
+
+
+def attempt_exercise(request: Request, judge: Judge) -> Result:
+    """Grade once. The result may hold doubts, which `attempts` knows how to end.
+
     Raises MissingHere and StorageError for what this machine lacks; KeyboardInterrupt passes
     through after everything that was started has ended.
     """
-    if exercise.local_only and not local:
+    exercise, ros = request.exercise, request.ros
+    if exercise.local_only and not request.local:
         return not_applicable(exercise.id, ON_OWN_MACHINE, bonus=exercise.bonus)
     if not runs_programs(exercise):
-        return check_quiz(exercise, home, seed)
+        return check_quiz(exercise, request.home, request.seed)
     if ros is None:
         raise OurFault(f"{exercise.id} cannot be graded without a ROS")
     began = time.monotonic()
     prepare(ros)
-    store = store or Store()
-    places = _places(exercise, home, ros, store, evidence)
-    with containment(places, namespaces=namespaces) as where, workers() as (pool, stop):
-        learners = pool.submit(_build, exercise, home, ros, store, on_progress, stop, local)
-        reference = pool.submit(reference_packages, exercise, ros, store, on_progress, stop).result()
+    with (
+        contextlib.ExitStack() as keep,
+        isolated(_places(request, ros), namespaces=request.namespaces) as where,
+        workers() as (pool, stop),
+    ):
+        if where.level is Level.CONTAINED and not request.local:
+            _require_hidden(exercise, ros)
+        learners = pool.submit(_build, request, ros, stop, keep)
+        reference = pool.submit(
+            reference_packages, exercise, ros, request.store, request.on_progress, stop, keep
+        ).result()
         # Loads while the learner's packages are still being built.
-        with Supervisor(where.around, node_environment(ros, reference)) as supervisor:
+        with Supervisor(where, node_environment(ros, reference)) as supervisor:
             outcome = learners.result()
             built = time.monotonic()
-            job = _job(exercise, home, ros, outcome, where, evidence, local, seed)
-            job = replace(job, judge=judge is None)
-            recorded = supervisor.grade(job, exercise.time_limit, on_progress)
-        if recorded.missing and recorded.fault is not None:
-            raise MissingHere(recorded.fault.summary, recorded.fault.advice)
-        judgement = _judged(recorded, judge, exercise, evidence)
-        if is_spoilt(judgement.checks):
-            on_progress("watching your program once more")
-            with Supervisor(where.around, node_environment(ros, reference)) as another:
-                recorded = another.grade(job, exercise.time_limit, on_progress)
-            judgement = _judged(recorded, judge, exercise, evidence)
-    timing = Timing(
-        build=round(built - began, 3),
-        evidence=round(judgement.evidence, 3),
-        total=round(time.monotonic() - began, 3),
-        lag=round(judgement.lag, 3),
-        cpu=round(judgement.cpu, 3),
+            judge.prepare(exercise)
+            task = _task(request, ros, outcome, where)
+            recorded = supervisor.record(task, exercise.time_limit, request.on_progress)
+            if recorded.fault is None:
+                _keep(supervisor, request)
+            judgment = _judged(recorded, supervisor, judge, request)
+            timing = Timing(
+                build=round(built - began, 3),
+                evidence=round(recorded.seconds, 3),
+                total=round(time.monotonic() - began, 3),
+                lag=round(recorded.lag, 3),
+                cpu=round(recorded.cpu, 3),
+            )
+            result = _result(exercise, judgment, timing, where)
+            result = with_questions(result, exercise, request.home, request.seed)
+            if _lacks_a_cause(result, task) and request.looks_for_cause(result):
+                request.so_far(result)
+                return _with_causes(result, task, supervisor, judge, request, where)
+    return result
+
+
+def _lacks_a_cause(result: Result, task: RecordingTask) -> bool:
+    """Whether Python ran, and something failed that nothing explains."""
+    built = (f"{task.home}/{package.source}/setup.py" for package in task.packages.built)
+    python = any(map(os.path.exists, built)) or not task.packages.built
+    return python and result.fault is None and any(map(asks_why, result.checks))
+
+
+def _with_causes(
+    result: Result,
+    task: RecordingTask,
+    judged: Supervisor,
+    judge: Judge,
+    request: Request,
+    where: Isolation,
+) -> Result:
+    """The scenario once more, with the learner's Python watched from inside: it gives advice, no verdict.
+
+    The recording that was judged gets what was noted, and is judged again. Of that, only advice counts.
+    """
+    request.on_progress("looking for the cause: your program runs once more")
+    left = max(request.exercise.time_limit - result.timing.evidence, 1.0)
+    again = Judgment(())
+    # Whatever goes wrong here, the verdict stands.
+    with (
+        contextlib.suppress(CourseError),
+        Supervisor(where, judged.environment, judged.recording) as supervisor,
+    ):
+        recorded = supervisor.record(replace(task, observed=True), left, request.on_progress)
+        again = _judged(recorded, supervisor, judge, request)
+        if again.fault is None:
+            _keep(supervisor, request)
+    found = {check.id: check.feedback for check in again.checks if check.feedback}
+    checks = tuple(
+        replace(check, feedback=replace(check.feedback, advice=cause.advice, where=cause.where))
+        if asks_why(check) and check.feedback and (cause := found.get(check.id))
+        else check
+        for check in result.checks
     )
-    result = _result(exercise, judgement, timing, where.around.kind, where.around.missing)
-    return with_questions(result, exercise, home, seed)
+    return replace(result, checks=checks)
 
 
-def _judged(recorded: Judgement, judge: Judge | None, exercise: Exercise, evidence: Path | None) -> Judgement:
-    if recorded.judged or judge is None or evidence is None:
-        return recorded
-    said = judge(exercise, evidence)
-    return replace(recorded, checks=said.checks, fault=said.fault, judged=True)
+def _judged(recorded: RecordingOutcome, recorder: Supervisor, judge: Judge, request: Request) -> Judgment:
+    if recorded.missing and recorded.fault is not None:
+        raise MissingHere(recorded.fault.summary, recorded.fault.advice)
+    if recorded.fault is not None:
+        return Judgment((), recorded.fault, recorded.doubt)
+    # It has no name of its own.
+    return judge.judge(request.exercise, Path(f"/proc/{os.getpid()}/fd/{recorder.recording.fileno()}"))
 
 
-def _build(
-    exercise: Exercise,
-    home: Path,
-    ros: Ros,
-    store: Store,
-    on_progress: Progress,
-    stop: Interrupt,
-    local: bool,
-) -> BuildOutcome:
-    workspace = Workspace.scan(home / exercise.workspace, home, trusted=local)
-    provide(workspace, exercise.packages, ros, on_progress=on_progress, interrupt=stop)
-    return build(workspace, exercise.packages, ros, store, on_progress=on_progress, interrupt=stop)
+def _keep(recorder: Supervisor, request: Request) -> None:
+    if request.evidence is not None:
+        try:
+            keep_recording(recorder.recording, request.evidence)
+        except StorageError as error:  # no reason to withhold the verdict
+            request.on_progress(error.what)
 
 
-def _job(
-    exercise: Exercise,
-    home: Path,
-    ros: Ros,
-    outcome: BuildOutcome,
-    where: Containment,
-    evidence: Path | None,
-    local: bool,
-    seed: int | None,
-) -> Job:
-    packages = as_evidence(outcome)
-    extra = where.around.environment
+def _build(request: Request, ros: Ros, stop: Interrupt, keep: contextlib.ExitStack) -> BuildOutcome:
+    exercise = request.exercise
+    workspace = Workspace.scan(request.home / exercise.workspace, request.home, trusted=request.local)
+    provide(workspace, exercise.packages, ros, on_progress=request.on_progress, interrupt=stop)
+    return build(
+        workspace,
+        exercise.packages,
+        ros,
+        request.store,
+        on_progress=request.on_progress,
+        interrupt=stop,
+        bounds=SUBMISSION,
+        keep=keep,
+    )
+
+
+def _task(request: Request, ros: Ros, outcome: BuildOutcome, where: Isolation) -> RecordingTask:
+    exercise, packages = request.exercise, as_evidence(outcome)
+    extra = where.environment
     environment = {**node_environment(ros, outcome.prefixes), **extra}
     roots = (*(package.source for package in packages.built), *exercise.files)
-    return Job(
+    return RecordingTask(
         exercise=exercise.id,
         grader=str(exercise.grader),
-        home=str(home),
+        home=str(request.home),
         roots=tuple(dict.fromkeys(roots)),
         packages=packages,
         environment=environment,
         python=str(ros.python),
-        evidence=str(evidence) if evidence else None,
         looks_at=(*exercise.files, *exercise.looks_at),
         plain={**plain_environment(ros), **extra},
-        local=local,
-        sandbox=_sandbox(where, ros, environment, exercise, home, local),
-        **_mystery(exercise, home, seed),
+        local=request.local,
+        sandbox=_sandbox(where, ros, environment, request),
+        **_mystery(request),
     )
 
 
+def as_evidence(outcome: BuildOutcome) -> BuiltPackages:
+    """The packages with the executables that are really installed, and the failure if any."""
+    built = tuple(
+        BuiltPackage(
+            package.name,
+            package.source,
+            str(package.prefix),
+            installed_executables(package.prefix, package.name),
+        )
+        for package in outcome.packages
+    )
+    return BuiltPackages(built, outcome.failure.feedback if outcome.failure else None)
+
+
 def _sandbox(
-    where: Containment,
-    ros: Ros,
-    environment: Mapping[str, str],
-    exercise: Exercise,
-    home: Path,
-    local: bool,
-) -> Plan | None:
+    where: Isolation, ros: Ros, environment: Mapping[str, str], request: Request
+) -> IsolationPlan | None:
     # A virtual environment and what `colcon build` installed work in their own place only. Of a submission
     # neither is looked at.
-    own = [*(file.parent for file in home.glob("*/pyvenv.cfg")), home / exercise.workspace] if local else []
-    visible = shown(ros, environment, own)
-    return where.plan(visible, hidden(visible))
+    home = request.home
+    own = [*(file.parent for file in home.glob("*/pyvenv.cfg")), home / request.exercise.workspace]
+    return where.sandbox(view(ros, environment, own if request.local else []))
 
 
-def _places(exercise: Exercise, home: Path, ros: Ros, store: Store, evidence: Path | None) -> Places:
-    """What the grading process reads and writes."""
-    if evidence:
-        with contextlib.suppress(OSError):  # saving it says so
-            evidence.parent.mkdir(parents=True, exist_ok=True)
+def _require_hidden(exercise: Exercise, ros: Ros) -> None:
+    """Raises OurFault where builds and programs of a submission could read the course."""
+    readable = _readable((exercise.grader, exercise.solution, exercise.folder), ros)
+    if readable:
+        what = f"{readable} lies among the files of the system, which submissions can read."
+        raise OurFault(what, "Move the course to a folder of its own, such as one in your home.")
+
+
+@functools.cache
+def _readable(places: tuple[Path, ...], ros: Ros) -> Path | None:
+    seen = view(ros, node_environment(ros))
+    return next((place for one in places for place in (one, one.resolve()) if seen.shows(place)), None)
+
+
+def _places(request: Request, ros: Ros) -> MachinePlaces:
+    """What the recording process reads."""
+    store, exercise = request.store.root, request.exercise
     engine = Path(course.__file__).parents[1]
     with contextlib.suppress(OSError):  # building says so
-        store.root.mkdir(parents=True, exist_ok=True)
+        store.mkdir(parents=True, exist_ok=True)
     pythons = (Path(sys.prefix), Path(sys.base_prefix), *places_of(ros))
-    read = (*pythons, engine, exercise.grader.parents[1], exercise.solution.parent, home, store.root)
-    return Places(tuple(dict.fromkeys(read)), (evidence.parent,) if evidence else ())
+    read = (*pythons, engine, exercise.grader.parents[1], exercise.solution.parent, request.home, store)
+    return MachinePlaces(tuple(dict.fromkeys(read)))
 
 
-def _mystery(exercise: Exercise, home: Path, seed: int | None) -> dict[str, Any]:
-    """What the grading process is told of the exercise's mystery."""
-    if exercise.play is None or seed is None:
+def _mystery(request: Request) -> dict[str, Any]:
+    """What the recording process is told of the exercise's mystery."""
+    exercise = request.exercise
+    if exercise.play is None or request.seed is None:
         return {}
-    acts = read_acts(acts_file(home / STATE, exercise.id))
-    return {"seed": seed_for(exercise.id, seed), "acts": tuple((act.name, act.detail) for act in acts)}
+    acts = read_log(log_file(request.home / STATE, exercise.id))
+    told = tuple((act.name, act.detail) for act in acts)
+    return {"seed": seed_for(exercise.id, request.seed), "acts": told}
 
 
-def _result(
-    exercise: Exercise, judgement: Judgement, timing: Timing, kind: str, missing: str | None
-) -> Result:
-    verdict = Verdict.OUR_ERROR if judgement.fault else verdict_of(judgement.checks)
-    notes = (missing,) if missing else ()
+def _result(exercise: Exercise, judgment: Judgment, timing: Timing, around: Isolation) -> Result:
     return Result(
-        exercise.id, verdict, judgement.checks, timing, judgement.fault, kind, notes, bonus=exercise.bonus
+        exercise.id,
+        Verdict.OUR_ERROR if judgment.fault else verdict_of(judgment.checks),
+        judgment.checks,
+        timing,
+        judgment.fault,
+        around.level.value,
+        (around.missing,) if around.missing else (),
+        exercise.bonus,
+        judgment.doubt,
     )

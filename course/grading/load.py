@@ -1,17 +1,20 @@
-"""Finds the grader of an exercise in its module, without pytest."""
+"""Finds the grader of an exercise, its mystery and its questions, without pytest."""
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import TypeVar
 
-from course.content import Exercise
+from course.arena.mystery_module import seed_for
+from course.content import Exercise, Question
 from course.errors import OurFault
 from course.grading.author import Grader
-from course.grading.mystery import Mystery
+from course.grading.mystery import Mystery, resolved
 
 _Declared = TypeVar("_Declared", Grader, Mystery)
 
@@ -28,11 +31,35 @@ def load_module(file: Path) -> ModuleType:
     """Run a grader module. Raises OurFault when it is none, and what it raises itself."""
     spec = importlib.util.spec_from_file_location(f"ros2course_{file.stem}", file)
     if spec is None or spec.loader is None:
-        raise OurFault(f"{file} is no Python module")
+        raise OurFault(f"{file} is not a Python module")
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module  # where dataclasses of the module look for it
-    spec.loader.exec_module(module)
+    with _modules_beside(file.parent):
+        spec.loader.exec_module(module)
     return module
+
+
+@contextlib.contextmanager
+def _modules_beside(folder: Path) -> Iterator[None]:
+    """Within it, modules in the folder can be imported: `from lib.counts import expect_counting`.
+
+    They are forgotten afterwards: another course has others under the same names.
+    """
+    names = {path.stem for path in folder.iterdir()} if folder.is_dir() else set()
+    others = _taken(names)
+    sys.path.insert(0, str(folder))
+    try:
+        yield
+    finally:
+        sys.path.remove(str(folder))
+        _taken(names)
+        sys.modules.update(others)
+
+
+def _taken(names: set[str]) -> dict[str, ModuleType]:
+    """Takes these modules, and those in them, out of those that Python knows."""
+    found = [name for name in sys.modules if name.partition(".")[0] in names]
+    return {name: sys.modules.pop(name) for name in found}
 
 
 def declared(module: ModuleType, kind: type[_Declared], exercise: str) -> _Declared | None:
@@ -48,3 +75,23 @@ def runs_programs(exercise: Exercise) -> bool:
     if not exercise.grader.is_file():
         return False
     return declared(load_module(exercise.grader), Grader, exercise.id) is not None
+
+
+def questions_for(exercise: Exercise, seed: int | None) -> tuple[Question, ...]:
+    """seed: the learner's own; not needed where no mystery is. Raises OurFault for faults of the course."""
+    mystery = mystery_of(exercise)
+    if mystery is None:
+        return exercise.questions
+    if seed is None:
+        raise OurFault(f"{exercise.id} is a mystery, and no seed was given to draw it from")
+    return resolved(exercise, mystery, mystery.draw(seed_for(exercise.id, seed)))
+
+
+def mystery_of(exercise: Exercise) -> Mystery | None:
+    """What the exercise's grader module says of its mystery; None for an exercise without."""
+    if exercise.play is None:
+        return None
+    mystery = declared(load_module(exercise.grader), Mystery, exercise.id)
+    if mystery is None and any(question.computed for question in exercise.questions):
+        raise OurFault(f"{exercise.grader.name} has no `Mystery` of {exercise.id}")
+    return mystery

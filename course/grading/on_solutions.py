@@ -15,8 +15,8 @@ import pytest
 from course.content import Exercise, open_course
 from course.grading import trial, trial_answers
 from course.grading.author import CheckSpec, Grader
-from course.grading.check import check_exercise
-from course.grading.result import Outcome, Result
+from course.grading.check import Request, check_exercise
+from course.model.result import Outcome, Result
 from course.rosenv import find_ros
 
 _RESULTS = pytest.StashKey[dict[str, Result]]()
@@ -81,7 +81,6 @@ def _result(item: SolutionItem) -> Result:
         exercise = _exercise(item)
         with tempfile.TemporaryDirectory(prefix="ros2course-") as home:
             trial.lay_solution(course, exercise, Path(home))
-            results[exercise_id] = check_exercise(
-                exercise, Path(home), ros=find_ros(), seed=trial_answers.SEED
-            )
+            request = Request(exercise, Path(home), ros=find_ros(), seed=trial_answers.SEED)
+            results[exercise_id] = check_exercise(request)
     return results[exercise_id]

@@ -10,5 +10,5 @@ _WORDS = (
 
 
 def words(count: int) -> str:
-    """So many words, such as `ember511 isle40`, that nobody says by chance."""
+    """Return `count` random words, such as `ember511 isle40`, that cannot appear by chance."""
     return " ".join(f"{secrets.choice(_WORDS)}{secrets.randbelow(1000)}" for _ in range(count))

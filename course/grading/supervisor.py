@@ -1,6 +1,6 @@
-"""The parent's side of a grading process: start it early, give it the job, await its verdict.
+"""The parent's side of a recording process: start it early, give it the task, await the recording.
 
-The process is started before the job is known, so that it loads while packages are built.
+The process is started before the task is known, so that it loads while packages are built.
 However it ends (crash, hang, Ctrl+C here), everything below it has ended afterwards.
 """
 
@@ -16,39 +16,51 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from types import TracebackType
+from typing import IO
 
 import course
-from course.arena.containment import KNOWN, SCRATCH
-from course.arena.enclosure import Enclosure
-from course.arena.leftovers import nothing_left
-from course.arena.remembered import forget
-from course.errors import StorageError
-from course.feedback import Feedback
-from course.grading.channel import Judgement, read_message
-from course.grading.job import Job, to_line
+from course.errors import DamagedData, StorageError
+from course.files import wipe
+from course.grading.protocol import RecordingOutcome, RecordingTask, read_message
+from course.isolation import Level, start
+from course.isolation.isolation_plan import SCRATCH, IsolatedProcess
+from course.isolation.levels import KNOWN, Isolation, forget
+from course.isolation.none import nothing_left
+from course.model import codec
+from course.model.feedback import Feedback
+from course.model.result import Doubt
 
 _CLOSE_GRACE = 3.0
 _START_TIME = 30.0
 _LOG_LINES = 15
-_PROCESS = "course.grading.process"
+_PROCESS = "course.grading.recording_process"
 
 
 class Supervisor:
-    """Owns one grading process between entering and leaving its context."""
+    """Owns one recording process between entering and leaving its context.
 
-    def __init__(self, where: Enclosure, environment: Mapping[str, str]) -> None:
+    recording: the file that it writes. It has no name: it is gone however we end, and nobody else finds it.
+    environment: its own. judged: the recording that a run adds to when it looks for a cause.
+    """
+
+    def __init__(
+        self, where: Isolation, environment: Mapping[str, str], judged: IO[bytes] | None = None
+    ) -> None:
         self._where = where
-        self._environment = environment
-        self._process: subprocess.Popen[str]
+        self._judged = judged
+        self.environment = environment
+        self._process: subprocess.Popen[bytes]
+        self.recording: IO[bytes]
         self._results: int
         self._folder: str
+        self._running = False  # whether the submission's programs have been started
         self._stack: contextlib.ExitStack
 
     def __enter__(self) -> Supervisor:
         with contextlib.ExitStack() as stack:
             try:
                 self._folder = stack.enter_context(self._scratch())
-                # Unlinked at once, so it is gone however we end.
+                self.recording = stack.enter_context(tempfile.TemporaryFile())
                 self._log = stack.enter_context(tempfile.TemporaryFile("w+", errors="replace"))
             except OSError as error:
                 what = f"No temporary file can be made in {tempfile.gettempdir()}: {error.strerror}."
@@ -56,7 +68,7 @@ class Supervisor:
             self._results, write_end = os.pipe()
             stack.callback(os.close, self._results)
             try:
-                self._process = self._start(write_end)
+                self._process = stack.enter_context(self._start(write_end)).process
             finally:
                 os.close(write_end)
             stack.callback(self._end)
@@ -74,7 +86,7 @@ class Supervisor:
 
         In namespaces of its own the kernel does both, whatever happens to us.
         """
-        if self._where.kind != "domain":
+        if self._where.level is not Level.DOMAIN:
             yield str(SCRATCH)
             return
         folder = tempfile.mkdtemp(prefix="ros2course-")
@@ -82,21 +94,21 @@ class Supervisor:
             with nothing_left():
                 yield folder
         finally:
-            # Not shutil: a tree of a thousand folders in one another is too deep for it.
-            subprocess.run(["rm", "-rf", "--", folder], check=False, stderr=subprocess.DEVNULL)
+            wipe(Path(folder))
 
-    def _start(self, write_end: int) -> subprocess.Popen[str]:
-        return subprocess.Popen(
-            [*self._where.prefix, sys.executable, "-m", _PROCESS, str(write_end), self._folder],
+    def _start(self, write_end: int) -> contextlib.AbstractContextManager[IsolatedProcess]:
+        """In a session of its own: Ctrl+C at the terminal is for us alone; we end the process in order."""
+        descriptors = (write_end, self.recording.fileno())
+        judged = (self._judged.fileno(),) if self._judged else ()
+        return start(
+            self._where.plan,
+            [sys.executable, "-m", _PROCESS, *map(str, descriptors), self._folder, *map(str, judged)],
             stdin=subprocess.PIPE,
             stdout=self._log,
             stderr=self._log,
             env=self._own_environment(),
             cwd="/",
-            pass_fds=(write_end,),
-            # Ctrl+C at the terminal is for us alone; we end the process in order.
-            start_new_session=True,
-            text=True,
+            pass_fds=(*descriptors, *judged),
         )
 
     def _end(self) -> None:
@@ -109,37 +121,41 @@ class Supervisor:
             self._process.kill()
             self._process.wait()
 
-    def grade(self, job: Job, time_limit: float, on_progress: Callable[[str], None]) -> Judgement:
-        """Send the job and read until the judgement; faults of the process become one."""
+    def record(
+        self, task: RecordingTask, time_limit: float, on_progress: Callable[[str], None]
+    ) -> RecordingOutcome:
+        """Send the task and read until the outcome; faults of the process become one."""
         try:
             assert self._process.stdin is not None
-            self._process.stdin.write(to_line(job) + "\n")
+            self._process.stdin.write(codec.to_json(task) + b"\n")
             self._process.stdin.flush()
         except BrokenPipeError:
             forget(KNOWN)  # perhaps this machine does not allow any more what it did
-            return self._fault("The grading process did not start.")
-        return self._await_judgement(time_limit, on_progress)
+            return self._fault("The recording process did not start.")
+        return self._await_outcome(time_limit, on_progress)
 
-    def _await_judgement(self, time_limit: float, on_progress: Callable[[str], None]) -> Judgement:
+    def _await_outcome(self, time_limit: float, on_progress: Callable[[str], None]) -> RecordingOutcome:
         deadline = time.monotonic() + time_limit + _START_TIME
         buffer = b""
         while True:
             ready, _, _ = select.select([self._results], [], [], max(0.0, deadline - time.monotonic()))
             if not ready:
-                return self._fault(f"The grading process did not finish within {time_limit:.0f} s.")
+                return self._fault(f"The recording process did not finish within {time_limit:.0f} s.")
             data = os.read(self._results, 65536)
             if not data:
                 forget(KNOWN)
-                return self._fault(f"The grading process ended without a verdict ({self._how_it_ended()}).")
+                how = self._how_it_ended()
+                return self._fault(f"The recording process ended without a recording ({how}).")
             *lines, buffer = (buffer + data).split(b"\n")
             for line in lines:
                 try:
-                    message = read_message(line.decode())
-                except (KeyError, ValueError):
-                    return self._fault("The grading process did not speak our language.")
-                if isinstance(message, Judgement):
+                    message = read_message(line)
+                except DamagedData:
+                    return self._fault("The recording process did not speak our language.")
+                if isinstance(message, RecordingOutcome):
                     return message
-                on_progress(message)
+                self._running = self._running or message.running
+                on_progress(message.text)
 
     def _how_it_ended(self) -> str:
         with contextlib.suppress(subprocess.TimeoutExpired):
@@ -147,22 +163,22 @@ class Supervisor:
         code = self._process.poll()
         return "still running" if code is None else f"signal {-code}" if code < 0 else f"exit code {code}"
 
-    def _fault(self, what: str) -> Judgement:
+    def _fault(self, what: str) -> RecordingOutcome:
         self._log.seek(0, os.SEEK_END)
         self._log.seek(max(0, self._log.tell() - 8192))
         tail = tuple(self._log.read().splitlines()[-_LOG_LINES:])
         advice = "This is the course's error, not yours. The attempt does not count. Try again."
-        return Judgement((), 0.0, Feedback(summary=what, advice=advice, details=tail))
+        doubt = Doubt.SPOILT if self._running else None
+        return RecordingOutcome(fault=Feedback(summary=what, advice=advice, details=tail), doubt=doubt)
 
     def _own_environment(self) -> dict[str, str]:
         return {
-            **self._environment,
+            **self.environment,
             **self._where.environment,
             "ROS_LOG_DIR": f"{self._folder}/ros-log",  # not the learner's ~/.ros
-            "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
             "PYTHONPATH": os.pathsep.join(
                 part
-                for part in (str(Path(course.__file__).parents[1]), self._environment.get("PYTHONPATH"))
+                for part in (str(Path(course.__file__).parents[1]), self.environment.get("PYTHONPATH"))
                 if part
             ),
         }

@@ -10,9 +10,9 @@ import shutil
 from pathlib import Path
 
 from course.content import Alternative, Course, Edit, Exercise, Mistake
-from course.content.additions import ADDED_TO, with_addition
-from course.content.layout import ALTERNATIVE, BUILT
+from course.content.layout import ADDED_TO, ALTERNATIVE, BUILT, with_addition
 from course.errors import ContentError
+from course.files import wipe
 from course.grading.trial_answers import change_answers, lay_answers
 from course.grading.trial_build import build_in_place
 from course.rosenv import on_this_machine
@@ -21,7 +21,7 @@ _NOT_LAID = frozenset({"alternatives", "alternative.yaml", BUILT})
 
 
 def lay_solution(course: Course, exercise: Exercise, home: Path) -> None:
-    """The reference solutions of this exercise's chapter and of all that it stands on."""
+    """The reference solutions of this exercise's chapter and of all that it builds on."""
     needed = _standing_on(course, exercise)
     for solution in dict.fromkeys(one.solution for one in needed):
         _lay(solution, home)
@@ -110,7 +110,7 @@ def _apply(edit: Edit, mistake: Mistake, home: Path, where: Path) -> None:
     if not file.exists() and edit.content is None:
         raise ContentError(f"{mistake.id} edits {edit.file}, which the solution does not have", file=where)
     if edit.delete:
-        shutil.rmtree(file) if file.is_dir() else file.unlink()
+        wipe(file)
     elif edit.rename is not None:
         target = home / edit.rename
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -134,5 +134,5 @@ def _replace(edit: Edit, mistake: Mistake, file: Path, where: Path) -> None:
 
 
 def _there(text: str, file: Path) -> str:
-    """What an edit says of a file, as it stands in the trial home: see `_add_to`."""
+    """What an edit says about a file, as it is in the trial home: see `_add_to`."""
     return on_this_machine(text) if file.name in ADDED_TO else text

@@ -9,18 +9,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from course.arena.acts import acts_file, write_acts
-from course.arena.play_module import seed_for
+from course.arena.mystery_module import log_file, seed_for, write_log
 from course.content import Exercise, answers_file
-from course.content.model import Given
-from course.content.names import did_you_mean
+from course.content.entries import Given
+from course.content.layout import STATE
 from course.errors import ContentError
-from course.grading.check import STATE
-from course.grading.mystery.load import mystery_of, questions_for
-from course.grading.mystery.resolve import fill
-from course.grading.quiz.answers import read_answers
-from course.grading.quiz.right import right_answers
-from course.grading.quiz.writing import answers_text
+from course.evidence.acts import Act
+from course.grading.load import mystery_of, questions_for
+from course.grading.mystery import fill
+from course.grading.quiz.answers import answers_text, read_answers
+from course.grading.quiz.judge import right_answers
+from course.spelling import did_you_mean
 
 # The seed of the learner who did it all right.
 SEED = 1994
@@ -33,9 +32,9 @@ def lay_answers(exercise: Exercise, home: Path) -> None:
         _write(exercise, home, answers)
     mystery = mystery_of(exercise)
     if mystery is not None:
-        acts = tuple(mystery.acts_function(mystery.draw(seed_for(exercise.id, SEED))))
+        acts = tuple(Act(name) for name in mystery.acts_function(mystery.draw(seed_for(exercise.id, SEED))))
         if acts:
-            write_acts(acts_file(home / STATE, exercise.id), exercise.id, acts)
+            write_log(log_file(home / STATE, exercise.id), exercise.id, acts)
 
 
 def change_answers(exercise: Exercise, home: Path, changes: Mapping[str, Given], where: Path) -> None:

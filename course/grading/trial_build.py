@@ -1,4 +1,4 @@
-"""Builds what lies in a trial home as its learner would: where it lies, and with nothing kept."""
+"""Builds what is in a trial home as its learner would: in place, and with nothing kept."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from course.errors import MissingHere, OurFault
+from course.files import wipe
 from course.rosenv import find_ros, node_environment, plain_environment
 
 _TIME = 120.0
@@ -16,7 +17,7 @@ _CMAKE_TOOLS = ("cmake", "make", "g++")
 
 
 def build_in_place(folder: Path, options: Sequence[str] = ()) -> None:
-    """`colcon build` with these options in a workspace, anew; a CMake project is built and installed.
+    """`colcon build` with these options in a workspace, from nothing; a CMake project is built and installed.
 
     Raises OurFault with what it says if it fails.
     """
@@ -25,7 +26,7 @@ def build_in_place(folder: Path, options: Sequence[str] = ()) -> None:
         return
     (folder / "src").mkdir(parents=True, exist_ok=True)  # empty folders are in no solution
     for name in ("build", "install", "log"):
-        shutil.rmtree(folder / name, ignore_errors=True)
+        wipe(folder / name)
     environment = {**node_environment(find_ros()), "HOME": str(folder.parent)}
     command = shutil.which("colcon", path=environment["PATH"])
     if command is None:
@@ -41,7 +42,7 @@ def _install(project: Path, options: Sequence[str]) -> None:
         raise MissingHere(what, f"sudo apt install {' '.join(missing)}")
     prefixes = (option.removeprefix(_PREFIX) for option in options if option.startswith(_PREFIX))
     for folder in (project / "build", *map(Path, prefixes)):
-        shutil.rmtree(folder, ignore_errors=True)
+        wipe(folder)
     _run(["cmake", "-S", ".", "-B", "build", *options], project, environment)
     _run(["cmake", "--build", "build"], project, environment)
     _run(["cmake", "--install", "build"], project, environment)

@@ -8,13 +8,12 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from course.content import Exercise
-from course.content.additions import ADDED_TO, with_addition
+from course.content.layout import ADDED_TO, with_addition
 from course.errors import ContentError
-from course.home.model import CourseHome
+from course.home.course_home import CourseHome
 from course.home.storage import storing
-from course.rosenv import on_this_machine
 
-LARGEST = 1_000_000  # bytes; what is larger is no source file, and would be compared for minutes
+LARGEST = 1_000_000  # bytes; a larger file is not source code, and would be compared for minutes
 
 
 class FileDiff(NamedTuple):
@@ -55,6 +54,8 @@ def _reference(file: str, before: list[str], reference: Path) -> list[str]:
 
 
 def _added(before: list[str], addition: Path) -> list[str]:
+    from course.rosenv import on_this_machine  # only for files of the shell
+
     added = on_this_machine(addition.read_text(encoding="utf-8"))
     return with_addition("".join(before), added).splitlines(keepends=True)
 

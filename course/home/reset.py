@@ -1,4 +1,4 @@
-"""Begins an exercise anew: what was there goes to a dated backup first.
+"""Begins an exercise again: what was there goes to a dated backup first.
 
 At every moment the learner's work is in its place, in the backup, or in both: a full disk or a killed
 command loses nothing.
@@ -6,6 +6,7 @@ command loses nothing.
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 from dataclasses import dataclass
@@ -13,10 +14,11 @@ from datetime import datetime
 from pathlib import Path
 
 from course.content import Exercise, shared_files
-from course.content.additions import ADDED_TO
-from course.home.model import STATE, CourseHome
+from course.content.layout import ADDED_TO, STATE
+from course.files import sweep, wipe
+from course.home.course_home import CourseHome
 from course.home.starter import starter_files
-from course.home.storage import copy_into, copy_over, inside, storing, sweep
+from course.home.storage import copy_into, copy_over, inside, storing
 
 
 @dataclass(frozen=True)
@@ -24,7 +26,7 @@ class ResetReport:
     """What `reset` did; paths of files are relative to the course home.
 
     backup: the folder that holds what was there, laid out as the home; None when nothing was.
-    saved: what lies in it. restored: starter files laid anew. removed: files that the starter lacks.
+    saved: what is in it. restored: starter files laid again. removed: files that the starter lacks.
     kept: files that other exercises work on too, left as they are (and saved).
     """
 
@@ -68,7 +70,7 @@ def _back_up(home: CourseHome, files: tuple[str, ...], name: str) -> Path | None
             _copy(home.path / file, part / file)
         return _claim(part, name)
     except OSError:
-        shutil.rmtree(part, ignore_errors=True)
+        wipe(part)
         raise
 
 
@@ -94,12 +96,11 @@ def _lay_anew(home: CourseHome, starter: Path, files: tuple[str, ...]) -> None:
         target.parent.mkdir(parents=True, exist_ok=True)
         sweep(target.parent)
         if target.is_dir() and not target.is_symlink():
-            shutil.rmtree(target)
+            _remove(target)
         copy_over(starter / file, target)
 
 
 def _remove(path: Path) -> None:
-    if path.is_dir() and not path.is_symlink():
-        shutil.rmtree(path)
-    else:
-        path.unlink(missing_ok=True)
+    wipe(path)
+    if os.path.lexists(path):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))

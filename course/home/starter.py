@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from course.content import Exercise
-from course.home.model import CourseHome
-from course.home.storage import copy_new, inside, storing, sweep
+from course.content import Exercise, answers_file
+from course.files import sweep, write_atomic
+from course.home.course_home import CourseHome
+from course.home.storage import copy_new, inside, storing
 
 _NOT_STARTERS = {"__pycache__", ".pytest_cache", ".DS_Store"}
 
@@ -39,3 +40,13 @@ def _lay(home: CourseHome, starter: Path, files: tuple[str, ...]) -> Iterator[Pa
         sweep(target.parent)
         if copy_new(source, target):
             yield target
+
+
+def keep_answers(home: CourseHome, exercise: str, text: str) -> None:
+    """Write the exercise's answers, whole or not at all. The caller holds the home's lock.
+
+    Raises StorageError when the disk does not take it, UsageError for a folder that leads elsewhere.
+    """
+    name = answers_file(exercise)
+    with storing(f"{name} cannot be written"):
+        write_atomic(inside(home.path, name), text)

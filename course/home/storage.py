@@ -5,15 +5,13 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import secrets
 import shutil
 import stat
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from course.errors import StorageError, UsageError
-
-PART = ".ros2course-part"
+from course.files import replacing, to_disk, unfinished
 
 _ADVICE = {
     errno.ENOSPC: "free some space on this disk, then try again; nothing was lost",
@@ -47,9 +45,8 @@ def copy_new(source: Path, target: Path) -> bool:
 
 def copy_over(source: Path, target: Path) -> None:
     """Copy a file with its mode in place of what is there. A link there is replaced, not followed."""
-    with _part_of(target) as part:
+    with replacing(target) as part:
         copy_into(source, part)
-        part.replace(target)
 
 
 def copy_into(source: Path, target: Path) -> None:
@@ -58,13 +55,7 @@ def copy_into(source: Path, target: Path) -> None:
     if not target.is_symlink():
         # The course may be installed read-only; the learner's copy must not be.
         target.chmod(target.stat().st_mode | stat.S_IRUSR | stat.S_IWUSR)
-        _flush(target)
-
-
-def sweep(folder: Path) -> None:
-    """Remove what a killed command left half-written. For whoever holds the home's lock."""
-    for left in folder.glob(f".*{PART}"):
-        left.unlink(missing_ok=True)
+        to_disk(target)
 
 
 def inside(home: Path, relative: str) -> Path:
@@ -86,7 +77,7 @@ def _real(path: Path) -> Path:
 def _new(target: Path, fill: Callable[[Path], None]) -> bool:
     if os.path.lexists(target):
         return False
-    with _part_of(target) as part:
+    with unfinished(target) as part:
         fill(part)
         return _name_it(part, target)
 
@@ -106,25 +97,6 @@ def _name_it(part: Path, target: Path) -> bool:
     return True
 
 
-@contextlib.contextmanager
-def _part_of(target: Path) -> Iterator[Path]:
-    """A name beside the target for the unfinished file; gone afterwards, whatever happens."""
-    part = target.with_name(f".{target.name[:40]}.{secrets.token_hex(4)}{PART}")
-    try:
-        yield part
-    finally:
-        part.unlink(missing_ok=True)
-
-
 def _fill(target: Path, content: bytes) -> None:
     target.write_bytes(content)
-    _flush(target)
-
-
-def _flush(file: Path) -> None:
-    """To the disk itself: after a power cut the name must not stand for an empty file."""
-    descriptor = os.open(file, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
+    to_disk(target)

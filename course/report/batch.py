@@ -1,4 +1,4 @@
-"""Grading a class in the terminal: what was found, how far it is, and how it ended."""
+"""Grading a class in the terminal: what was found, how it ended, and whose marks moved later."""
 
 from __future__ import annotations
 
@@ -9,12 +9,9 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from course.grading.result import Result, Verdict
-from course.report import safe, tally
+from course.model.result import Result, Verdict
+from course.report import activity, sanitize
 from course.report.console import put, put_prose
-from course.report.tally import progress
-
-__all__ = ["Row", "Tally", "line_of", "progress", "render_end", "render_plan"]
 
 _MARKS = {
     Verdict.PASSED: "passed",
@@ -26,7 +23,7 @@ _MARKS = {
 
 
 @dataclass(frozen=True)
-class Row:
+class SubmissionRow:
     """One submission as it was found. Texts are safe to show. remarks: what is to be said of it."""
 
     person: str
@@ -37,20 +34,20 @@ class Row:
     remarks: Sequence[str] = ()
 
 
-def render_plan(console: Console, rows: Sequence[Row], remarks: Sequence[str]) -> None:
+def render_plan(console: Console, rows: Sequence[SubmissionRow], remarks: Sequence[str]) -> None:
     """A table of what was found where, and what is wrong with it."""
     table = Table(box=None, pad_edge=False, header_style="bold")
     for title in ("id", "name", "what", "exercises", "from"):
         table.add_column(title, overflow="fold")
     for row in rows:
         cells = (row.person, row.name, row.kind, _exercises(row.exercises), row.source)
-        table.add_row(*(Text(safe.one_line(cell)) for cell in cells))
+        table.add_row(*(Text(sanitize.one_line(cell)) for cell in cells))
     console.print(table)
     for row in rows:
         for remark in row.remarks:
-            put_prose(console, safe.paragraph(remark), first=f"  {safe.one_line(row.person)}: ")
+            put_prose(console, sanitize.paragraph(remark), first=f"  {sanitize.one_line(row.person)}: ")
     for remark in remarks:
-        put_prose(console, safe.paragraph(remark))
+        put_prose(console, sanitize.paragraph(remark))
     graded = sum(bool(row.exercises) for row in rows)
     gradings = sum(len(row.exercises) for row in rows)
     put(console)
@@ -66,7 +63,7 @@ def _exercises(ids: Sequence[str]) -> str:
     return ", ".join(ids) if len(ids) <= 4 else f"{', '.join(ids[:3])} and {len(ids) - 3} more"
 
 
-class Tally(tally.Tally):
+class GradingTally(activity.Tally):
     """Gradings, by their verdicts."""
 
     def add(self, result: Result) -> None:
@@ -76,7 +73,7 @@ class Tally(tally.Tally):
 def line_of(person: str, result: Result) -> str:
     """One grading in one line."""
     points = f"{result.points:g} of {result.max_points:g}" if result.checks else "-"
-    return safe.one_line(f"{person}  {result.exercise}  {_MARKS[result.verdict]}  {points}")
+    return sanitize.one_line(f"{person}  {result.exercise}  {_MARKS[result.verdict]}  {points}")
 
 
 def render_end(
@@ -85,6 +82,61 @@ def render_end(
     """How many ended how, and where to read on. files: path and what it is."""
     put(console, ", ".join(f"{count} {verdict}" for verdict, count in verdicts) or "Nothing was graded.")
     put(console)
-    width = max(len(name) for name, _ in files)
+    width = max((len(name) for name, _ in files), default=0)
     for name, what in files:
         put(console, f"  {name.ljust(width)}  {what}")
+
+
+@dataclass(frozen=True)
+class MovedRow:
+    """One grading. name: whose it is. reasons: one line for each check that moved.
+
+    before, after: points. most_before, most_after: what could be had.
+    """
+
+    name: str
+    exercise: str
+    before: float
+    after: float
+    most_before: float
+    most_after: float
+    reasons: Sequence[str]
+
+    @property
+    def same(self) -> bool:
+        return (self.before, self.most_before) == (self.after, self.most_after)
+
+
+def render_moves(console: Console, rows: Sequence[MovedRow], judged: int) -> None:
+    """Each grading whose points moved, with its reasons below it, and a last line."""
+    width = max((len(sanitize.one_line(row.name)) for row in rows), default=0)
+    for row in rows:
+        who = sanitize.one_line(row.name).ljust(width)
+        marks = _marks(row)
+        put(console, Text(f"  {who}  {sanitize.one_line(row.exercise)}  {marks}"))
+        for reason in row.reasons:
+            put_prose(console, sanitize.paragraph(reason), first="      ")
+    if rows:
+        put(console)
+    moved = sum(not row.same for row in rows)
+    told = f"{moved} of them moved" if moved else "none of them moved"
+    if len(rows) > moved:
+        told += f", and {len(rows) - moved} came to the same points in another way"
+    put(console, f"{judged} gradings were judged again; {told}.")
+
+
+def _marks(row: MovedRow) -> str:
+    after = f"{row.after:g} of {row.most_after:g}"
+    return f"{after}, as before" if row.same else f"{row.before:g} of {row.most_before:g} → {after}"
+
+
+def render_lacking(console: Console, lines: Sequence[tuple[str, str, str]], command: str) -> None:
+    """Gradings that stay as they were: person, exercise and why. command: what grades them again."""
+    if not lines:
+        return
+    put(console)
+    put(console, f"{len(lines)} stay as they were, because their evidence does not suffice:")
+    for person, exercise, why in lines:
+        put_prose(console, sanitize.paragraph(why), first=f"  {sanitize.one_line(person)}  {exercise}  ")
+    put(console)
+    put_prose(console, f"To grade those again: {command}")

@@ -17,7 +17,7 @@ from rich.theme import Theme
 
 # Longer lines are hard to read, whatever the terminal's width.
 WIDEST = 100
-# Colours of the terminal's own sixteen, and no backgrounds: both light and dark terminals exist.
+# Colors of the terminal's own sixteen, and no backgrounds: both light and dark terminals exist.
 STYLES = {"markdown.code": "cyan", "markdown.table.border": "dim", "markdown.table.header": "bold"}
 
 
@@ -41,14 +41,14 @@ def paged(console: Console) -> Iterator[None]:
     if not console.is_terminal:
         yield
         return
-    # `less` shows colours as they are only when told to.
+    # `less` shows colors as they are only when told to.
     styles = "r" in os.environ.get("LESS", "").lower()
     with console.pager(styles=styles):
         yield
 
 
 def is_plain(console: Console) -> bool:
-    """Whether this console shows no colour, so that words and marks must carry everything."""
+    """Whether this console shows no color, so that words and marks must carry everything."""
     return console.no_color or console.color_system is None
 
 
@@ -59,7 +59,7 @@ def put(console: Console, text: str | Text = "", style: str = "") -> None:
 
 
 def put_prose(console: Console, text: str | Text, *, first: str = "", rest: str | None = None) -> None:
-    """Wrapped text; `first` goes before its first line, `rest` (default: blanks) before the others."""
+    """Wrapped text; `first` goes before its first line, `rest` (default: spaces) before the others."""
     prose = Text(text) if isinstance(text, str) else text
     hanging = " " * len(first) if rest is None else rest
     room = max(console.width - max(len(first), len(hanging)), 20)
@@ -69,7 +69,7 @@ def put_prose(console: Console, text: str | Text, *, first: str = "", rest: str 
 
 
 def with_code(console: Console, text: str, style: str = "") -> Text:
-    """`text` with its `code` in backquotes coloured; without colour the backquotes stay."""
+    """`text` with its `code` in backquotes colored; without color the backquotes stay."""
     parts = text.split("`")
     if is_plain(console) or len(parts) % 2 == 0:
         return Text(text, style)

@@ -1,7 +1,7 @@
 """Markdown for the terminal: lessons, exercises and hints.
 
 Differs from rich's own in what a learner needs: code can be copied (no filling up to the right
-edge, no wrapping at the top level), and without colour everything still shows what it is:
+edge, no wrapping at the top level), and without color everything still shows what it is:
 headings are underlined, code in a sentence keeps its backquotes.
 """
 
@@ -17,7 +17,7 @@ from rich.segment import Segment
 from rich.text import Text
 
 from course.report.console import is_plain, put
-from course.report.safe import clean
+from course.report.sanitize import clean
 
 CODE_INDENT = 4
 
@@ -33,7 +33,7 @@ class PlainHeading(Heading):
 
 
 class CopyableCode(CodeBlock):
-    """A code block: indented, coloured where there is colour, never filled up with blanks."""
+    """A code block: indented, colored where there is color, never filled up with spaces."""
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         code = str(self.text).rstrip()
@@ -84,7 +84,7 @@ class CourseMarkdown(Markdown):
 
 
 def put_markdown(console: Console, text: str) -> None:
-    """Print Markdown. Blanks at the ends of lines, which rich fills up with, are left out."""
+    """Print Markdown, without the spaces that rich adds at the ends of lines."""
     rendered = console.render(CourseMarkdown(text, plain=is_plain(console)))
     for segments in Segment.split_lines(rendered):
         line = Text.assemble(*((part.text, part.style or "") for part in segments if not part.control))

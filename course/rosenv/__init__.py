@@ -1,9 +1,8 @@
 """Which ROS 2 is here, and what a process needs to use it. No module of this room imports rclpy."""
 
+from course.files import cache_dir
 from course.rosenv.environment import node_environment, plain_environment
 from course.rosenv.find import find_ros
-from course.rosenv.model import Ros
-from course.rosenv.paths import cache_dir
 from course.rosenv.preparation import (
     add_to_underlay,
     compiled_of_underlay,
@@ -11,8 +10,8 @@ from course.rosenv.preparation import (
     prepare,
     underlay_builds,
 )
-from course.rosenv.setup_files import places_of, setup_script
-from course.rosenv.tutorial_line import on_this_machine
+from course.rosenv.ros import Ros
+from course.rosenv.setup_files import on_this_machine, places_of, setup_script
 
 __all__ = [
     "Ros",

@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
+import json
 import os
+import subprocess
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 
-from course.rosenv.captured import captured_variables
-from course.rosenv.model import Ros, python_folders
-from course.rosenv.overlays import every_prefix, sourced_prefixes, split, without
-from course.rosenv.profile import PROFILE, discovery_values
-from course.rosenv.setup_files import place_of
-from course.rosenv.variables import LISTS, PREFIXES, Variables, ros_values, wheel_variables
+from course.errors import MissingHere
+from course.files import cache_dir, write_atomic
+from course.rosenv.paths import every_prefix, sourced_prefixes, split, without
+from course.rosenv.ros import Ros, digest, python_folders
+from course.rosenv.setup_files import place_of, setup_script
+from course.rosenv.variables import (
+    LISTS,
+    PREFIXES,
+    PROFILE,
+    Variables,
+    discovery_values,
+    ros_values,
+    wheel_variables,
+)
 
 _BASICS = ("HOME", "USER", "LOGNAME", "SHELL", "LANG", "LANGUAGE", "TERM", "COLORTERM", "TZ", "TMPDIR")
 _DEFAULT_PATH = "/usr/local/bin:/usr/bin:/bin"
@@ -24,7 +35,7 @@ def node_environment(
 
     `overlays` are install prefixes of single packages (colcon's isolated layout); where two have the same
     thing, the last one wins. Workspaces that happen to be sourced in `environ` are left out, and so are
-    ROS_DOMAIN_ID and the like: whoever starts the process sets them.
+    ROS_DOMAIN_ID and the like: the one who starts the process sets them.
     """
     environ = os.environ if environ is None else environ
     under, outer_path = _under(ros, environ)
@@ -38,7 +49,7 @@ def node_environment(
 
 
 def plain_environment(ros: Ros, environ: Mapping[str, str] | None = None) -> dict[str, str]:
-    """All variables for a child process that shall know nothing of ROS: as in a freshly opened terminal."""
+    """All variables for a child process that must not know ROS: as in a freshly opened terminal."""
     environ = os.environ if environ is None else environ
     # An environment of pip packages may be active in the caller's shell, without its ROS being sourced.
     known = (*every_prefix(environ), *((ros.prefix,) if ros.origin == "pip" else ()))
@@ -84,3 +95,60 @@ def _profile(ros: Ros, environ: Mapping[str, str]) -> Path:
     # The copy beside the wheels is the one that setup.bash names, and the one a sandbox shows.
     copy = place_of(ros, environ).profile if ros.origin == "pip" else PROFILE
     return copy if copy.exists() else PROFILE
+
+
+_PLAIN_PATH = "/usr/local/bin:/usr/bin:/bin"
+_PATIENCE = 60  # seconds; sourcing takes well under one, on a cold and busy disk a few
+
+
+def captured_variables(ros: Ros, environ: Mapping[str, str]) -> dict[str, str]:
+    """The variables of paths that setup.bash sets; PATH holds only what it adds."""
+    remembered = cache_dir(environ) / "rosenv" / f"{digest([str(ros.prefix)])}.json"
+    if (variables := _recall(remembered, ros)) is not None:
+        return variables
+    variables = _source(setup_script(ros), environ)
+    # Not being able to remember costs a moment the next time, no more.
+    with suppress(OSError):
+        write_atomic(remembered, json.dumps({"identity": ros.identity, "variables": variables}))
+    return variables
+
+
+def _recall(file: Path, ros: Ros) -> dict[str, str] | None:
+    try:
+        content = json.loads(file.read_text(encoding="utf-8"))
+        if content["identity"] == ros.identity:
+            return {str(name): str(value) for name, value in content["variables"].items()}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        pass  # never made, or damaged: made again
+    return None
+
+
+def _source(script: Path, environ: Mapping[str, str]) -> dict[str, str]:
+    base = {"PATH": _PLAIN_PATH, "HOME": environ.get("HOME", "/")}
+    command = ["bash", "--noprofile", "--norc", "-c", '. "$1" >&2; exec env -0', "bash", str(script)]
+    try:
+        done = subprocess.run(
+            command, env=base, stdin=subprocess.DEVNULL, capture_output=True, timeout=_PATIENCE
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise _unusable(script, str(error)) from error
+    variables = _added(done.stdout)
+    if "AMENT_PREFIX_PATH" not in variables:
+        said = done.stderr.decode(errors="replace").strip().splitlines()
+        raise _unusable(script, said[-1] if said else "it sets no AMENT_PREFIX_PATH")
+    return variables
+
+
+def _added(output: bytes) -> dict[str, str]:
+    pairs = (os.fsdecode(entry).partition("=") for entry in output.split(b"\0") if entry)
+    found = {name: value for name, _, value in pairs if name in LISTS}
+    plain = _PLAIN_PATH.split(":")
+    found["PATH"] = ":".join(path for path in found.get("PATH", "").split(":") if path not in plain)
+    return found
+
+
+def _unusable(script: Path, reason: str) -> MissingHere:
+    return MissingHere(
+        f"The ROS 2 installed here cannot be used: {script}: {reason}.",
+        f"See what this says, then repair or reinstall that ROS: bash -c 'source {script}'",
+    )

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 
 from course.errors import MissingHere
-from course.rosenv import identity
-from course.rosenv.host import Host
-from course.rosenv.model import Origin, Ros, python_folders
-from course.rosenv.overlays import has_rclpy, sourced_prefixes, split
-from course.rosenv.support import why_no_wheels
-from course.rosenv.underlay.sources import fingerprint, packages_in, source_root
+from course.model import replace
+from course.rosenv.host import Host, why_no_wheels
+from course.rosenv.paths import has_rclpy, sourced_prefixes, split
+from course.rosenv.ros import Origin, Ros, digest, identity_of_prefixes, identity_of_wheels, python_folders
+from course.rosenv.underlay import fingerprint, packages_in, source_root
 from course.rosenv.variables import DISTRO
 
 _SET_UP = (
@@ -37,7 +35,7 @@ def _sourced(environ: Mapping[str, str], host: Host) -> Ros | None:
     if sourced is None or not distro:
         return None
     if _holds_wheels(sourced.rclpy):
-        # Our own setup.bash was sourced; or that of another copy of the course, which is no choice of a ROS.
+        # Our own setup.bash was sourced, or that of another copy of the course: nobody chose that ROS.
         return _pip(host)
     packages = _rclpy_folder(sourced.rclpy, host)
     if packages is None:
@@ -70,20 +68,18 @@ def _pip(host: Host) -> Ros | None:
             f"ROS 2 in {host.prefix} has no middleware, so its nodes cannot talk.",
             f"Run: {host.executable} -m pip install 'ros-rclpy[fastrtps]==7.1.6'",
         )
-    own = host.prefix / "bin" / "python3"
+    own, root = host.prefix / "bin" / "python3", source_root()
+    packages = packages_in(root) if root else ()
+    compiled = fingerprint(package for package in packages if package.compiled) if packages else ""
     return Ros(
         origin="pip",
         distro=DISTRO,
         prefix=host.prefix,
         python=own if own.exists() else host.executable,
-        identity=identity.of_wheels(host.prefix, host.site_packages, _compiled_underlay()),
+        identity=identity_of_wheels(host.prefix, host.site_packages, compiled),
         site_packages=host.site_packages,
+        underlay=digest([compiled, fingerprint(package for package in packages if not package.compiled)]),
     )
-
-
-def _compiled_underlay() -> str:
-    root = source_root()
-    return fingerprint(package for package in packages_in(root) if package.compiled) if root else ""
 
 
 def _at(
@@ -94,7 +90,7 @@ def _at(
         distro=DISTRO,
         prefix=prefix,
         python=_interpreter(prefix, _version(packages), environ),
-        identity=identity.of_prefixes(prefixes, _version(packages)),
+        identity=identity_of_prefixes(prefixes, _version(packages)),
         site_packages=packages,
     )
 

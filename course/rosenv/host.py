@@ -1,12 +1,15 @@
-"""Facts about this machine and the Python that runs the course, in one value that tests can make up."""
+"""Facts about this machine: its Python, whether pip can bring ROS 2 to it, its C++ libraries."""
 
 from __future__ import annotations
 
 import os
 import sys
 import sysconfig
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+
+from course.errors import MissingHere
 
 
 @dataclass(frozen=True)
@@ -63,3 +66,77 @@ def _libc() -> str:
         return os.confstr("CS_GNU_LIBC_VERSION") or ""
     except (AttributeError, ValueError, OSError):
         return ""  # another C library does not know the question
+
+
+OLDEST, NEWEST = (3, 10), (3, 14)
+_GLIBC = (2, 28)
+_PACKAGES = (
+    "Install ROS 2 Jazzy from its packages (Ubuntu 24.04, https://docs.ros.org/en/jazzy/Installation.html) "
+    "or use the Docker image ros:jazzy. There, run: source /opt/ros/jazzy/setup.bash"
+)
+_PYTHON = (
+    f"Set the course up with one of Python {OLDEST[0]}.{OLDEST[1]} to {NEWEST[0]}.{NEWEST[1]}, "
+    "for example, in the course's folder: python3.12 -m venv .venv && .venv/bin/pip install '.[jazzy]'"
+)
+
+
+def why_no_wheels(host: Host) -> MissingHere | None:
+    """Why pip cannot bring ROS 2 to this machine, with the way out; None when it can."""
+    return _bad_machine(host) or _bad_libc(host) or _bad_python(host)
+
+
+def _bad_machine(host: Host) -> MissingHere | None:
+    if host.system != "linux":
+        return MissingHere(f"ROS 2 from pip exists for Linux only; this is {host.system}.", _PACKAGES)
+    if host.machine not in ("x86_64", "AMD64"):
+        what = f"ROS 2 from pip exists for x86-64 processors only; this one is {host.machine}."
+        return MissingHere(what, _PACKAGES)
+    return None
+
+
+def _bad_libc(host: Host) -> MissingHere | None:
+    if not host.libc.startswith("glibc "):
+        what = "ROS 2 from pip needs the C library glibc; this system has another one (musl, as on Alpine)."
+        return MissingHere(what, _PACKAGES)
+    numbers = tuple(int(part) for part in host.libc.split()[1].split(".")[:2])
+    if numbers < _GLIBC:
+        return MissingHere(f"ROS 2 from pip needs glibc 2.28 or newer; here is {host.libc}.", _PACKAGES)
+    return None
+
+
+def _bad_python(host: Host) -> MissingHere | None:
+    if host.implementation != "cpython" or host.free_threaded:
+        kind = "free-threaded" if host.free_threaded else host.implementation
+        return MissingHere(f"ROS 2 from pip needs the usual CPython; this Python is {kind}.", _PYTHON)
+    if OLDEST <= host.python <= NEWEST:
+        return None
+    age = "old" if host.python < OLDEST else "new"
+    return MissingHere(f"Python {host.python_version} is too {age} for ROS 2 from pip.", _PYTHON)
+
+
+SYSTEM = (Path("/usr"), Path("/usr/local"))
+_CMAKE_FOLDERS = ("share/*/cmake", "share/cmake/*", "lib/cmake/*", "lib/*/cmake/*")
+# What CMake calls them, or how the names of their parts begin; what people do; the Debian package.
+_LIBRARIES = {"Eigen3": ("Eigen 3", "libeigen3-dev"), "Qt5": ("Qt 5", "qtbase5-dev")}
+
+
+def lacks_library(name: str, system: Iterable[Path] = SYSTEM) -> bool:
+    """Whether CMake would not find the library of this name below these prefixes."""
+    # Where Qt is there, one of its parts that is not is a name that somebody misspelt.
+    main = "Qt5Core" if name.startswith("Qt5") else name
+    places = [f"{folder}/{main}Config.cmake" for folder in _CMAKE_FOLDERS]
+    return not any(any(root.glob(place)) for place in places for root in system)
+
+
+def missing_library(name: str) -> MissingHere:
+    """What to say where it is not there; `name` is Eigen3, or one of Qt 5's parts."""
+    called, package = next(said for start, said in _LIBRARIES.items() if name.startswith(start))
+    what = f"The C++ library {called} is not installed on this machine."
+    return MissingHere(what, f"sudo apt install {package}")
+
+
+def require_libraries(names: Iterable[str], system: Iterable[Path] = SYSTEM) -> None:
+    """Raise MissingHere, with the command that installs it, for the first one that is not there."""
+    for name in names:
+        if lacks_library(name, system):
+            raise missing_library(name)

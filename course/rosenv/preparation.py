@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import re
 import sysconfig
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from course.errors import StorageError
-from course.rosenv.files import locked
-from course.rosenv.model import Ros
-from course.rosenv.paths import cache_dir
-from course.rosenv.relocate import relocate
-from course.rosenv.setup_files import Place, body_of, is_stamped, place_of, write_setup_files, write_stamp
+from course.files import cache_dir, locked, sweep, write_atomic
+from course.rosenv.ros import Ros
+from course.rosenv.setup_files import (
+    SetupFiles,
+    body_of,
+    is_stamped,
+    place_of,
+    write_setup_files,
+    write_stamp,
+)
 from course.rosenv.underlay import (
     UnderlayPackage,
     add_build,
@@ -71,12 +77,12 @@ def add_to_underlay(ros: Ros, built: Path, environ: Mapping[str, str] | None = N
         raise _storage_error(ros, error) from error
 
 
-def is_prepared(ros: Ros, place: Place) -> bool:
+def is_prepared(ros: Ros, place: SetupFiles) -> bool:
     """Whether all was done for just these wheels, and nobody removed what a learner sources."""
     return is_stamped(ros, place) and body_of(place).exists() and place.underlay.exists()
 
 
-def _prepare(ros: Ros, place: Place, cache: Path) -> None:
+def _prepare(ros: Ros, place: SetupFiles, cache: Path) -> None:
     relocate(ros.prefix, Path(sysconfig.get_path("include")), _numpy_include(ros))
     root = source_root()
     packages = packages_in(root) if root else ()
@@ -101,3 +107,50 @@ def _storage_error(ros: Ros, error: OSError) -> StorageError:
         "If the disk is full, make room. If the folder belongs to somebody else, let them run "
         "`ros2course doctor` once, or set the course up in a folder of your own: ./ros2course next",
     )
+
+
+# Elements of a CMake list inside quotes. They match the paths of the build machine and our own earlier ones
+# alike, so that a second time changes nothing, and an environment that was moved is put right again.
+_PYTHON_INCLUDE = re.compile(r'(?<=[";])/[^";]*/include/python3\.\d+(?=[";])')
+_NUMPY_INCLUDE = re.compile(r'(?<=[";])/[^";]*/numpy/(?:_core|core)/include(?=[";])')
+_TINYXML = re.compile(r';/[^";]*/libtinyxml2\.so(?=[";])|(?<=")/[^";]*/libtinyxml2\.so;?')
+
+
+def relocate(prefix: Path, python_include: Path, numpy_include: Path) -> tuple[Path, ...]:
+    """Correct every file below `prefix` that needs it; returns those that changed.
+
+    Each file is replaced in one step, so this may be killed at any moment and run again. OSError where a file
+    that needs it cannot be written.
+    """
+    return tuple(
+        file for file, text in _corrected(prefix, python_include, numpy_include) if write_atomic(file, text)
+    )
+
+
+def _corrected(prefix: Path, python_include: Path, numpy_include: Path) -> Iterator[tuple[Path, str]]:
+    for file in prefix.glob("share/*/cmake/export_*__rosidl_generator_pyExport.cmake"):
+        sweep(file.parent)
+        yield file, with_includes(_read(file), python_include, numpy_include)
+    fastrtps = prefix / "share/fastrtps/cmake/fastrtps-shared-targets.cmake"
+    if fastrtps.exists():
+        sweep(fastrtps.parent)
+        yield fastrtps, without_tinyxml(_read(fastrtps))
+
+
+def with_includes(text: str, python_include: Path, numpy_include: Path) -> str:
+    """The text of a CMake export with the include folders of Python and numpy of this machine."""
+    text = _PYTHON_INCLUDE.sub(lambda _: _quoted(python_include), text)
+    return _NUMPY_INCLUDE.sub(lambda _: _quoted(numpy_include), text)
+
+
+def without_tinyxml(text: str) -> str:
+    """The text of a CMake export without libtinyxml2.so, which the wheel bundles for itself."""
+    return _TINYXML.sub("", text)
+
+
+def _read(file: Path) -> str:
+    return file.read_text(encoding="utf-8", errors="surrogateescape")
+
+
+def _quoted(path: Path) -> str:
+    return re.sub(r'([\\"$;])', r"\\\1", str(path))

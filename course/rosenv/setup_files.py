@@ -8,19 +8,18 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.rosenv.files import write_atomic
-from course.rosenv.identity import digest
-from course.rosenv.model import Ros
-from course.rosenv.paths import cache_dir
-from course.rosenv.profile import PROFILE, discovery_values
-from course.rosenv.underlay import fingerprint, packages_in, source_root
-from course.rosenv.variables import Variables, wheel_variables
+from course.errors import MissingHere
+from course.files import cache_dir, write_atomic
+from course.rosenv.find import find_ros
+from course.rosenv.ros import Ros, digest
+from course.rosenv.underlay import source_root
+from course.rosenv.variables import PROFILE, Variables, discovery_values, wheel_variables
 
 _FORMAT = "3"
 
 
 @dataclass(frozen=True)
-class Place:
+class SetupFiles:
     """Where our files for a prefix lie: `scripts` has setup.bash, `data` all the rest."""
 
     scripts: Path
@@ -49,11 +48,11 @@ class Place:
         return self.data / "lock"
 
 
-def place_of(ros: Ros, environ: Mapping[str, str]) -> Place:
+def place_of(ros: Ros, environ: Mapping[str, str]) -> SetupFiles:
     """In the prefix, where that was done or can be done; else in the cache."""
-    inside = Place(ros.prefix, ros.prefix / "share/ros2course")
+    inside = SetupFiles(ros.prefix, ros.prefix / "share/ros2course")
     cached = cache_dir(environ) / "rosenv" / digest([str(ros.prefix)])
-    outside = Place(cached, cached)
+    outside = SetupFiles(cached, cached)
     for place in (inside, outside):
         if is_stamped(ros, place):
             return place
@@ -65,10 +64,10 @@ def places_of(ros: Ros, environ: Mapping[str, str] | None = None) -> tuple[Path,
     if ros.origin != "pip":
         return (ros.prefix,)
     place, root = place_of(ros, os.environ if environ is None else environ), source_root()
-    return (ros.prefix, place.data, place.scripts, *((root,) if root else ()))
+    return (ros.prefix, place.data, place.scripts, *((root / "src",) if root else ()))
 
 
-def is_stamped(ros: Ros, place: Place) -> bool:
+def is_stamped(ros: Ros, place: SetupFiles) -> bool:
     """Whether everything was written there for just these wheels."""
     try:
         return place.stamp.read_text(encoding="utf-8") == _stamp(ros)
@@ -76,7 +75,7 @@ def is_stamped(ros: Ros, place: Place) -> bool:
         return False
 
 
-def write_stamp(ros: Ros, place: Place) -> None:
+def write_stamp(ros: Ros, place: SetupFiles) -> None:
     """Say that everything is done; write this last."""
     write_atomic(place.stamp, _stamp(ros))
 
@@ -90,7 +89,7 @@ def setup_script(ros: Ros, environ: Mapping[str, str] | None = None) -> Path:
     return above if above.exists() and not own.exists() else own
 
 
-def write_setup_files(ros: Ros, place: Place) -> None:
+def write_setup_files(ros: Ros, place: SetupFiles) -> None:
     """Write setup.* and local_setup.* for bash, sh and zsh, and the discovery profile they name."""
     write_atomic(place.profile, PROFILE.read_text(encoding="utf-8"))
     body = body_of(place)
@@ -101,7 +100,7 @@ def write_setup_files(ros: Ros, place: Place) -> None:
         write_atomic(place.scripts / name, call + _completion(shell))
 
 
-def body_of(place: Place) -> Path:
+def body_of(place: SetupFiles) -> Path:
     """The script that all the others call."""
     return place.scripts / "local_setup.sh"
 
@@ -130,14 +129,12 @@ def _completion(shell: str) -> str:
     return f"case $- in *i*) . {shlex.quote(str(script))} ;; esac\n"
 
 
-def _can_write(place: Place) -> bool:
+def _can_write(place: SetupFiles) -> bool:
     return all(os.access(folder, os.W_OK) for folder in (place.scripts, place.data.parent) if folder.exists())
 
 
 def _stamp(ros: Ros) -> str:
-    root = source_root()
-    underlay = fingerprint(packages_in(root)) if root else "no underlay"
-    return f"{_FORMAT} {ros.prefix} {ros.identity} {underlay}\n"
+    return f"{_FORMAT} {ros.prefix} {ros.identity} {ros.underlay}\n"
 
 
 # A path that is there already stays where it is: what was sourced on top of it must stay on top.
@@ -161,3 +158,20 @@ _TAIL = """
 unset -f _ros2course_prepend
 unset _ros2course_old
 """
+
+
+INSTALLED = "/opt/ros/jazzy/setup.bash"
+
+
+def on_this_machine(text: str, environ: Mapping[str, str] | None = None) -> str:
+    """`text` with the setup.bash of the ROS 2 in use in the place of the one below /opt/ros.
+
+    Unchanged where there is no ROS 2 at all.
+    """
+    if INSTALLED not in text:
+        return text
+    try:
+        script = setup_script(find_ros(environ), environ)
+    except MissingHere:
+        return text
+    return text.replace(INSTALLED, shlex.quote(str(script)))

@@ -6,8 +6,20 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.rosenv.model import Ros
-from course.rosenv.underlay.prefix import site_packages
+from course.rosenv.ros import Ros
+from course.rosenv.underlay import site_packages
+
+PROFILE = Path(__file__).with_name("fastdds_profile.xml")
+
+
+def discovery_values(profile: Path) -> dict[str, str]:
+    """Variables for Fast DDS; `profile` is the file with our discovery settings.
+
+    Shared memory is left out: it loses messages between processes that see different /dev/shm, as a sandbox
+    and the outside do.
+    """
+    return {"FASTDDS_BUILTIN_TRANSPORTS": "UDPv4", "FASTRTPS_DEFAULT_PROFILES_FILE": str(profile)}
+
 
 DISTRO = "jazzy"
 

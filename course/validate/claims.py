@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
-from course.content import Exercise
-from course.grading.disturbed import was_disturbed
-from course.grading.result import Verdict
-from course.validate.judge import does_not_pass, earns_all, is_caught
-from course.validate.plan import Kind, starter_builds
-from course.validate.tasks import Proven
+from course.content import Exercise, Mistake
+from course.grading.attempts import ATTEMPTS, MOST_LAG, deserves_another
+from course.grading.author import BUILDS
+from course.model.feedback import Feedback
+from course.model.result import CheckResult, Outcome, Result, Verdict
+from course.validate.proofs import ProofKind, ProofResult, starter_builds
 
 
 class Claims:
@@ -20,24 +20,135 @@ class Claims:
         every = (mistake for exercise in self._exercises.values() for mistake in exercise.mistakes())
         self._mistakes = {(mistake.exercise, mistake.id): mistake for mistake in every}
 
-    def faults(self, proven: Proven) -> list[str]:
+    def faults(self, proven: ProofResult) -> list[str]:
         """What is otherwise than claimed, in words; see `judge`. Nothing where this machine cannot tell."""
         proof, result = proven.proof, proven.result
         if is_missing(proven):
             return []
-        if proof.kind is Kind.STARTER:
+        if proof.kind is ProofKind.STARTER:
             return does_not_pass(result, builds=starter_builds(self._exercises[proof.exercise]))
-        if proof.kind is Kind.MISTAKE:
+        if proof.kind is ProofKind.MISTAKE:
             return is_caught(result, self._mistakes[proof.exercise, proof.name])
         return earns_all(result)
 
-    def is_doubtful(self, proven: Proven) -> bool:
+    def deserves_another(self, proven: ProofResult) -> bool:
         """Whether something is wrong that the machine, or a fault of the engine, may be to blame for."""
-        ours = proven.result.verdict is Verdict.OUR_ERROR
-        may_be = proven.laid and (ours or was_disturbed(proven.result.timing))
-        return may_be and bool(self.faults(proven))
+        # On a busy machine, a mistake may slip through, too.
+        busy = proven.result.timing.lag > MOST_LAG and proven.attempt < ATTEMPTS
+        if fault_of_grader(proven.result) and not busy:
+            return False  # it would fail at the same line again
+        doubtful = proven.laid and (busy or deserves_another(proven.result, proven.attempt))
+        return doubtful and bool(self.faults(proven))
 
 
-def is_missing(proven: Proven) -> bool:
+def fault_of_grader(result: Result) -> Feedback | None:
+    """What went wrong in the grader's own code, with its line in `where`."""
+    told = (result.fault, *(check.feedback for check in result.checks if check.outcome is Outcome.ERROR))
+    return next((feedback for feedback in told if feedback and feedback.where), None)
+
+
+def is_missing(proven: ProofResult) -> bool:
     """Whether this machine lacks what the proof needs."""
     return proven.result.verdict is Verdict.NOT_AVAILABLE
+
+
+def earns_all(result: Result) -> list[str]:
+    """A right solution: every check passed, bonus included."""
+    return [*_not_earned(result)]
+
+
+def does_not_pass(result: Result, *, builds: bool = False) -> list[str]:
+    """A starter: it runs, but there is something left to do. builds: its packages build already."""
+    return [*_let_through(result, builds)]
+
+
+def is_caught(result: Result, mistake: Mistake) -> list[str]:
+    """A known mistake: caught by the check that is named, in the words that are named, and by no other."""
+    return [*_slips(result, mistake)]
+
+
+def failed_by(result: Result) -> frozenset[str]:
+    return frozenset(check.id for check in result.checks if check.outcome is Outcome.FAILED)
+
+
+def words_of(feedback: Feedback | None) -> str:
+    """Everything that a learner reads of it."""
+    if feedback is None:
+        return ""
+    parts = (feedback.summary, feedback.expected, feedback.seen, feedback.advice)
+    return "\n".join([part for part in parts if part] + [*map(str, feedback.where), *feedback.details])
+
+
+def _not_earned(result: Result) -> Iterator[str]:
+    yield from _errors(result)
+    for check in result.checks:
+        if check.outcome not in (Outcome.PASSED, Outcome.ERROR):
+            yield f"`{check.id}` {_ended(check)}"
+    if not result.fault and result.verdict is not Verdict.PASSED:
+        yield f'its verdict is "{result.verdict.value}"'
+    if result.verdict is Verdict.PASSED and not result.points >= result.max_points > 0:
+        yield f"it earns {result.points:g} of {result.max_points:g} points"
+
+
+def _let_through(result: Result, builds: bool) -> Iterator[str]:
+    yield from _errors(result)
+    if not result.fault and result.verdict is Verdict.PASSED:
+        yield "it passes: there is nothing left to do for a learner"
+    elif not result.fault and result.verdict not in (Verdict.NOT_PASSED, Verdict.OUR_ERROR):
+        yield f'its verdict is "{result.verdict.value}"'
+    for check in result.checks:
+        if builds and check.id == BUILDS and check.outcome is not Outcome.PASSED:
+            yield f"`{check.id}` {_ended(check)}"
+
+
+def _slips(result: Result, mistake: Mistake) -> Iterator[str]:
+    yield from _errors(result)
+    if result.fault:
+        return
+    by_id, failed = {check.id: check for check in result.checks}, failed_by(result)
+    if mistake.caught_by not in failed:
+        yield f"`{mistake.caught_by}` does not catch it: {_instead(mistake.caught_by, by_id)}"
+    else:
+        said = words_of(by_id[mistake.caught_by].feedback)
+        for word in mistake.says:
+            if word not in said:
+                yield f'`{mistake.caught_by}` does not say "{word}", but: {_one_line(said)}'
+    yield from _others(mistake, by_id, failed)
+    # What fails bonus checks alone passes; our error is told above.
+    wanted = Verdict.PASSED if all(by_id[name].bonus for name in failed) else Verdict.NOT_PASSED
+    if mistake.caught_by in failed and result.verdict not in (wanted, Verdict.OUR_ERROR):
+        yield f'its verdict is "{result.verdict.value}"'
+
+
+def _others(mistake: Mistake, by_id: dict[str, CheckResult], failed: frozenset[str]) -> Iterator[str]:
+    for name in sorted(failed - {mistake.caught_by, *mistake.also_fails}):
+        yield f"it fails `{name}`, too: {_one_line(words_of(by_id[name].feedback))}"
+    for name in sorted({*mistake.also_fails} - failed - {mistake.caught_by}):
+        yield f"it does not fail `{name}`, which `also_fails` names"
+
+
+def _instead(name: str, by_id: dict[str, CheckResult]) -> str:
+    check = by_id.get(name)
+    if check is None:
+        return f"there is no such check; there are {', '.join(by_id) or 'none'}"
+    return f"the check {_ended(check)}"
+
+
+def _errors(result: Result) -> Iterator[str]:
+    if result.fault:
+        yield f"it could not be judged: {_one_line(words_of(result.fault))}"
+    for check in result.checks:
+        if check.outcome is Outcome.ERROR:
+            yield f"`{check.id}` could not be judged: {_one_line(words_of(check.feedback))}"
+
+
+def _ended(check: CheckResult) -> str:
+    because = check.skipped_because or (check.feedback.summary if check.feedback else "")
+    how = {Outcome.SKIPPED: "was skipped", Outcome.NOT_APPLICABLE: "was not applicable"}.get(
+        check.outcome, check.outcome.value
+    )
+    return f"{how}: {_one_line(because)}" if because and check.outcome is not Outcome.PASSED else how
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())

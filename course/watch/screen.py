@@ -6,17 +6,140 @@ Lines are cut to the terminal's width, so that the screen holds exactly what is 
 from __future__ import annotations
 
 import io
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import singledispatch
 
 from rich.console import Console
 from rich.text import Text
 
-from course.report import safe
+from course.model.result import CheckResult, Outcome, Verdict
+from course.report import sanitize
 from course.report.activity import FRAMES
-from course.report.console import WIDEST, open_console
-from course.report.terminal import HEADLINES, total_of
-from course.watch.bodies import Typed, gain, render
-from course.watch.model import Body, Listing, Look, Verdict
+from course.report.console import WIDEST, number, open_console, put, put_prose
+from course.report.exercise_text import (
+    put_requires,
+    render_after,
+    render_exercise,
+    render_hint,
+    render_lesson,
+    render_list,
+    render_new_files,
+    render_questions,
+)
+from course.report.problem import render_our_fault, render_problem
+from course.report.verdict import HEADLINES, headline, render_checks, render_remarks, total_of
+from course.watch.updates import (
+    AllPassed,
+    Body,
+    HintText,
+    LessonText,
+    Listing,
+    Look,
+    ProblemText,
+    ResultChange,
+    ResultText,
+    TaskText,
+)
+
+# What is to be done comes before what is done.
+_ORDER = (Outcome.FAILED, Outcome.ERROR, Outcome.SKIPPED, Outcome.PASSED, Outcome.NOT_APPLICABLE)
+
+Typed = Callable[[str], str]
+
+
+@singledispatch
+def render(body: Body, console: Console, typed: Typed) -> None:
+    """Print it on the console. typed: one of our commands as it can be typed here."""
+    raise TypeError(f"nothing tells how to show {body!r}")
+
+
+@render.register
+def _lesson(body: LessonText, console: Console, typed: Typed) -> None:
+    for lesson in body.lessons:
+        render_lesson(console, lesson.chapter, lesson.text)
+    put(console, "Press t for the task.", "bold")
+
+
+@render.register
+def _task(body: TaskText, console: Console, typed: Typed) -> None:
+    render_exercise(console, body.exercise, body.home, body.state)
+    render_new_files(console, body.home, body.new)
+    put_requires(console, body.needed)
+    if body.questions:
+        render_questions(console, body.questions)
+
+
+@render.register
+def _verdict(body: ResultText, console: Console, typed: Typed) -> None:
+    result = body.result
+    put(console, headline(result, body.previous))
+    if result.verdict is Verdict.PASSED:
+        put(console, "  Press n for the next exercise.", "bold")
+    if body.change is not None:
+        _put_change(console, body.change)
+    put(console)
+    render_checks(console, _most_urgent_first(result.checks), body.previous)
+    render_remarks(console, result)
+    if result.verdict is Verdict.OUR_ERROR:
+        render_our_fault(console, body.log)
+    if result.verdict is Verdict.PASSED and body.exercise.after:
+        render_after(console, body.exercise.after)
+
+
+@render.register
+def _problem(body: ProblemText, console: Console, typed: Typed) -> None:
+    render_problem(console, body.what, body.next_step)
+
+
+@render.register
+def _hint(body: HintText, console: Console, typed: Typed) -> None:
+    if body.total == 0:
+        put(console, f"There are no hints for {body.exercise.id}.")
+        return
+    render_hint(console, body.exercise.id, body.number, body.total, body.text)
+    if body.number < body.total:
+        put(console, "Press h for the next hint.")
+    else:
+        put(console, f"That was the last hint. `{typed(f'hint {body.exercise.id} --all')}` shows them all.")
+
+
+@render.register
+def _list(body: Listing, console: Console, typed: Typed) -> None:
+    render_list(console, body.rows, body.chapters)
+
+
+@render.register
+def _all_passed(body: AllPassed, console: Console, typed: Typed) -> None:
+    put(console, "You have passed every exercise of this course. Well done!", "bold green")
+    put(console)
+    put(console, f"Press q to leave. `{typed('next ID')}` goes back to one of them.")
+
+
+def _most_urgent_first(checks: Iterable[CheckResult]) -> list[CheckResult]:
+    return sorted(checks, key=lambda check: _ORDER.index(check.outcome))
+
+
+def _put_change(console: Console, change: ResultChange) -> None:
+    if change.is_nothing:
+        put(console, "  Since the last check: nothing has changed.", "dim")
+        return
+    put(console, Text.assemble("  Since the last check: ", (gain(change), "bold")))
+    for mark, style, titles in (("+", "green", change.fixed), ("-", "yellow", change.broken)):
+        said = "passes now" if mark == "+" else "does not pass any more"
+        for title in titles:
+            text = Text(f"{sanitize.paragraph(title)} {said}", style)
+            put_prose(console, text, first=f"    {mark} ", rest=" " * 6)
+
+
+def gain(change: ResultChange) -> str:
+    """The points that were won or lost: `3 points more`."""
+    points = abs(change.points)
+    unit = "point" if points == 1 else "points"
+    if not points:
+        return "as many points"
+    return f"{number(points)} {unit} {'more' if change.points > 0 else 'fewer'}"
+
 
 # Of a body; whatever a check has to say, the screen stays quick.
 MOST_LINES = 1000
@@ -27,7 +150,7 @@ _NARROWEST = 20
 
 @dataclass(frozen=True)
 class Frame:
-    """Lines with colours. following: the first line of the body's next screenful; 0 after the last."""
+    """Lines with colors. following: the first line of the body's next screenful; 0 after the last."""
 
     lines: tuple[str, ...]
     following: int
@@ -63,7 +186,7 @@ class Screen:
             return body[first:], 0
         last = first + max(room - 1, 1)
         more = f"... {len(body) - last} more lines: space shows them"
-        if isinstance(look.body, Verdict):
+        if isinstance(look.body, ResultText):
             more += f", `{self._typed('check')}` shows all at once"
         return [*body[first:last], Text(more, "dim")], last
 
@@ -75,19 +198,19 @@ def _title(look: Look, width: int) -> Text:
         word, style = HEADLINES[look.result.verdict]
         change = f" ({gain(look.change)})" if look.change and look.change.points else ""
         came = Text.assemble((word, style), f": {total_of(look.result)}{change}")
-    name = Text.assemble((look.exercise.id, "bold"), "  ", safe.one_line(look.exercise.title))
+    name = Text.assemble((look.exercise.id, "bold"), "  ", sanitize.one_line(look.exercise.title))
     name.truncate(max(width - came.cell_len - 2, 10), overflow="ellipsis", pad=True)
     return Text.assemble(name, "  ", came)
 
 
 def _going_on(look: Look, now: float) -> Text:
-    remark = safe.one_line(look.remark)
+    remark = sanitize.one_line(look.remark)
     if not look.doing:
         return Text(remark)
     seconds = max(now - look.since, 0.0)
     frame = FRAMES[int(seconds) % len(FRAMES)]
     tail = f"  ({remark})" if remark else ""
-    return Text.assemble((f"{frame} {safe.one_line(look.doing)}  {seconds:.0f} s", "bold"), tail)
+    return Text.assemble((f"{frame} {sanitize.one_line(look.doing)}  {seconds:.0f} s", "bold"), tail)
 
 
 def _beginning(body: Body, lines: list[Text], room: int) -> int:
@@ -122,7 +245,7 @@ class _Full(Exception):
 
 
 class _Paper(io.StringIO):
-    """What a console writes on as if it were a terminal, with its colours."""
+    """What a console writes on as if it were a terminal, with its colors."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -3,21 +3,64 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import replace
-from pathlib import PurePosixPath
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path, PurePosixPath
 
 from course.content import Exercise
 from course.content.layout import answers_file
-from course.grading.result import Result, Verdict
-from course.watch import model
-from course.watch.changes import what_changed
-from course.watch.model import AllPassed, Begun, Checked, Checking, Key, Learner, Look, Message, Said, Saved
-from course.watch.own_files import OwnFiles
+from course.model import replace
+from course.model.result import Result, Verdict
+from course.watch import updates
 from course.watch.saves import concerning
+from course.watch.updates import (
+    AllPassed,
+    Begun,
+    Checked,
+    Checking,
+    Key,
+    Learner,
+    Look,
+    Message,
+    Said,
+    Saved,
+    what_changed,
+)
+
+
+class OwnFiles:
+    """Remembers how they were when they were written; once they look different, somebody saved them."""
+
+    def __init__(self, home: Path) -> None:
+        self._home = home
+        self._known: dict[str, tuple[int, int]] = {}
+        self._folders: set[str] = set()
+
+    def wrote(self, files: Iterable[str]) -> None:
+        """files: relative to the home, as are the others here. Those that are not there are left out."""
+        for file in files:
+            if (stamp := self._stamp(file)) is not None:
+                self._known[file] = stamp
+                self._folders.update(str(folder) for folder in Path(file).parents)
+
+    def without(self, files: Iterable[str]) -> tuple[str, ...]:
+        """Those that somebody else wrote."""
+        return tuple(file for file in files if not self._is_own(file))
+
+    def _is_own(self, file: str) -> bool:
+        if file in self._folders:
+            return (self._home / file).is_dir()
+        return file in self._known and self._known[file] == self._stamp(file)
+
+    def _stamp(self, file: str) -> tuple[int, int] | None:
+        try:
+            found = (self._home / file).lstat()
+        except OSError:
+            return None
+        return found.st_mtime_ns, found.st_size
+
 
 STARTING = "starting the check"
-_ANEW = "; checking anew"
+_ANEW = "; checking again"
 
 
 class Session:
@@ -46,13 +89,13 @@ class Session:
         self.over = False
         self.look: Look = self._opened(begun)
 
-    def hear(self, event: model.Event) -> None:
+    def hear(self, event: updates.Event) -> None:
         """Whatever happened but signals and the time."""
         if isinstance(event, Saved):
             self._saved(event.files)
         elif isinstance(event, Key):
             self._pressed(event.name)
-        elif isinstance(event, Said | Checked | model.Stuck):
+        elif isinstance(event, Said | updates.SoFar | Checked | updates.Stuck):
             self._told(event)
 
     def leave(self) -> None:
@@ -82,10 +125,14 @@ class Session:
             return  # of a check that was called off
         if isinstance(message, Said):
             self.look = replace(self.look, doing=message.text)
+        elif isinstance(message, updates.SoFar):
+            before = self._learner.last_result(self.look.exercise)
+            body = updates.ResultText(self.look.exercise, message.result, before, None)
+            self.look = replace(self.look, body=body, first=None)
         elif isinstance(message, Checked):
             self._finished(message.result)
         else:
-            self._came_to(model.Problem(message.what, message.next_step))
+            self._came_to(updates.ProblemText(message.what, message.next_step))
 
     def _finished(self, result: Result) -> None:
         exercise = self.look.exercise
@@ -94,9 +141,9 @@ class Session:
         counts = result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED)
         change = what_changed(before, result) if counts else None
         self.look = replace(self.look, result=result, change=change)
-        self._came_to(model.Verdict(exercise, result, before, change, log))
+        self._came_to(updates.ResultText(exercise, result, before, change, log))
 
-    def _came_to(self, body: model.Body) -> None:
+    def _came_to(self, body: updates.Body) -> None:
         remark = self.look.remark.removesuffix(_ANEW)
         self.look = replace(self.look, doing="", body=body, remark=remark, first=None)
 
@@ -133,7 +180,7 @@ class Session:
     def _turn_text(self) -> None:
         """The task; the chapter's lesson where the task is shown already."""
         exercise = self.look.exercise
-        if isinstance(self.look.body, model.TaskText):
+        if isinstance(self.look.body, updates.TaskText):
             self._show(self._learner.lesson(exercise))
         else:
             self._show(self._learner.task(Begun(exercise)))
@@ -143,12 +190,12 @@ class Session:
         if look.result is None:
             self.look = replace(look, remark="It has not been checked yet: save a file, or press c.")
         else:
-            self._show(model.Verdict(look.exercise, look.result, None, look.change))
+            self._show(updates.ResultText(look.exercise, look.result, None, look.change))
 
     def _check_now(self) -> None:
         exercise = self.look.exercise
         wanted = self._ask(exercise) if exercise.questions else True
-        self._own.wrote([answers_file(exercise.id)])  # what was answered just now is no save
+        self._own.wrote([answers_file(exercise.id)])  # what was answered just now is not a save
         if wanted:
             self._check("")
 
@@ -158,7 +205,7 @@ class Session:
     def _quit(self) -> None:
         self.over = True
 
-    def _show(self, body: model.Body) -> None:
+    def _show(self, body: updates.Body) -> None:
         self.look = replace(self.look, body=body, remark="", first=None)
 
     def _opened(self, begun: Begun) -> Look:

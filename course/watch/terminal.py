@@ -73,7 +73,7 @@ class Terminal:
         self._write()
 
     def give_back(self) -> None:
-        """As it was before. A terminal that is gone is no error."""
+        """As it was before. A terminal that is gone is not an error."""
         self._stop_waiting()
         with contextlib.suppress(OSError):
             self._write_all(self._unwritten + _LEAVE.encode())
@@ -99,7 +99,7 @@ class Terminal:
         return 79, 24
 
     def show(self, lines: Sequence[str], *, anew: bool = False) -> None:
-        """Put these lines on the screen. anew: even if they are there already, as far as we know."""
+        """Put these lines on the screen. `anew`: even if they are there already, as far as we know."""
         body = "\r\n".join(f"{line}{_END_OF_LINE}" for line in lines)
         frame = f"{_HOME}{body}".encode(errors="replace")
         if frame != self._last or anew:

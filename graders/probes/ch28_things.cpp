@@ -97,7 +97,7 @@ void appended() {
   ask("append", [] { return counts<Thing>(); });
 }
 
-void totalled() {
+void totaled() {
   std::vector<Thing> things;
   things.reserve(3);
   for (const double value : {1.0, 2.0, 3.0}) {
@@ -128,7 +128,7 @@ int main(int, char** arguments) {
   } else if (asked == "append") {
     appended();
   } else if (asked == "total") {
-    totalled();
+    totaled();
   } else {
     forwarded();
   }

@@ -1,7 +1,7 @@
 // Calls the learner's driver as RobotDriverROS would, and as it never does. The argument says what is asked: a
 // driver that ends the whole program in one life must not keep the others from being seen.
 #include "ask.hpp"
-#include "sas_tutorial_workspace/src/sas_robot_driver_myrobot/src/sas_robot_driver_myrobot.hpp"
+#include "sas_robot_driver_myrobot.hpp"
 
 #include <atomic>
 #include <string>
@@ -77,6 +77,7 @@ void ends() {
   }
   ask("deinitialize", [&] { driver.deinitialize(); });
   ask("disconnect", [&] { driver.disconnect(); });
+  ask("late", [&] { return numbers(driver.get_joint_positions()); });
   ask("deinitialize again", [&] { driver.deinitialize(); });
   ask("disconnect again", [&] { driver.disconnect(); });
 }

@@ -70,7 +70,7 @@ found: dict[str, object] = {}
 timeline = Timeline()
 
 with open_arena(timeline, packages, environment, str(ros.python), folder / "scratch") as arena:
-    asked = arena.parameters("/other")
+    asked = arena.ros.parameters("/other")
     node = arena.run("talk", "talker", params={**STRINGS, **OTHERS}, node_name="other")
     found["available"] = arena.until(lambda: asked.available, timeout=WAIT, while_running=node)
     calls = asked.get(*STRINGS, *OTHERS)
@@ -80,7 +80,7 @@ with open_arena(timeline, packages, environment, str(ros.python), folder / "scra
     arena.interrupt(node)
 
     launched = arena.launch("talk", "talk_launch.py", quote="7 up")
-    of_first = arena.parameters("/first")
+    of_first = arena.ros.parameters("/first")
     found["launched"] = arena.until(
         lambda: arena.printed("ready") == 3 and of_first.available, timeout=WAIT, while_running=launched
     )
@@ -90,7 +90,7 @@ with open_arena(timeline, packages, environment, str(ros.python), folder / "scra
 
     for name, arguments in (("broken", ("talk", "broken_launch.py")), ("missing", ("talk", "no_launch.py"))):
         arena.launch(*arguments, name=name).wait(WAIT)
-    recording = Recording("x", timeline.events(), arena.definitions)
+    recording = Recording("x", timeline.events(), arena.ros.definitions)
 
 found["parameters"] = {p.name: [p.type, p.value] for p in recording.parameters("/other").at().values()}
 quote = recording.parameters("/first").get("quote")

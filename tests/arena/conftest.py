@@ -12,8 +12,8 @@ from typing import TypeVar
 import pytest
 
 from course.arena.process import Process
-from course.evidence.events import Event, OutputLine, ProcessExited
 from course.evidence.timeline import Timeline
+from course.model.events import Event, OutputLine, ProcessExited
 
 WAIT = 20.0  # for what happens in milliseconds, on a machine that has other things to do
 _E = TypeVar("_E", bound=Event)

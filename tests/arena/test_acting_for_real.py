@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment, prepare
 
 pytestmark = pytest.mark.slow
@@ -26,7 +26,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     prepare(ros)
     environment = node_environment(ros)
     environment["PYTHONPATH"] = ":".join(filter(None, [REPO, environment.get("PYTHONPATH")]))
-    with enclosure(namespaces=False) as around:
+    with isolated(namespaces=False) as around:
         done = subprocess.run(
             [str(ros.python), str(ACT), str(folder)],
             env=environment | around.environment,

@@ -6,7 +6,7 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
@@ -15,7 +15,11 @@ import pytest
 
 from course.arena.arena import Arena
 from course.errors import OurFault
-from course.evidence.events import (
+from course.evidence.packages import BuiltPackage, BuiltPackages
+from course.evidence.recording import ROSOUT, ROSOUT_TYPE
+from course.evidence.sources import MAX_FILE
+from course.evidence.timeline import Timeline
+from course.model.events import (
     Event,
     ExecutableMissing,
     FileKept,
@@ -26,10 +30,6 @@ from course.evidence.events import (
     ProcessLeft,
     SignalSent,
 )
-from course.evidence.packages import BuiltPackage, BuiltPackages
-from course.evidence.recording import ROSOUT, ROSOUT_TYPE
-from course.evidence.sources import MAX_FILE
-from course.evidence.timeline import Timeline
 
 from .conftest import WAIT
 
@@ -165,17 +165,60 @@ def test_until_sees_what_the_program_wrote_last(play: Play) -> None:
     assert play.arena.until(lambda: play.arena.printed("last"), timeout=WAIT, while_running=program)
 
 
+@dataclass
+class Speaker:
+    """Stands in for a publisher: what is said comes back as a printed line, unless it is `silence`."""
+
+    timeline: Timeline
+    said: list[str] = field(default_factory=list)
+
+    def publish(self, data: str) -> None:
+        self.said.append(data)
+        if data != "silence":
+            self.timeline.add(OutputLine(self.timeline.now(), "echo", data))
+
+
+def test_say_waits_for_each_answer_and_no_longer_than_told(play: Play) -> None:
+    speaker = Speaker(play.arena.timeline)
+    asked: list[tuple[str, int]] = []
+
+    def is_answered(fields: Mapping[str, Any]) -> bool:
+        asked.append((fields["data"], len(speaker.said)))
+        return bool(play.arena.printed(fields["data"]))
+
+    messages = [{"data": text} for text in ("a", "silence", "b")]
+    began = time.monotonic()
+    play.arena.say(cast("Any", speaker), messages, is_answered, timeout=0.2)
+    assert time.monotonic() - began >= 0.2
+    assert speaker.said == ["a", "silence", "b"]
+    assert {("a", 1), ("silence", 2), ("b", 3)} == set(asked)
+
+
+def test_say_ends_with_the_program(play: Play) -> None:
+    speaker = Speaker(play.arena.timeline)
+    program = play.arena.start(sys.executable, "-c", "pass", name="brief")
+    assert program.wait(WAIT)
+    play.arena.say(cast("Any", speaker), [{"data": "a"}], lambda _: True, while_running=program)
+    assert speaker.said == []
+
+
 def test_until_gives_up(play: Play) -> None:
     assert not play.arena.until(lambda: False, timeout=0.05)
     assert play.events(Marked) == []
+
+
+TEXTS = (b"selten\0", "so häufig\0".encode(), b"selten.py\0")
 
 
 def test_printed_and_logged_count(play: Play) -> None:
     line: Callable[[str], OutputLine] = lambda text: OutputLine(0.0, "it", text)  # noqa: E731
     for event in (line("Printed 1"), line("Printed 2"), line("other")):
         play.arena.timeline.add(event)
+    # As ROS serializes a Log: encapsulation, stamp and level, then name, msg, file.
+    texts = (len(text).to_bytes(4, "little") + text.ljust(-(-len(text) // 4) * 4, b"\0") for text in TEXTS)
+    logged = b"\0\1\0\0" + bytes(12) + b"".join(texts)
     for topic in (ROSOUT, "/other"):
-        play.arena.timeline.add(MessageSeen(0.0, topic, ROSOUT_TYPE, "häufig".encode()))
+        play.arena.timeline.add(MessageSeen(0.0, topic, ROSOUT_TYPE, logged))
     assert play.arena.printed("Printed") == 2
     assert play.arena.logged("häufig") == 1
     assert play.arena.logged("selten") == 0

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from course.errors import OurFault
-from course.evidence.events import ProgramMissing
-from course.evidence.probe_view import ProbeView
-from course.grading.explain.lint import UNREADABLE, findings
+from course.evidence.process_view import ProbeView
+from course.model.events import ProgramMissing
+from lib.lint import UNREADABLE, findings
 
 from .conftest import WAIT
 from .programs import Programs
@@ -161,11 +161,22 @@ def test_what_is_no_answer_of_ours_is_left_out(programs: Programs) -> None:
     programs.write("project/x", "")
     code = """
 import os
-for text in ('nonsense', '[1]', '{"question": 1}', '{"question": "a", "other": 1}'):
+deep, half = '[' * 50 + ']' * 50, chr(92) + 'ud800'
+forged = ['"other": 1', '"error": []', '"type": {}', '"file": 7', '"line": "x"']
+forged += [f'"value": {deep}', f'"error": "{half}"']
+others = [f'{{"question": "a", {field}}}' for field in forged]
+for text in ('nonsense', '[1]', '{"question": 1}', '{}', '[' * 100000, *others):
     os.write(int(open('/proc/self/cmdline').read().split(chr(0))[2]), (text + chr(10)).encode())
 ask('real', lambda: 1)
 """
     assert [answer.question for answer in probe(programs, code).answers] == ["real"]
+
+
+def test_half_a_character_in_an_answer_is_replaced(programs: Programs) -> None:
+    programs.write("project/x", "")
+    found = probe(programs, "ask('half', lambda: chr(0xd800) + ' a')\n").answer("half")
+    assert found is not None
+    assert found.value == "? a"
 
 
 # other programs

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from course.arena.output import MAX_LINE, MAX_TAIL, MAX_TOTAL, LineSplitter
+from course.arena.process import CUT, MAX_LINE, MAX_TAIL, MAX_TOTAL, LineSplitter
 
 LINE = b"x" * 999 + b"\n"
 
@@ -49,7 +49,7 @@ def test_a_long_line_in_pieces_is_cut_once() -> None:
     splitter = LineSplitter()
     for _ in range(100):
         assert splitter.feed(b"x" * 1000) == []
-    assert splitter.feed(b"\nnext\n") == ["x" * MAX_LINE, "next"]
+    assert splitter.feed(b"\nnext\n") == ["x" * MAX_LINE + CUT, "next"]
     assert splitter.dropped == 100_000 - MAX_LINE
 
 

@@ -9,11 +9,12 @@ from pathlib import Path
 
 import pytest
 
-from course.arena.enclosure import namespace_obstacle
-from course.arena.own_programs import OwnPrograms, memory_mark
+from course.arena.home_programs import HomePrograms, memory_mark
 from course.errors import MissingHere
-from course.evidence.events import Marked, OutputLine
 from course.evidence.timeline import Timeline
+from course.isolation import Level
+from course.isolation.levels import obstacle_to
+from course.model.events import Marked, OutputLine
 
 from .conftest import WAIT
 from .programs import SOURCED
@@ -32,7 +33,7 @@ sys.stdin.read()
 """
 
 
-class Programs(OwnPrograms):
+class Programs(HomePrograms):
     def __init__(self, folder: Path, environment: Mapping[str, str] = SOURCED) -> None:
         self.ours = folder / "ours"
         self.ours.mkdir()
@@ -67,7 +68,7 @@ def test_a_companion_is_a_copy_that_runs_in_the_learners_environment(programs: P
 
 @pytest.mark.slow
 def test_memory_of_its_own_is_empty_and_stays_unseen(programs: Programs, write: Path) -> None:
-    if obstacle := namespace_obstacle():
+    if obstacle := obstacle_to(Level.NAMESPACES):
         pytest.skip(f"not exercised: /dev/shm of a program's own ({obstacle})")
     write.write_text(LISTS)
     mine = f"ros2course-own-{os.getpid()}"
@@ -79,7 +80,7 @@ def test_memory_of_its_own_is_empty_and_stays_unseen(programs: Programs, write: 
 
 @pytest.mark.slow
 def test_what_it_has_in_its_own_memory_is_seen_and_recorded(programs: Programs, write: Path) -> None:
-    if obstacle := namespace_obstacle():
+    if obstacle := obstacle_to(Level.NAMESPACES):
         pytest.skip(f"not exercised: /dev/shm of a program's own ({obstacle})")
     write.write_text(MAPS)
     process = programs.companion(write, name="maps", own_memory=True)

@@ -10,10 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from course.arena.output import MAX_LINE, MAX_TOTAL
-from course.arena.process import Process
-from course.evidence.events import Event, OutputCut, OutputLine, ProcessExited, ProcessStarted, SignalSent
+from course.arena.process import CUT, MAX_LINE, MAX_TOTAL, Process
 from course.evidence.timeline import Timeline
+from course.model.events import Event, OutputCut, OutputLine, ProcessExited, ProcessStarted, SignalSent
 
 from .conftest import WAIT, Stage, ended
 
@@ -50,7 +49,7 @@ def test_both_streams_are_heard(stage: Stage) -> None:
 
 def test_a_very_long_line_is_cut(stage: Stage) -> None:
     assert stage.python(f"print('x' * {5 * MAX_LINE}); print('after')").wait(WAIT)
-    assert stage.lines == ["x" * MAX_LINE, "after"]
+    assert stage.lines == ["x" * MAX_LINE + CUT, "after"]
     assert [cut.dropped for cut in stage.events(OutputCut)] == [4 * MAX_LINE]
 
 
@@ -123,7 +122,7 @@ def test_a_flood_of_empty_lines_is_bounded_too(stage: Stage) -> None:
 
 def test_a_flood_without_any_line_is_bounded_too(stage: Stage) -> None:
     assert stage.python("import os\nfor i in range(100): os.write(1, b'x' * 100_000)").wait(FLOOD_TIME)
-    kept = sum(map(len, stage.lines))
+    kept = sum(len(line.removesuffix(CUT)) for line in stage.lines)
     assert kept < 4 * MAX_LINE
     assert stage.events(OutputCut)[0].dropped + kept == 10 * MEGABYTE
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from course.arena.shared_memory import files_in_memory
+from course.arena.process import files_in_memory
 
 from .conftest import WAIT, Stage
 

@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from course.arena.survivors import started_by, still_there
+from course.arena.process import started_by, still_there
 
 from .conftest import ended
 

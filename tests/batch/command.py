@@ -13,7 +13,7 @@ import psutil
 
 from course.batch.results import Results
 from course.evidence.mcap_file import load
-from course.grading.result import Outcome, Verdict
+from course.model.result import Outcome, Verdict
 
 REPO = Path(__file__).parents[2]
 _GROUPS = Path("/sys/fs/cgroup")
@@ -85,12 +85,17 @@ def below(process: subprocess.Popen[str]) -> list[psutil.Process]:
 def outliving(processes: list[psutil.Process]) -> list[str]:
     """Those that do not end."""
     left = psutil.wait_procs(processes, timeout=_ENDING)[1]
-    return [str(process) for process in left if process.status() != psutil.STATUS_ZOMBIE]
+    # Another process may have got the number of one that has ended.
+    there = (process for process in left if process.is_running())
+    return [str(process) for process in there if process.status() != psutil.STATUS_ZOMBIE]
 
 
-def groups_of(processes: list[int]) -> list[str]:
-    """Control groups that these process ids have made."""
-    return [str(path) for pid in processes for path in _GROUPS.glob(f"**/ros2course-{pid}-*")]
+def groups_of(processes: list[int], since: float = 0.0) -> list[str]:
+    """Control groups that these process ids have made since then, in seconds of the epoch."""
+    names = tuple(f"ros2course-{pid}-" for pid in processes)
+    # Not `glob`: those of others come and go meanwhile.
+    found = [Path(path) for path, *_ in os.walk(_GROUPS) if Path(path).name.startswith(names)]
+    return [str(path) for path in found if path.exists() and path.stat().st_ctime >= since]
 
 
 def verdicts(out: Path) -> Verdicts:
@@ -103,6 +108,16 @@ def verdicts(out: Path) -> Verdicts:
             for one in results.submissions()
             for stored in results.gradings(one.person)
         }
+
+
+def graded(process: subprocess.Popen[str], count: int, of: int) -> list[str]:
+    """Whom the next `count` lines about gradings are about, out of so many; all if there are fewer."""
+    found: list[str] = []
+    assert process.stdout is not None
+    while len(found) < count and (line := process.stdout.readline()):
+        if f" of {of}, " in line:
+            found.append(line.split()[0])
+    return found
 
 
 def half_written(out: Path) -> Iterator[str]:

@@ -8,16 +8,17 @@ import sys
 import time
 from pathlib import Path
 
-from course.batch.model import Graded, Task, graded_to_line, task_from_line
-from course.grading.result import Result, Verdict
+from course.batch.gradings import Graded, GradingTask
+from course.model import codec
+from course.model.result import Result, Verdict
 
 
-def answer(task: Task) -> str:
+def answer(task: GradingTask) -> str:
     result = Result(task.unit.exercise, Verdict.PASSED, containment=str(os.getpid()))
-    return graded_to_line(Graded(task.unit, result, 0.1)) + "\n"
+    return codec.to_json(Graded(task.unit, result, 0.1)).decode() + "\n"
 
 
-def behave(task: Task) -> str:
+def behave(task: GradingTask) -> str:
     match task.unit.exercise:
         case "killed":
             os.kill(os.getpid(), signal.SIGKILL)
@@ -32,7 +33,10 @@ def behave(task: Task) -> str:
             os.write(int(sys.argv[1]), answer(task)[:20].encode())
             os.kill(os.getpid(), signal.SIGKILL)
         case "other":
-            return answer(Task(task.unit.again(), "", ""))
+            return answer(GradingTask(task.unit.again(), "", ""))
+        case "stops":
+            os.write(int(sys.argv[1]), answer(task)[:20].encode())
+            time.sleep(600)
         case "hangs":
             Path(task.evidence).touch()
             time.sleep(600)
@@ -47,5 +51,5 @@ def behave(task: Task) -> str:
 if __name__ == "__main__":
     with os.fdopen(int(sys.argv[1]), "w") as answers:
         for line in sys.stdin:
-            answers.write(behave(task_from_line(line)))
+            answers.write(behave(codec.from_json(line, GradingTask, "the task")))
             answers.flush()

@@ -24,8 +24,12 @@ REMARK = re.compile(r"  \S")
 PROGRESS = re.compile(r"\(\d+ of \d+")
 
 
-def picture(said: str) -> str:
-    """A code block: some rows of the table, and all that follows, without what differs from run to run."""
+def picture(said: str, beside: Path) -> str:
+    """A code block: some rows of the table, and all that follows, without what differs from run to run.
+
+    beside: the folder that the class and the results are in; paths are shown as from there.
+    """
+    said = said.replace(f"{beside}/", "")
     lines = [line.rstrip() for line in said.splitlines() if not PROGRESS.search(line)]
     end = next(number for number, line in enumerate(lines) if REMARK.match(line))
     text = "\n".join([*_some_rows(lines[:end]), "...", *lines[end:]])
@@ -53,7 +57,7 @@ def main() -> None:
         lay_class(open_course(), folder / "class")
         said = Command(folder / "class", folder / "grades", folder / "tmp").until_judged()
     text = DOCUMENT.read_text(encoding="utf-8")
-    DOCUMENT.write_text(REGION.sub(lambda _: picture(said), text), encoding="utf-8")
+    DOCUMENT.write_text(REGION.sub(lambda _: picture(said, folder), text), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from course.batch.model import Graded, Unit
+from course.batch.gradings import Graded, Unit
 from course.batch.results import Submission
-from course.grading.result import CheckResult, Feedback, Outcome, Result, Timing, Verdict
+from course.model.result import CheckResult, Feedback, Outcome, Result, Timing, Verdict
 
 SHINES = CheckResult("shines", "It shines", 2, Outcome.PASSED)
 DARK = CheckResult("shines", "It shines", 2, Outcome.FAILED, feedback=Feedback("It is dark."))
@@ -26,8 +26,8 @@ def submissions(*people: str, digest: str = "d1") -> list[Submission]:
     return [Submission(person, person.title(), f"{person}.zip", digest, late) for person in people]
 
 
-def lagging(verdict: Verdict, lag: float, cpu: float) -> Result:
-    timing = Timing(evidence=4.0, lag=lag, cpu=cpu)
+def lagging(verdict: Verdict, lag: float) -> Result:
+    timing = Timing(evidence=4.0, lag=lag)
     return Result("04-light", verdict, (DARK,), timing, containment="contained")
 
 

@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from course.arena.containment import sandbox_obstacle
 from course.content import open_course
-from course.grading.result import Verdict
+from course.isolation import Level
+from course.isolation.levels import obstacle_to
+from course.model.result import Verdict
 from tests.batch.command import Command, half_written, verdicts
 from tests.batch.picture import picture, shown
 from tests.batch.the_class import Member, lay_class
@@ -20,7 +21,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture
 def command(tmp_path: Path) -> Command:
-    obstacle = sandbox_obstacle()
+    obstacle = obstacle_to(Level.CONTAINED)
     if obstacle:
         pytest.skip(f"not exercised here: a class with hostile submissions ({obstacle})")
     return Command(tmp_path / "class", tmp_path / "grades", tmp_path / "tmp")
@@ -59,4 +60,5 @@ def test_everybody_gets_what_they_deserve(command: Command, tmp_path: Path) -> N
     assert list(half_written(command.out)) == []
     assert list(command.temporary.iterdir()) == []
     assert not (tmp_path / "climbed.txt").exists()
-    assert picture(said) == shown(), "write docs/grading-a-class.md anew: python -m tests.batch.picture"
+    drawn = picture(said, command.out.parent)
+    assert drawn == shown(), "write docs/grading-a-class.md anew: python -m tests.batch.picture"

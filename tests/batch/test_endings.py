@@ -10,16 +10,17 @@ import subprocess
 import time
 from collections.abc import Iterator
 from contextlib import closing, contextmanager, suppress
-from dataclasses import replace
 from pathlib import Path
 
 import psutil
 import pytest
 
-from course.arena.containment import sandbox_obstacle
 from course.batch.results import FILE
 from course.batch.run import results_folder
 from course.content import open_course
+from course.isolation import Level
+from course.isolation.levels import obstacle_to
+from course.model import replace
 from tests.batch.command import Command, below, groups_of, half_written, outliving, verdicts
 from tests.batch.conftest import Lay
 from tests.batch.the_class import lay_class
@@ -32,7 +33,7 @@ KILLS = 10
 TIME = re.compile(r'time(stamp)?="[^"]*"')
 QUIZ = ("--course", str(FIXTURES / "quiz_course"))
 # Where nothing contains submissions, all of this holds as well for those that are known to be honest.
-WORDS = ("--jobs", "2", *(("--no-sandbox",) if sandbox_obstacle() else ()))
+WORDS = ("--jobs", "2", *(("--no-sandbox",) if obstacle_to(Level.CONTAINED) else ()))
 
 
 @pytest.fixture(scope="module")

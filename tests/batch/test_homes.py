@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from course.batch.homes import Homes
-from course.batch.model import Unit
-from course.batch.plan import plan
+from course.batch.batch_plan import plan_batch
+from course.batch.gradings import Unit
+from course.batch.run import Homes
 from course.content import Course, open_course
 from course.errors import StorageError
-from course.rosenv.files import wipe
 from tests.batch.samples import QUIZ, names
 
 
@@ -21,7 +19,7 @@ from tests.batch.samples import QUIZ, names
 def homes(lay: Callable[..., Path], quiz_course: Course, tmp_path: Path) -> Homes:
     folder = lay("ada", "bao")
     (folder / "ada/ros2_tutorial_workspace/src").mkdir(parents=True)
-    planned = plan(folder, tmp_path / "opened", quiz_course, [QUIZ], single=False)
+    planned = plan_batch(folder, tmp_path / "opened", quiz_course, [QUIZ], single=False)
     return Homes(tmp_path / "homes", tmp_path / "kept", planned.found)
 
 
@@ -68,23 +66,3 @@ def test_of_an_exercise_without_questions_nothing_is_kept(
 ) -> None:
     homes.take(Unit("ada", "04-light"), open_course(small_course).exercise("04-light"))
     assert not (tmp_path / "kept").exists()
-
-
-def test_thousand_folders_deep_is_wiped(tmp_path: Path) -> None:
-    top = tmp_path / "deep"
-    top.mkdir()
-    descriptor = os.open(top, os.O_RDONLY)
-    for _ in range(1500):
-        os.mkdir("d" * 20, dir_fd=descriptor)
-        below = os.open("d" * 20, os.O_RDONLY, dir_fd=descriptor)
-        os.close(descriptor)
-        descriptor = below
-    os.close(descriptor)
-    wipe(top)
-    assert not top.exists()
-
-
-def test_what_is_not_there_is_wiped_without_a_word(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    wipe(tmp_path / "none")
-    wipe(tmp_path / "-rf")
-    assert capfd.readouterr() == ("", "")

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from course import child
 from course.batch import pool
-from course.batch.gradings import GRADINGS
-from course.batch.model import Graded, Task, Unit
+from course.batch.gradings import GRADINGS, Graded, GradingTask, Unit
 from course.batch.pool import Pool
-from course.grading.result import Verdict
+from course.model import replace
+from course.model.result import Verdict
 from tests.batch.samples import people
 from tests.processes import none_stays
 
@@ -27,12 +27,12 @@ def odd_worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         yield
 
 
-def tasks(*exercises: str, evidence: Path = Path("none")) -> Iterator[Task]:
+def tasks(*exercises: str, evidence: Path = Path("none")) -> Iterator[GradingTask]:
     for number, exercise in enumerate(exercises):
-        yield Task(Unit(f"p{number}", exercise), "home", str(evidence))
+        yield GradingTask(Unit(f"p{number}", exercise), "home", str(evidence))
 
 
-def graded(each: Iterable[Task], jobs: int = 1) -> list[Graded]:
+def graded(each: Iterable[GradingTask], jobs: int = 1) -> list[Graded]:
     waiting = iter(each)
     return list(Pool(ODD, jobs, lambda: next(waiting, None)).results())
 
@@ -48,7 +48,7 @@ def test_a_worker_grades_one_after_another() -> None:
 
 
 def test_without_work_no_process_is_started(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pool.subprocess, "Popen", None)
+    monkeypatch.setattr(child.subprocess, "Popen", None)
     assert graded([], jobs=2) == []
 
 
@@ -78,9 +78,10 @@ def test_a_worker_that_fails_is_our_error_and_the_next_task_gets_a_new_one(
 
 
 @pytest.mark.slow
-def test_a_worker_that_hangs_is_ended(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    def each_with_its_limit() -> Iterator[Task]:
-        hangs, fine = tasks("hangs", "fine", evidence=tmp_path / "begun")
+@pytest.mark.parametrize("way", ["hangs", "stops"])
+def test_a_worker_that_hangs_is_ended(way: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def each_with_its_limit() -> Iterator[GradingTask]:
+        hangs, fine = tasks(way, "fine", evidence=tmp_path / "begun")
         monkeypatch.setattr(pool, "TIME_LIMIT", 2.0)
         yield hangs
         monkeypatch.setattr(pool, "TIME_LIMIT", 60.0)
@@ -108,7 +109,7 @@ def test_whoever_stops_listening_ends_the_workers(
 
 
 def test_an_error_of_who_hands_out_tasks_comes_through() -> None:
-    def next_task() -> Task | None:
+    def next_task() -> GradingTask | None:
         raise LookupError("no more")
 
     with pytest.raises(LookupError, match="no more"):

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from course.batch.model import Graded
-from course.batch.noted import noted
+from course.batch.gradings import Graded
 from course.batch.regrade import Regraded, regrade
-from course.batch.results import Results
+from course.batch.results import Results, settings_of
 from course.cli.main import main
 from course.content import Course, open_course
 from course.errors import OurFault, UsageError
 from course.grading import trial
+from course.model import replace
 from tests.batch.samples import QUIZ
 from tests.conftest import FIXTURES
 
@@ -103,6 +102,17 @@ def test_the_command_shows_it_and_writes_the_reports_anew(
     assert (place / "grades/results.csv").read_text() != earlier
 
 
+def test_a_dry_run_shows_it_and_changes_nothing(place: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    change(place, HOWDY, HOWDY.replace('needs="starts"', 'points=3, needs="starts"'))
+    before, earlier = points(place), (place / "grades/results.csv").read_text()
+    words = ["--course", str(place / "course"), "regrade", str(place / "grades"), "--dry-run"]
+    assert main(words) == 0
+    shown = capsys.readouterr().out
+    assert "it prints `Howdy!`: worth 3, was 1" in shown and "Nothing was changed." in shown
+    assert (points(place), (place / "grades/results.csv").read_text()) == (before, earlier)
+    assert main([*words, "--rerun"]) == 2
+
+
 def test_a_check_that_needs_more_than_was_recorded_leaves_the_marks(place: Path) -> None:
     before = points(place)
     broken = "def begins(recording):\n    raise KeyError('not recorded')\n"
@@ -163,15 +173,16 @@ def test_what_a_busy_machine_recorded_is_not_held_against_anybody(place: Path) -
 
 
 def test_an_exercise_that_is_gone_is_named(place: Path) -> None:
-    with pytest.raises(UsageError, match="no exercise 02-script any more"), Results.open(
-        place / "grades"
-    ) as results:
+    with (
+        pytest.raises(UsageError, match="no exercise 02-script any more"),
+        Results.open(place / "grades") as results,
+    ):
         regrade(place / "grades", results, open_course(FIXTURES / "quiz_course"), lambda *_: None, jobs=1)
 
 
 def test_what_was_asked_for_is_kept(place: Path) -> None:
     with Results.open(place / "grades") as results:
-        asked = noted(results)
+        asked = settings_of(results)
     assert (asked.wanted, asked.exercises) == ((SCRIPT,), (SCRIPT,))
     assert (asked.single, asked.contained) == (False, True)
 

@@ -6,15 +6,18 @@ import sqlite3
 import subprocess
 import sys
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from course.batch.model import Unit
-from course.batch.results import FILE, SCHEMA_VERSION, Results
+from course.batch.gradings import Unit
+from course.batch.intake.packed import claim_of, differences
+from course.batch.intake.submission import PackManifest
+from course.batch.results import FILE, SCHEMA_VERSION, Results, keep_packed, packed_of
 from course.errors import StorageError, UsageError
-from course.grading.result import Verdict
+from course.model import replace
+from course.model.result import Verdict
 from tests.batch.samples import FAILED, OURS, PASSED, SHINES, graded, submissions
 
 REPO = Path(__file__).parents[2]
@@ -130,11 +133,15 @@ def test_a_damaged_file_is_told(tmp_path: Path) -> None:
         Results.open(tmp_path)
 
 
-def test_a_result_that_was_tampered_with_is_told(results: Results, tmp_path: Path) -> None:
-    results.record(graded("ada"), "1.0", None)
-    changed(tmp_path, "UPDATE gradings SET result = '{'")
+def test_names_of_tables_that_are_no_text_are_told(tmp_path: Path) -> None:
+    """SQLite's message quotes them, and Python cannot read that."""
+    with Results.open(tmp_path):
+        pass
+    content = (tmp_path / FILE).read_bytes()
+    assert b"TABLE submissions" in content
+    (tmp_path / FILE).write_bytes(content.replace(b"TABLE submissions", b"TABL\xf5 submissions"))
     with pytest.raises(StorageError, match="damaged"):
-        results.gradings("ada")
+        Results.open(tmp_path)
 
 
 def test_a_folder_that_cannot_be_made_is_told(tmp_path: Path) -> None:
@@ -146,6 +153,7 @@ def test_a_folder_that_cannot_be_made_is_told(tmp_path: Path) -> None:
 _UNTIL_FULL = """
 import resource, signal, sys
 from pathlib import Path
+from typing import Any
 from course.batch.results import Results
 from course.errors import StorageError
 from tests.batch.samples import FAILED, graded, submissions
@@ -176,6 +184,7 @@ _UNTIL_KILLED = """
 import sys
 from itertools import count
 from pathlib import Path
+from typing import Any
 from course.batch.results import Results
 from tests.batch.samples import FAILED, graded, submissions
 with Results.open(Path(sys.argv[1])) as results:
@@ -200,3 +209,29 @@ def test_killed_in_the_middle_nothing_is_half_written(tmp_path: Path) -> None:
     assert database.execute("SELECT COUNT(*) FROM checks").fetchone() == (20,)
     assert database.execute("PRAGMA integrity_check").fetchone() == ("ok",)
     database.close()
+
+
+def manifest(**changed: Any) -> PackManifest:
+    return replace(PackManifest(1, "2026-01-01", {"python": "3.12"}, (claim_of(PASSED),), {}), **changed)
+
+
+@pytest.mark.parametrize("name", ["a", "\ud800"])
+def test_what_one_zip_claims_harms_no_other(results: Results, name: str) -> None:
+    infinite = replace(claim_of(PASSED), exercise=name, points=float("inf"))
+    keep_packed(results, {"ada": manifest(), "bao": manifest(claims=(infinite,))})
+    assert packed_of(results)["ada"] == manifest()
+
+
+def test_who_is_held_back_keeps_what_was_packed(results: Results) -> None:
+    keep_packed(results, {"ada": manifest(), "bao": manifest(), "cem": manifest()})
+    keep_packed(results, {"ada": manifest(at="later")}, held=["bao"])
+    assert packed_of(results) == {"ada": manifest(at="later"), "bao": manifest()}
+
+
+def test_a_difference_tells_three_versions_and_only_of_what_was_judged() -> None:
+    many = manifest(versions={"python": "3.12", **{f"x{number}": "1" for number in range(5000)}})
+    (said,) = differences(many, [FAILED])
+    assert "(python 3.12)" in said and "Different: " in said
+    for verdict in ("our error", "not available here", "no verdict"):
+        claims = (replace(claim_of(PASSED), verdict=verdict),)
+        assert list(differences(manifest(claims=claims), [FAILED])) == []

@@ -9,29 +9,30 @@ from pathlib import Path
 import pytest
 
 from course.batch import run as running
-from course.batch.model import Graded, Task
-from course.batch.plan import plan
+from course.batch.batch_plan import plan_batch
+from course.batch.gradings import Graded, GradingTask
 from course.batch.results import Results
-from course.batch.run import ATTEMPTS, Batch, Progress, results_folder, run
+from course.batch.run import Batch, BatchProgress, results_folder, run
 from course.content import Course
 from course.errors import StorageError, UsageError
-from course.grading.result import Feedback, Outcome, Result, Verdict
-from course.rosenv.files import wipe
+from course.files import wipe
+from course.grading.attempts import ATTEMPTS
+from course.model.result import Feedback, Outcome, Result, Verdict
 from tests.batch.conftest import Lay
 from tests.batch.samples import PASSED, QUIZ, names
 
-Answer = Callable[[Task], Result]
+Answer = Callable[[GradingTask], Result]
 
 
 class Told:
     """Keeps what was told of the progress; may stop it."""
 
     def __init__(self, stop_after: int | None = None) -> None:
-        self.progress: list[Progress] = []
+        self.progress: list[BatchProgress] = []
         self.graded: list[Graded] = []
         self._stop_after = stop_after
 
-    def __call__(self, progress: Progress, graded: Graded | None) -> None:
+    def __call__(self, progress: BatchProgress, graded: Graded | None) -> None:
         self.progress.append(progress)
         if graded:
             self.graded.append(graded)
@@ -44,10 +45,10 @@ class Workers:
 
     def __init__(self, answer: Answer) -> None:
         self.jobs: list[int] = []
-        self.tasks: list[Task] = []
+        self.tasks: list[GradingTask] = []
         self._answer = answer
 
-    def __call__(self, jobs: int, next_task: Callable[[], Task | None]) -> Workers:
+    def __call__(self, jobs: int, next_task: Callable[[], GradingTask | None]) -> Workers:
         self.jobs.append(jobs)
         self._next_task = next_task
         return self
@@ -62,7 +63,7 @@ class Workers:
 def batch(lay: Lay, quiz_course: Course, tmp_path: Path) -> Callable[..., Batch]:
     def of(*people: str, jobs: int = 2) -> Batch:
         folder = lay(*people)
-        planned = plan(folder, tmp_path / "opened", quiz_course, [QUIZ], single=False)
+        planned = plan_batch(folder, tmp_path / "opened", quiz_course, [QUIZ], single=False)
         return Batch(tmp_path / "out", planned, jobs, quiz_course.root)
 
     return of
@@ -85,11 +86,11 @@ def ran(batch: Batch, told: Told | None = None) -> Told:
     return told
 
 
-def passes(task: Task) -> Result:
+def passes(task: GradingTask) -> Result:
     return Result(task.unit.exercise, Verdict.PASSED, PASSED.checks)
 
 
-def falls_over(task: Task) -> Result:
+def falls_over(task: GradingTask) -> Result:
     return Result(task.unit.exercise, Verdict.OUR_ERROR, fault=Feedback("It fell over."))
 
 
@@ -112,7 +113,7 @@ def test_a_class_is_graded_for_real(batch: Callable[..., Batch], lay: Lay, tmp_p
     }
     (eve,) = (graded.result for graded in told.graded if graded.unit.person == "eve")
     assert [check.id for check in eve.checks if check.outcome is Outcome.FAILED] == ["why"]
-    assert told.progress[0] == Progress(3, 0)
+    assert told.progress[0] == BatchProgress(3, 0)
     assert names(tmp_path / "out") == {"answers", "grades.sqlite3", "lock", "work"}
     assert names(tmp_path / "out/work") == set()
 
@@ -124,7 +125,7 @@ def test_what_was_graded_is_not_graded_again(
     ran(batch("ada", "bao"))
     told = ran(batch("ada", "bao", "cleo"))
     assert [task.unit.person for task in pool.tasks] == ["ada", "bao", "cleo"]
-    assert told.progress[0] == Progress(3, 2)
+    assert told.progress[0] == BatchProgress(3, 2)
 
 
 def test_a_changed_submission_is_graded_again(
@@ -218,7 +219,7 @@ def test_old_evidence_is_not_taken_for_new(
 def test_new_evidence_is_noted(
     batch: Callable[..., Batch], workers: Callable[[Answer], Workers], tmp_path: Path
 ) -> None:
-    def records(task: Task) -> Result:
+    def records(task: GradingTask) -> Result:
         Path(task.evidence).parent.mkdir(parents=True)
         Path(task.evidence).write_text("recording")
         return passes(task)
@@ -242,7 +243,10 @@ def test_two_do_not_grade_into_one_folder(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "name",
-    [".results.csv.99999999.part", "feedback/.ada.md.99999999.part", "evidence/ada/.q.mcap.99999999.part"],
+    [
+        f"{name}.99999999-77aa.ros2course-part"
+        for name in (".results.csv", "feedback/.ada.md", "evidence/ada/.q.mcap")
+    ],
 )
 def test_what_a_killed_run_left_half_written_goes(tmp_path: Path, name: str) -> None:
     half = tmp_path / "out" / name

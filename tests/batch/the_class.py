@@ -19,7 +19,7 @@ from course.content import Course, Exercise, Mistake
 from course.grading import trial
 from course.grading.author import Grader
 from course.grading.load import declared, load_module
-from course.grading.result import Verdict
+from course.model.result import Verdict
 from tests.hostile.world import NODE, with_attack
 
 WORKSPACE = "ros2_tutorial_workspace"

@@ -12,8 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from course.arena.sandbox.once import Confinement
-from course.build import BuildOutcome, Interrupt, Store, Workspace, build, confined, one
+from course.build import BuildOutcome, Interrupt, Store, Workspace, build, package_build
 from course.build.colcon import colcon_command
 from course.rosenv import Ros, find_ros, prepare
 
@@ -82,9 +81,9 @@ def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[s
         arguments = (package.name, entry.src, entry.install, file)  # type: ignore[attr-defined]
         return [sys.executable, "-S", "-c", QUICK_BUILD, *map(str, arguments)]
 
-    monkeypatch.setattr(one, colcon_command.__name__, quick)
+    monkeypatch.setattr(package_build, colcon_command.__name__, quick)
     # What these write beside the package is how tests look on.
-    monkeypatch.setattr(confined, "confinement", lambda *_: contextlib.nullcontext(Confinement()))
+    monkeypatch.setattr(package_build, "isolated_build", lambda *_: contextlib.nullcontext())
     return lambda: file.read_text().split() if file.exists() else []
 
 

@@ -10,10 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from course.build import BuildOutcome, Interrupted, Store, Workspace, build, builder, one, sources
-from course.build.digest.machine import Machine
-from course.build.manifest import ManifestFault
+from course.build import BuildOutcome, Interrupted, Store, Workspace, build, builder, package_build
+from course.build import package_sources as sources
+from course.build.colcon import Machine
 from course.errors import MissingHere, StorageError, UsageError
+from course.explain.package_xml import ManifestFault
 from course.rosenv import Ros
 from tests.build.conftest import WORKSPACE, called_off
 from tests.build.packages import edit, make_package
@@ -173,7 +174,7 @@ def test_too_long_says_so(built: Built, runs: Runs, src: Path) -> None:
 def test_printing_without_end_says_so(
     built: Built, runs: Runs, src: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("course.build.process.MOST_OUTPUT", 100_000)
+    monkeypatch.setattr("course.build.runner.MOST_OUTPUT", 100_000)
     (src / "small_node/quick.py").write_text("while True: print('y' * 1000)")
     failure = built("small_node").failure
     assert failure is not None
@@ -185,7 +186,7 @@ def test_calling_off_leaves_nothing(built: Built, runs: Runs, src: Path, store: 
     (src / "small_node/quick.py").write_text("import time; time.sleep(300)")
     with none_stays(), called_off(runs) as interrupt, pytest.raises(Interrupted):
         built("small_node", interrupt=interrupt)
-    assert [path.suffix for path in store.root.iterdir()] == [".lock"]
+    assert {path.suffix for path in store.root.iterdir()} == {".lock", ".used"}
 
 
 def test_a_fault_of_ours_in_one_calls_off_the_other(
@@ -194,14 +195,14 @@ def test_a_fault_of_ours_in_one_calls_off_the_other(
     make_package(src, "endless")
     (src / "endless/quick.py").write_text("import time; time.sleep(300)")
     make_package(src, "unlucky")
-    real = one.require_tools
+    real = package_build.require_tools
 
-    def require(package: one.Package, env: dict[str, str]) -> None:
+    def require(package: package_build.Package, env: dict[str, str]) -> None:
         if package.name == "unlucky":
             raise MissingHere("no compiler", "install one")
         real(package, env)
 
-    monkeypatch.setattr(one, "require_tools", require)
+    monkeypatch.setattr(package_build, "require_tools", require)
     with pytest.raises(MissingHere):
         built("endless", "unlucky")
 
@@ -217,7 +218,7 @@ def test_a_save_during_the_build_starts_it_anew(
             edit(src / "small_node/setup.py", "0.1.0", version)
         real(folder, home, to)
 
-    monkeypatch.setattr(one, "copy_sources", copy)
+    monkeypatch.setattr(package_build, "copy_sources", copy)
     outcome = built("small_node")
     assert outcome.failure is None
     assert "0.2.0" in (outcome.prefixes[0].parents[1] / "src/setup.py").read_text()
@@ -233,7 +234,7 @@ def test_saving_without_end_is_given_up(
             file.write("\n")
         real(folder, home, to)
 
-    monkeypatch.setattr(one, "copy_sources", copy)
+    monkeypatch.setattr(package_build, "copy_sources", copy)
     with pytest.raises(UsageError, match="keep changing"):
         built("small_node")
 
@@ -255,7 +256,7 @@ def test_a_strict_look_is_only_for_what_is_built(
     def slow(file: Path) -> ManifestFault | None:
         raise AssertionError("this import takes longer than a check with nothing to build may")
 
-    monkeypatch.setattr(one, "strict_fault", slow)
+    monkeypatch.setattr(package_build, "strict_fault", slow)
     assert built("small_node").failure is None
 
 

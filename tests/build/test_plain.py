@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from course.build.plain import is_plain
+from course.build.reuse import is_plain
 from tests.build.conftest import HOME, SRC
 
 PLAIN = """\

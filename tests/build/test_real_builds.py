@@ -107,7 +107,7 @@ ENTRY = '"small_talker = small_node.talker:main",'
 PYTHON: dict[str, tuple[Break, str, str, str, str]] = {
     "setup.py is not Python": (
         replace("setup.py", 'version="0.1.0",', 'version="0.1.0,'),
-        "setup-py", "setup.py:7", "setup.py of `small_node` is not Python", "missing comma, quote or bracket",
+        "setup-py", "setup.py:7", "a quote is missing", "quote",
     ),
     "comma between entry points": (
         replace("setup.py", ENTRY, ENTRY.rstrip(",")),
@@ -180,17 +180,17 @@ CMAKE: dict[str, tuple[Break, str, str, str, str]] = {
     ),
     "member_of_group missing": (
         replace("package.xml", "<member_of_group>rosidl_interface_packages</member_of_group>", ""),
-        "member-of-group", "package.xml:12", "does not say that the package holds interfaces",
+        "member-of-group", "package.xml:12", "does not say that the package contains interfaces",
         "`<member_of_group>rosidl_interface_packages</member_of_group>`",
     ),
     "CMake syntax": (
         replace("CMakeLists.txt", "geometry_msgs\n)", "geometry_msgs\n"),
-        "cmake-syntax", "CMakeLists.txt:8", "A closing bracket is missing in CMakeLists.txt", "line 8",
+        "cmake-syntax", "CMakeLists.txt:8", "A closing parenthesis is missing in CMakeLists.txt", "line 8",
     ),
     "unknown command": (
         replace("CMakeLists.txt", "rosidl_generate_interfaces", "rosidl_generate_interface"),
         "cmake-command", "CMakeLists.txt:8",
-        "calls `rosidl_generate_interface`, which is no CMake command", "`rosidl_generate_interfaces`?",
+        "calls `rosidl_generate_interface`, which is not a CMake command", "`rosidl_generate_interfaces`?",
     ),
     "package that exists nowhere": (
         lambda package: (replace("package.xml", "geometry_msgs", "geometry_msg")(package),

@@ -31,6 +31,11 @@ def test_folders_of_packages_may_be_grouped(src: Path, home: Path) -> None:
     assert names(home) == ["grouped", "small_interfaces", "small_node"]
 
 
+def test_packages_beside_src_are_found(home: Path) -> None:
+    make_package(home / WORKSPACE, "beside")
+    assert names(home) == ["beside", "small_interfaces", "small_node"]
+
+
 def test_a_package_within_a_package_is_not_found(src: Path, home: Path) -> None:
     make_package(src / "small_node", "inner")
     assert "inner" not in names(home)

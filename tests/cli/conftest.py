@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-import types
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,7 +9,8 @@ from pathlib import Path
 import pytest
 
 from course.cli.main import main
-from course.grading.result import CheckResult, Feedback, Outcome, Result, Verdict
+from course.grading.check import Request
+from course.model.result import CheckResult, Feedback, Outcome, Result, Verdict
 
 REPO = Path(__file__).parents[2]
 
@@ -78,17 +77,20 @@ class Checker:
     """Stands in for the grading: gives `answer`, or raises it; keeps what it was called with."""
 
     answer: Result | BaseException = PASSED
-    calls: list[tuple[str, Path]] = field(default_factory=list)
+    requests: list[Request] = field(default_factory=list)
     says: tuple[str, ...] = ()
-    options: dict[str, object] = field(default_factory=dict)
+    so_far: Result | None = None
 
-    def check_exercise(
-        self, exercise: object, home: Path, *, on_progress: Callable[[str], None], **options: object
-    ) -> Result:
-        self.calls.append((exercise.id, home))  # type: ignore[attr-defined]
-        self.options = options
+    @property
+    def calls(self) -> list[tuple[str, Path]]:
+        return [(request.exercise.id, request.home) for request in self.requests]
+
+    def check_exercise(self, request: Request) -> Result:
+        self.requests.append(request)
         for text in self.says:
-            on_progress(text)
+            request.on_progress(text)
+        if self.so_far:
+            request.so_far(self.so_far)
         if isinstance(self.answer, BaseException):
             raise self.answer
         return self.answer
@@ -97,8 +99,6 @@ class Checker:
 @pytest.fixture
 def checker(monkeypatch: pytest.MonkeyPatch) -> Checker:
     stand_in = Checker()
-    module = types.ModuleType("course.grading.check")
-    module.check_exercise = stand_in.check_exercise  # type: ignore[attr-defined]
-    monkeypatch.setitem(sys.modules, "course.grading.check", module)
-    monkeypatch.setattr("course.rosenv.find_ros", lambda: None)
+    monkeypatch.setattr("course.cli.check.check_exercise", stand_in.check_exercise)
+    monkeypatch.setattr("course.cli.check.find_ros", lambda: None)
     return stand_in

@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, NoReturn
 
 import pytest
 
-from course.cli import shell
 from course.errors import MissingHere
 
 if TYPE_CHECKING:
-    from tests.cli.conftest import Checker, Ros2course
+    from tests.cli.conftest import Ros2course
 
 LIGHT = "ros2_tutorial_workspace/src/lanterns/lanterns/light.py"
 
@@ -20,61 +19,6 @@ LIGHT = "ros2_tutorial_workspace/src/lanterns/lanterns/light.py"
 @pytest.fixture
 def begun(ros2course: Ros2course, home: Path) -> None:
     ros2course("next")
-
-
-@pytest.mark.usefixtures("begun")
-class TestHint:
-    def test_each_call_goes_one_further_and_the_last_one_stays(self, ros2course: Ros2course) -> None:
-        assert "Hint 1 of 3" in ros2course("hint").out
-        assert "Hint 2 of 3" in ros2course("hint").out
-        last = ros2course("hint")
-        assert "Hint 3 of 3" in last.out
-        assert "ros2course solution 04-light --anyway" in last.out
-        assert "Hint 3 of 3" in ros2course("hint").out
-
-    def test_again_shows_the_last_one(self, ros2course: Ros2course) -> None:
-        assert "Hint 1 of 3" in ros2course("hint", "--again").out, "the first when there was none"
-        assert "Hint 1 of 3" in ros2course("hint", "--again").out
-        assert "Hint 2 of 3" in ros2course("hint").out
-
-    def test_all_shows_and_remembers_all(self, ros2course: Ros2course) -> None:
-        run = ros2course("hint", "--all")
-        assert [f"Hint {number} of 3" in run.out for number in (1, 2, 3)] == [True] * 3
-        assert "That was the last hint." in run.out
-        assert "Hint 3 of 3" in ros2course("hint", "--again").out
-
-    def test_of_another_exercise(self, ros2course: Ros2course) -> None:
-        assert "Hint 1 of 3 for 04-dim" in ros2course("hint", "04-dim").out
-
-
-@pytest.mark.usefixtures("begun")
-class TestShow:
-    def test_the_current_one(self, ros2course: Ros2course, home: Path) -> None:
-        run = ros2course("show")
-        assert "== 04-light: Light it (begun)" in run.out
-        assert f"Your files, in {home}:" in run.out
-        assert "brightness from 0" not in run.out
-
-    def test_with_its_lesson_and_changing_nothing(self, ros2course: Ros2course) -> None:
-        run = ros2course("show", "dim", "--lesson")
-        assert "brightness from 0" in run.out and "== 04-dim: Dim it (new)" in run.out
-        assert "04-light" in ros2course("show").out
-
-    def test_a_pager_is_no_obstacle_off_a_terminal(self, ros2course: Ros2course) -> None:
-        assert "Light it" in ros2course("show", "--pager").out
-
-
-@pytest.mark.usefixtures("begun")
-class TestList:
-    def test_states_and_points(self, ros2course: Ros2course, checker: Checker) -> None:
-        assert "> ..  04-light" in ros2course("list").out
-        ros2course("check")
-        lines = ros2course("list").out.splitlines()
-        assert lines[0] == "4 Lanterns"
-        assert lines[1].startswith("> ok  04-light  Light it") and lines[1].endswith("2 of 2")
-        assert lines[2].startswith("      04-dim")
-        assert "1 of 2 passed." in lines
-        assert max(map(len, lines)) <= 80
 
 
 @pytest.mark.usefixtures("begun")
@@ -93,14 +37,6 @@ class TestReset:
 
 @pytest.mark.usefixtures("begun")
 class TestSolution:
-    def test_not_before_a_pass_unless_told(self, ros2course: Ros2course, checker: Checker) -> None:
-        refused = ros2course("solution")
-        assert (refused.code, refused.out) == (2, "")
-        assert "04-light is not passed yet" in refused.err and "--anyway" in refused.err
-        assert "+    return 100" in ros2course("solution", "--anyway").out
-        ros2course("check")
-        assert "+    return 100" in ros2course("solution").out
-
     def test_hostile_files_do_nothing(self, ros2course: Ros2course, home: Path) -> None:
         (home / LIGHT).write_text("\x1b]0;owned\x07[bold]x[/bold]\n\x1b[2J" + "y" * 100_000)
         run = ros2course("solution", "--anyway")
@@ -129,13 +65,9 @@ class TestInit:
         def missing() -> NoReturn:
             raise MissingHere("no ROS 2", "install it")
 
-        monkeypatch.setattr(shell, "setup_line", missing)
+        monkeypatch.setattr("course.cli.init.setup_line", missing)
         run = ros2course("init")
         assert (run.code, run.err, "source " in run.out) == (0, "", False)
-        assert home.is_dir()
-
-    def test_by_default_in_the_home(self, ros2course: Ros2course, home: Path) -> None:
-        ros2course("init")
         assert home.is_dir()
 
     def test_twice_changes_nothing(self, ros2course: Ros2course, home: Path) -> None:

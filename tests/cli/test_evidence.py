@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
-from course.evidence import events as kinds
 from course.evidence.mcap_file import load, save
 from course.evidence.recording import Recording
-from course.grading.result import Result, Timing
+from course.model import events as kinds
+from course.model import replace
+from course.model.result import Result, Timing
 from tests.conftest import FIXTURES
 from tests.report.drawn.recordings import PACE, steady
 from tests.report.pictures.recordings import COUNTER, recording

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from course.arena import containment
 from course.batch import run as running
-from course.batch.model import Graded, Task
+from course.batch.gradings import Graded, GradingTask
 from course.batch.results import Results
 from course.batch.run import default_jobs
-from course.cli import class_
+from course.cli import grade as grade_command
 from course.content import open_course
 from course.grading import trial
-from course.grading.result import CheckResult, Feedback, Outcome, Result, Verdict
+from course.grading.attempts import ATTEMPTS
+from course.model.result import CheckResult, Feedback, Outcome, Result, Verdict
 from tests.conftest import FIXTURES
 
 if TYPE_CHECKING:
@@ -37,12 +37,12 @@ class Pool:
 
     def __init__(self) -> None:
         self.jobs: list[int] = []
-        self.tasks: list[Task] = []
+        self.tasks: list[GradingTask] = []
         self.answer: Result | BaseException = Result(
             QUIZ, Verdict.PASSED, (CheckResult("why", "Why", 2, Outcome.PASSED),)
         )
 
-    def __call__(self, jobs: int, next_task: Callable[[], Task | None]) -> Pool:
+    def __call__(self, jobs: int, next_task: Callable[[], GradingTask | None]) -> Pool:
         self.jobs.append(jobs)
         self._next_task = next_task
         return self
@@ -59,7 +59,7 @@ class Pool:
 def pool(monkeypatch: pytest.MonkeyPatch) -> Pool:
     stand_in = Pool()
     monkeypatch.setattr(running, "GradingPool", stand_in)
-    monkeypatch.setattr(containment, "sandbox_obstacle", lambda: None)
+    monkeypatch.setattr("course.cli.grade.obstacle_to", lambda level: None)
     return stand_in
 
 
@@ -146,7 +146,7 @@ def test_submissions_that_are_not_there_are_told(grade: Grade, tmp_path: Path) -
 def test_without_containment_nothing_is_run(
     grade: Grade, pool: Pool, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(containment, "sandbox_obstacle", lambda: "bubblewrap is not installed")
+    monkeypatch.setattr("course.cli.grade.obstacle_to", lambda level: "bubblewrap is not installed")
     run = grade()
     assert run.code == 4 and pool.tasks == []
     assert "bubblewrap is not installed" in run.err.replace("\n", " ")
@@ -158,7 +158,7 @@ def test_without_containment_nothing_is_run(
 def test_without_a_sandbox_the_results_say_so(
     grade: Grade, pool: Pool, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(containment, "sandbox_obstacle", lambda: "bubblewrap is not installed")
+    monkeypatch.setattr("course.cli.grade.obstacle_to", lambda level: "bubblewrap is not installed")
     pool.answer = Result(QUIZ, Verdict.PASSED, containment="domain")
     assert grade("--no-sandbox").code == 0
     assert not any(task.contained for task in pool.tasks)
@@ -178,7 +178,7 @@ def test_our_error_is_told_by_the_exit_code(grade: Grade, pool: Pool) -> None:
     pool.answer = Result(QUIZ, Verdict.OUR_ERROR, fault=Feedback("It fell over."))
     run = grade()
     assert run.code == 3 and "2 our error" in run.out
-    assert len(pool.tasks) == 2 * running.ATTEMPTS
+    assert len(pool.tasks) == 2 * ATTEMPTS
 
 
 def test_not_passed_is_no_failure_of_the_command(grade: Grade, pool: Pool) -> None:
@@ -200,7 +200,7 @@ def test_a_kill_ends_it_in_order(
     def killed(*_: object) -> None:
         signal.raise_signal(number)
 
-    monkeypatch.setattr(class_._Teller, "__call__", killed)
+    monkeypatch.setattr(grade_command._Teller, "__call__", killed)
     assert grade().code == 128 + number
     assert not (tmp_path / "grades/work").exists()
     assert signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler)

@@ -19,13 +19,6 @@ if TYPE_CHECKING:
 REPO = Path(__file__).parents[2]
 
 
-def test_an_unknown_exercise_gets_the_nearest(ros2course: Ros2course, home: Path) -> None:
-    ros2course("next")
-    run = ros2course("show", "04-ligth")
-    assert run.code == 2
-    assert "04-light" in run.err and run.out == ""
-
-
 def test_an_unknown_command_gets_the_nearest(ros2course: Ros2course) -> None:
     run = ros2course("chekc")
     assert run.code == 2
@@ -37,13 +30,6 @@ def test_without_a_home_it_says_how_to_make_one(ros2course: Ros2course, home: Pa
     run = ros2course(*words)
     assert run.code == 2
     assert "no course home" in run.err and "ros2course init" in run.err
-
-
-def test_before_the_first_exercise_it_says_next(ros2course: Ros2course, home: Path) -> None:
-    ros2course("init")
-    run = ros2course("hint")
-    assert run.code == 2
-    assert "ros2course next" in run.err
 
 
 def test_a_broken_lesson_names_file_line_and_key(
@@ -99,14 +85,6 @@ def test_version_and_help(ros2course: Ros2course) -> None:
     assert "Commands:" in alone.out and "Exit codes:" in alone.out
 
 
-def test_advice_can_be_typed_as_the_launcher_was(
-    ros2course: Ros2course, home: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("ROS2COURSE_LAUNCHER", "./ros2course")
-    assert "./ros2course init" in ros2course("list").err
-    assert "  ./ros2course check" in ros2course("next").out
-
-
 def test_debug_shows_the_traceback(
     ros2course: Ros2course, home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -122,7 +100,7 @@ def test_a_bug_with_no_place_for_its_log_shows_the_traceback(
 
     monkeypatch.setenv("ROS2COURSE_CACHE", "/dev/null/nowhere")
     monkeypatch.setattr("course.home.find_home", broken)
-    monkeypatch.setattr("course.cli.desk.find_home", broken)
+    monkeypatch.setattr("course.cli.session.find_home", broken)
     run = ros2course("list")
     assert run.code == 3
     assert "ZeroDivisionError" in run.err and "Traceback" in run.err
@@ -197,8 +175,11 @@ def test_python_m_course_is_the_same_program() -> None:
     ("words", "unneeded"),
     [
         (["--version"], {"rich", "pydantic", "yaml", "course.content", "sqlite3"}),
-        (["list"], {"pydantic", "yaml", "markdown_it", "course.grading.check"}),
-        (["hint"], {"pydantic", "yaml", "course.grading.check", "pygments.lexers.python"}),
+        (["list"], {"course.rosenv", "pydantic", "yaml", "markdown_it", "course.grading.check"}),
+        (
+            ["hint"],
+            {"course.rosenv", "msgspec", "pydantic", "yaml", "course.grading", "pygments.lexers.python"},
+        ),
     ],
 )
 def test_a_quick_command_loads_only_what_it_needs(

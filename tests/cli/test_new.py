@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from course.authoring.exercise import ExerciseKind
 from course.content import open_course, problems
 from course.grading.load import load_grader
 
@@ -69,9 +70,13 @@ def test_more_exercises_and_chapters(ros2course: Ros2course, robots: Path) -> No
 def test_what_it_makes_is_tidy(ros2course: Ros2course, robots: Path) -> None:
     for name in ("battery", "a", "two-robots"):
         ros2course("new", "exercise", f"30/{name}", course=robots)
+    assert_tidy(robots)
+
+
+def assert_tidy(folder: Path) -> None:
     rules = ["--isolated", "--line-length", "110", "--select", "E,F,W,I,N,UP,B"]
     done = subprocess.run(
-        [sys.executable, "-m", "ruff", "check", *rules, str(robots)],
+        [sys.executable, "-m", "ruff", "check", *rules, str(folder)],
         capture_output=True,
         text=True,
         check=False,
@@ -189,9 +194,48 @@ def test_where_nothing_may_be_written(
     assert tree(course) == before
 
 
+@pytest.mark.parametrize("kind", [kind.value for kind in ExerciseKind])
+def test_each_kind_is_complete_and_tidy(ros2course: Ros2course, robots: Path, kind: str) -> None:
+    assert ros2course("new", "exercise", "power/my-lamp", "--kind", kind, course=robots).code == 0
+    filled_in(robots / "chapters/30-power")
+    assert problems(open_course(robots)) == ()
+    exercise = open_course(robots).exercise("30-my-lamp")
+    questions = {question.id for question in exercise.questions}
+    checks = set() if kind == "quiz" else set(load_grader(exercise.grader, exercise.id).checks)
+    assert {mistake.caught_by for mistake in exercise.mistakes()} == questions | checks
+    run = ros2course("validate", "--static", course=robots)
+    assert run.code == 0, run.out
+    assert_tidy(robots)
+
+
+def test_all_kinds_in_one_chapter(ros2course: Ros2course, robots: Path) -> None:
+    for kind in ExerciseKind:
+        words = ("new", "exercise", f"30/{kind.value}", "--kind", kind.value)
+        assert ros2course(*words, course=robots).code == 0
+    filled_in(robots / "chapters/30-power")
+    run = ros2course("validate", "--static", course=robots)
+    assert run.code == 0, run.out
+
+
+def test_a_kind_is_for_exercises(ros2course: Ros2course, robots: Path) -> None:
+    run = ros2course("new", "chapter", "31-more", "--kind", "quiz", course=robots)
+    assert run.code == 2 and "--kind is for an exercise" in flat(run)
+    run = ros2course("new", "exercise", "30/x", "--kind", "topik", course=robots)
+    assert run.code == 2 and "mystery" in flat(run)
+
+
+def filled_in(chapter: Path) -> None:
+    """Replaces what `new chapter` leaves to its author."""
+    for name in ("lesson.md", "lesson.yaml"):
+        text = (chapter / name).read_text().replace("Say in one line", "Once").replace("Say here", "Soon")
+        (chapter / name).write_text(text.replace("A robot,", "A lamp,").replace("The idea,", "A drawing,"))
+
+
 @pytest.mark.slow
-def test_the_templates_are_proven(ros2course: Ros2course, robots: Path) -> None:
-    ros2course("new", "exercise", "30/battery", course=robots)
+@pytest.mark.parametrize("kind", [kind.value for kind in ExerciseKind])
+def test_the_templates_are_proven(ros2course: Ros2course, robots: Path, kind: str) -> None:
+    ros2course("new", "exercise", "30/my-lamp", "--kind", kind, course=robots)
+    filled_in(robots / "chapters/30-power")
     run = ros2course("validate", course=robots)
     assert run.code == 0, run.out + run.err
-    assert "8/8" in run.out
+

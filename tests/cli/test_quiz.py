@@ -3,19 +3,27 @@
 from __future__ import annotations
 
 import shutil
+from collections import Counter
 from pathlib import Path
+from random import Random
 from typing import TYPE_CHECKING
 
 import pytest
 
-from course.grading.result import Verdict, from_json
-from course.home import CourseHome
+from course.cli.quiz import Asking, understood
+from course.cli.review import drawn
+from course.content import Choice, Question, open_course
+from course.grading.quiz.questions import check_quiz
+from course.home import CourseHome, create_home
+from course.model.result import Verdict, from_json
 from course.progress import Progress
+from course.report.console import open_console
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from tests.cli.conftest import Ros2course, Run
+
 
 FIXTURE = Path(__file__).parents[1] / "fixtures/quiz_course"
 RIGHT = FIXTURE / "solutions/05-lighthouses/answers/05-quiz.yaml"
@@ -29,7 +37,7 @@ def run(ros2course: Ros2course, home: Path, monkeypatch: pytest.MonkeyPatch) -> 
     def no_ros() -> None:
         raise AssertionError("a quiz looked for ROS")
 
-    monkeypatch.setattr("course.rosenv.find_ros", no_ros)
+    monkeypatch.setattr("course.cli.check.find_ros", no_ros)
     return lambda *words: ros2course(*words, course=FIXTURE)
 
 
@@ -74,20 +82,34 @@ def test_a_wrong_answer_and_what_to_type_next(run: Callable[..., Run], answers: 
     assert "hint" not in done.out.split("Type next:")[1]
 
 
+def test_a_second_try_earns_half_here_and_in_a_class(
+    run: Callable[..., Run], answers: Path, home: Path
+) -> None:
+    answers.write_text(RIGHT.read_text().replace("why: tell-apart", "why: It saves oil"))
+    assert "for half the points" in run("check").out.split("Type next:")[1]
+    assert run("check").code == 1, "the same answer once more is not another try"
+    answers.write_text(answers.read_text().replace("why: It saves oil", "why: tell-apart"))
+    done = run("check")
+    assert (done.code, "Passed: 5.5 of 6 points" in done.out) == (0, True)
+    assert "0.5 of 1" in done.out
+    quiz = open_course(FIXTURE).exercise("05-quiz")
+    assert check_quiz(quiz, home).points == 5.5, "what is handed in is judged in the same way"
+
+
 def test_again_is_for_answers_only(run: Callable[..., Run], home: Path) -> None:
     from course.cli.check import _steps
     from course.content import open_course
-    from course.grading.result import CheckResult, Outcome, Result
+    from course.model.result import CheckResult, Outcome, Result
 
-    class Desk:
+    class Session:
         progress = Progress.open(home / ".ros2course")
 
     keepers = open_course(FIXTURE).exercise("05-keepers")
     for failed, command in (("greeted", "check 05-keepers"), ("rate", "check 05-keepers --again")):
         checks = (CheckResult(failed, "x", 1, Outcome.FAILED), CheckResult("type", "y", 1, Outcome.PASSED))
-        steps = _steps(Desk(), keepers, Result("05-keepers", Verdict.NOT_PASSED, checks))  # type: ignore[arg-type]
+        steps = _steps(Session(), keepers, Result("05-keepers", Verdict.NOT_PASSED, checks))  # type: ignore[arg-type]
         assert steps[-1][0] == f"ros2course {command}"
-    Desk.progress.__exit__(None, None, None)
+    Session.progress.__exit__(None, None, None)
 
 
 def test_again_needs_a_terminal_and_questions(run: Callable[..., Run], ros2course: Ros2course) -> None:
@@ -171,3 +193,73 @@ def test_the_seed_is_not_shown(run: Callable[..., Run], home: Path) -> None:
     for words in (("next", "05-keepers"), ("show",), ("check", "05-quiz"), ("list",)):
         done = run(*words)
         assert seed not in done.out + done.err
+
+
+CHOICES = tuple(
+    Choice(name, text, False) for name, text in (("keep", "It `keeps`"), ("b c", "b c"), (">>", ">>"))
+)
+ONE = Question("one", "?", "choice", CHOICES)
+SOME = Question("some", "?", "choices", CHOICES)
+NUMBER = Question("number", "?", "number", value=3)
+TEXT = Question("text", "?", "text", texts=("x",))
+
+
+@pytest.mark.parametrize(
+    ("question", "typed", "texts"),
+    [
+        (ONE, "a", ("keep",)),
+        (ONE, "A)", ("keep",)),
+        (ONE, " c. ", (">>",)),
+        (ONE, "it keeps", ("keep",)),
+        (ONE, ">>", (">>",)),
+        (ONE, "d", ()),
+        (ONE, "a, b", ()),
+        (ONE, "it keep", ()),
+        (SOME, "a, c", ("keep", ">>")),
+        (SOME, "ca", (">>", "keep")),
+        (SOME, "C a", (">>", "keep")),
+        (SOME, "b, b", ("b c",)),
+        (SOME, "b c", ("b c",)),
+        (SOME, "it keeps and >>", ("keep", ">>")),
+        (SOME, "a, x", ()),
+        (NUMBER, "2,5 Hz", ("2,5 Hz",)),
+        (NUMBER, "many", ()),
+        (TEXT, "a", ("a",)),
+    ],
+)
+def test_what_is_meant(question: Question, typed: str, texts: tuple[str, ...]) -> None:
+    assert understood(question, typed) == texts
+
+
+@pytest.mark.slow
+def test_a_program_runs_after_its_output_was_predicted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program = tmp_path / "count.py"
+    program.write_text("print(1)\nprint(1 / 0)\n")
+    choices = (Choice("r", "`1` and a `ZeroDivisionError`", True), Choice("w", "`1` and `0`", False, "No."))
+    question = Question("one", "What does it print?", "choice", choices, program=program)
+    home = create_home(tmp_path / "home")
+    shown_before = []
+
+    def type_b(prompt: str) -> str:
+        shown_before.append(capsys.readouterr().out)
+        return "b"
+
+    monkeypatch.setattr("builtins.input", type_b)
+    exercise = open_course().exercises()[0]
+    Asking(open_console(), home, exercise, (question,)).run(again=False)
+    assert "It printed" not in shown_before[0]
+    lines = [line.split() for line in capsys.readouterr().out.splitlines() if line.strip()]
+    assert ["You", "said:", "`1`", "and", "`0`"] in lines
+    assert lines[-2:] == [["It", "printed:", "1"], ["ZeroDivisionError:", "division", "by", "zero"]]
+
+
+def test_a_review_draws_what_was_wrong_more_often() -> None:
+    questions = {("01-quiz", str(number)): Question(str(number), "?", "text") for number in range(40)}
+    failures = {("01-quiz", "7"): 9}
+    rounds = [drawn(questions, failures, Random(seed)) for seed in range(200)]
+    assert {len(one) for one in rounds} == {8}
+    assert all(len({question.id for question in one}) == 8 for one in rounds)
+    often = Counter(question.id for one in rounds for question in one)
+    assert often["7"] > 2 * max(count for name, count in often.items() if name != "7")

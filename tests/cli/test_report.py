@@ -12,11 +12,10 @@ from urllib.request import urlopen
 
 import pytest
 
-from course.batch.model import Graded, Unit
-from course.batch.noted import Noted, note
-from course.batch.results import Results, Submission
+from course.batch.gradings import Graded, Unit
+from course.batch.results import BatchSettings, Results, Submission, keep_settings
 from course.cli.main import main
-from course.grading.result import CheckResult, Outcome, Result, Verdict
+from course.model.result import CheckResult, Outcome, Result, Verdict
 from tests.conftest import FIXTURES
 
 EXERCISE = "05-quiz"
@@ -30,7 +29,7 @@ def out(tmp_path: Path) -> Path:
     with Results.open(folder) as results:
         results.enter([Submission(one, one.title(), f"{one}.zip", "d") for one in ("ada", "b/ao")])
         began = datetime.now(timezone.utc)
-        note(results, Noted(tmp_path / "class", (), (EXERCISE,), False, True, began))
+        keep_settings(results, BatchSettings(tmp_path / "class", (), (EXERCISE,), False, True, began))
         results.record(Graded(Unit("ada", EXERCISE), RIGHT, 1.0), "1", None)
     return folder
 

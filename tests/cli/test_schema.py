@@ -12,7 +12,7 @@ import jsonschema
 import pytest
 import yaml
 
-from course.content.json_schema import Kind, json_schema, schema_text
+from course.content.schema import Kind, json_schema, schema_text
 
 if TYPE_CHECKING:
     from tests.cli.conftest import Ros2course
@@ -79,12 +79,12 @@ Breaking = Callable[[Any], object]
         (Kind.LESSON, LESSON, lambda d: d.update(titel="x")),
         (Kind.LESSON, LESSON, lambda d: d.update(chapter="18")),
         (Kind.LESSON, LESSON, lambda d: d.update(title=" ")),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][0].update(id="Publisher")),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][0].update(hints=["one", "two"])),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][0].pop("hints")),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][0].update(files=["/etc/passwd"])),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][0].update(packages=["Big Package"])),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][0].update(time_limit=0)),
+        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(id="Publisher")),
+        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(hints=["one", "two"])),
+        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].pop("hints")),
+        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(files=["/etc/passwd"])),
+        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(packages=["Big Package"])),
+        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(time_limit=0)),
         (Kind.LESSON, QUIZ, lambda d: d["exercises"][0]["questions"][0].update(text=["both"])),
         (Kind.LESSON, QUIZ, lambda d: d["exercises"][0]["questions"][0].pop("choices")),
         (Kind.LESSON, QUIZ, lambda d: d["exercises"][0]["questions"][1].update(tolerance="a lot")),

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from course import rosenv
-from course.build import underlay
+from course.cli import underlay
 from course.cli.main import main
 from course.errors import ExitCode
 from course.rosenv.underlay import UnderlayPackage
@@ -18,9 +17,9 @@ def built(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """What was built; `two` is missing and `one` is there."""
     names: list[str] = []
     packages = tuple(UnderlayPackage(name, Path(name), True) for name in ("one", "two"))
-    monkeypatch.setattr(rosenv, "compiled_of_underlay", lambda ros: packages)
-    monkeypatch.setattr(rosenv, "missing_of_underlay", lambda ros: packages[1:])
-    monkeypatch.setattr(underlay, "build_underlay", lambda wanted, ros, **_: names.extend(wanted))
+    monkeypatch.setattr(underlay, "compiled_of_underlay", lambda ros: packages)
+    monkeypatch.setattr(underlay, "missing_of_underlay", lambda ros: packages[1:])
+    monkeypatch.setattr(underlay, "build", lambda wanted, ros, **_: names.extend(wanted))
     return names
 
 
@@ -47,6 +46,6 @@ def test_an_unknown_name_is_refused_with_those_there_are(
 def test_nothing_missing_is_said(
     built: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(rosenv, "missing_of_underlay", lambda ros: ())
+    monkeypatch.setattr(underlay, "missing_of_underlay", lambda ros: ())
     assert main(["build-underlay"]) == ExitCode.PASSED
     assert capsys.readouterr().out == "Nothing is missing.\n"

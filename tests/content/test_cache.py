@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from course.content import open_course
-from course.content.cache import LessonCache
+from course.content.chapter import LessonCache
 from course.errors import ContentError
 
 Edit = Callable[[str, str], Path]
@@ -60,7 +60,7 @@ def test_other_rules_mean_reading_anew(
 ) -> None:
     open_course(small_course, cache=cache).chapters()
     before = kept(cache).read_text()
-    monkeypatch.setattr("course.content.cache._RULES", ("schema.py",))
+    monkeypatch.setattr("course.content.chapter._RULES", ("schema.py",))
     open_course(small_course, cache=cache).chapters()
     assert kept(cache).read_text() != before
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from course.content import Course, open_course, problems
-from course.content.question import tolerance_of
+from course.content.entries import tolerance_of
 
 FIXTURE = Path(__file__).parents[1] / "fixtures/quiz_course"
 LESSON = "chapters/05-lighthouses/lesson.yaml"
@@ -37,7 +37,7 @@ def test_the_fixture_is_right() -> None:
 
 
 def test_questions_as_they_are_asked() -> None:
-    why, seen, keeper, period, colours = open_course(FIXTURE).exercise("05-quiz").questions
+    why, seen, keeper, period, colors = open_course(FIXTURE).exercise("05-quiz").questions
     assert (why.form, [choice.name for choice in why.choices][:2]) == (
         "choice",
         ["tell-apart", "It saves oil"],
@@ -45,7 +45,7 @@ def test_questions_as_they_are_asked() -> None:
     assert seen.form == "choices"
     assert (keeper.form, keeper.texts[1], keeper.wrong[0].answer) == ("text", "keeper", "captain")
     assert (period.form, period.value, period.tolerance, period.points) == ("number", 5.0, 0.25, 2.0)
-    assert (colours.form, colours.texts) == ("all_of", ("red", "green", "white"))
+    assert (colors.form, colors.texts) == ("all_of", ("red", "green", "white"))
 
 
 def test_the_answers_are_one_of_the_learners_files() -> None:
@@ -96,7 +96,8 @@ WRONG = [
     ("tolerance: 5%", "tolerance: 5 %%", "tolerance", "or a share like `10%`, not `5 %%`"),
     ("tolerance: 5%", "tolerance: -1", "tolerance", "must be a number from 0 on"),
     ("tolerance: 5%", "exact: true", "exact", "`exact` means nothing in a question with `number`"),
-    ("points: 2", "points: -2", "points", "must be a number from 0 on"),
+    ("points: 2", "points: -2", "points", "must be a number greater than 0"),
+    ("points: 2", "points: 0", "points", "must be a number greater than 0"),
     ("number: 5", "number: five", "number", "must be a number, not a text"),
     (
         "        explain: The period is the time from one blink to the next.\n",
@@ -109,6 +110,8 @@ WRONG = [
     ("What would you call them?", "A Keeper!", "otherwise", "holds the right one (`a keeper`)"),
     ("is the time from one", "is 5 seconds from one", "explain", "holds the right one (`5`)"),
     ("computed: true", "computed: maybe", "computed", "must be `true` or `false`"),
+    ("points: 2", "program: a.py", "program", "`program` means nothing in a question with `number`"),
+    ("id: seen", "id: seen\n        program: ../a.py", "program", "must be the name of a script"),
 ]
 
 
@@ -157,3 +160,16 @@ def test_answers_go_with_answers_files_only(quiz_course: Path) -> None:
     file.write_text(file.read_text().replace("answers/05-quiz.yaml", "answer/05-quiz.yaml", 1))
     (problem,) = problems(open_course(quiz_course))
     assert "`answers` goes with an answers file, not with `answer/05-quiz.yaml`" in problem.what
+
+
+def test_a_question_about_a_program_shows_its_code(
+    quiz_course: Path, change: Callable[[str, str], Course]
+) -> None:
+    course = change("      - id: why\n", "      - id: why\n        program: blink.py\n")
+    file = quiz_course / "chapters/05-lighthouses/programs/blink.py"
+    assert [problem.file for problem in problems(course)] == [file]
+    file.parent.mkdir()
+    file.write_text("print('on')\n")
+    question = open_course(quiz_course).exercise("05-quiz").questions[0]
+    assert question.program == file
+    assert question.ask.endswith("side by side.\n\n```python\nprint('on')\n```")

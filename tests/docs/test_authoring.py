@@ -1,4 +1,4 @@
-"""docs/authoring.md, done as it says: from nothing to an exercise that is proven."""
+"""docs/authoring.md and docs/first-exercise.md, done as they say: from nothing to a proven exercise."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from tests.docs.walk import Command, File, steps
 
 ROOT = Path(__file__).parents[2]
 WALK = steps(ROOT / "docs/authoring.md")
+SHORT_WALK = steps(ROOT / "docs/first-exercise.md")
 
 
 def typed(line: str, folder: Path, programs: Path) -> tuple[int, str, Path]:
@@ -47,14 +48,17 @@ def test_the_document_is_read_as_a_walk() -> None:
 
 
 @pytest.mark.slow
-def test_every_command_and_every_file_of_it(tmp_path: Path, programs: Path) -> None:
+@pytest.mark.parametrize("walk", [WALK, SHORT_WALK], ids=["authoring", "first-exercise"])
+def test_every_command_and_every_file_of_it(
+    walk: list[File | Command], tmp_path: Path, programs: Path
+) -> None:
     folder = tmp_path / "author"
     folder.mkdir()
-    for step in WALK:
+    for step in walk:
         if isinstance(step, File):
             assert (folder / step.name).is_file(), f"`new` did not make {step.name}"
             (folder / step.name).write_text(step.text, encoding="utf-8")
         else:
             code, said, folder = typed(step.line, folder, programs)
             assert code == step.code, f"{step.line}\n{said}"
-    assert list((tmp_path / "author/robots-home/.ros2course/evidence").glob("*.mcap"))
+    assert list((tmp_path / "author").glob("*-home/.ros2course/evidence/*.mcap"))

@@ -12,8 +12,8 @@ import yaml
 from typer.main import get_command
 
 from course.cli.app import app
-from course.cli.words import global_options_first
-from course.rosenv.paths import cache_dir
+from course.cli.usage import global_options_first
+from course.files import cache_dir
 
 DOCS = Path(__file__).parents[2] / "docs"
 WORKFLOW: dict[Any, Any] = yaml.safe_load((DOCS / "ci/course.yml").read_text(encoding="utf-8"))

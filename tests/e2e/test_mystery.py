@@ -13,9 +13,9 @@ import pexpect
 import psutil
 import pytest
 
-from course.arena.enclosure import enclosure
-from course.arena.play_module import load_play, seed_for
+from course.arena.mystery_module import load_mystery, seed_for
 from course.home import CourseHome
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment
 from tests.e2e.conftest import COMMAND
 from tests.processes import words_of
@@ -52,7 +52,7 @@ print(len(heard) > 0, sorted(node.get_node_names()))
 @pytest.fixture
 def domain() -> Iterator[Mapping[str, str]]:
     """A ROS domain that nobody else has: who explores meets the mystery alone."""
-    with enclosure(namespaces=False) as around:
+    with isolated(namespaces=False) as around:
         yield around.environment
 
 
@@ -81,7 +81,7 @@ def start(environment: dict[str, str], domain: Mapping[str, str], guarded_home: 
 
 @pytest.fixture
 def plan(start: Start, course_home: Path) -> Any:
-    return load_play(KEEPERS).draw(seed_for("05-keepers", CourseHome(course_home).seed()))
+    return load_mystery(KEEPERS).draw(seed_for("05-keepers", CourseHome(course_home).seed()))
 
 
 def explore(plan: Any, domain: Mapping[str, str], words: str) -> str:
@@ -104,7 +104,7 @@ def ended(child: pexpect.spawn[str]) -> tuple[str, int | None]:
 
 def nodes_below(child: pexpect.spawn[str]) -> list[psutil.Process]:
     children = psutil.Process(child.pid).children(recursive=True)
-    return [process for process in children if "course.arena.player" in words_of(process)]
+    return [process for process in children if "course.arena.mystery_program" in words_of(process)]
 
 
 def test_from_play_to_the_pass(start: Start, domain: Mapping[str, str], plan: Any) -> None:

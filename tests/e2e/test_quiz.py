@@ -23,7 +23,10 @@ Ask = Callable[..., tuple[str, int | None]]
 
 @pytest.fixture
 def answer(environment: dict[str, str], guarded_home: Path) -> Iterator[Ask]:
-    """Run a command, typing one of `typed` at each question; returns what it showed, and its exit code."""
+    """Run a command, typing one of `typed` at each question; returns what it showed, and its exit code.
+
+    One with `=` is typed as what follows it, if what precedes it was shown last; else nothing is.
+    """
 
     def run(*words: str, typed: tuple[str, ...] = ()) -> tuple[str, int | None]:
         child = pexpect.spawn(
@@ -39,6 +42,8 @@ def answer(environment: dict[str, str], guarded_home: Path) -> Iterator[Ask]:
         for line in typed:
             child.expect(PROMPT)
             shown += child.before + child.after
+            only, _, text = line.rpartition("=")
+            line = text if child.before.endswith(only) else ""
             if line in (INTERRUPT, END):
                 child.send(line)
             else:
@@ -57,7 +62,7 @@ def kept(home: Path) -> dict[str, tuple[str, ...]]:
     return {name: given.texts for name, given in answers.given.items() if given.texts}
 
 
-RIGHT = {"why": "its rhythm tells which lighthouse it is", "seen": "its colour, its rhythm"}
+RIGHT = {"why": "its rhythm tells which lighthouse it is", "seen": "its color, its rhythm"}
 
 
 def test_all_questions_one_after_the_other(answer: Ask, course_home: Path) -> None:
@@ -109,6 +114,9 @@ def test_again_asks_what_is_wrong(answer: Ask, course_home: Path) -> None:
     assert "check --again" in shown
     shown, code = answer("check", "--again", typed=tuple(RIGHT.values()))
     assert (code, "Question 2 of 2" in shown) == (0, True)
+    assert shown.count("The right one now earns 0.5 of 1 points.") == 2
+    assert shown.index("0.5 of 1 points") < shown.index("Your answer"), "it is told before the second try"
+    assert "Passed: 5 of 6 points" in shown
     shown, code = answer("check", "--again", typed=(INTERRUPT,))
     assert "Question 1 of 5" in shown, "when all is right, all is asked"
 
@@ -125,11 +133,22 @@ def test_a_broken_file_is_left_as_it_is(answer: Ask, course_home: Path) -> None:
 def test_what_an_editor_wrote_meanwhile_stays(answer: Ask, course_home: Path) -> None:
     file = course_home / "answers/05-quiz.yaml"
     file.parent.mkdir()
-    file.write_text("colours: red, green, white  # mine\nwhether: no\n")
+    file.write_text("colors: red, green, white  # mine\nwhether: no\n")
     answer("check", typed=("", "", "keeper", "5"))
     assert kept(course_home) == {
-        "colours": ("red, green, white",),
+        "colors": ("red, green, white",),
         "keeper": ("keeper",),
         "period": ("5",),
         "whether": ("no",),
     }
+
+
+def test_a_review_asks_again_and_changes_nothing(answer: Ask, course_home: Path) -> None:
+    shown, code = answer("review")
+    assert (code, "There is nothing to review yet." in shown) == (2, True)
+    answer("check", typed=("It saves oil", "", "keeper", "5", "red green white"))
+    before = (course_home / "answers/05-quiz.yaml").read_text()
+    in_any_order = ("looks after a light?\r\n\r\n=keeper",) * 5
+    shown, code = answer("review", typed=in_any_order)
+    assert (code, "Question 5 of 5" in shown, "You answered 1 of 5 right." in shown) == (0, True, True)
+    assert (course_home / "answers/05-quiz.yaml").read_text() == before

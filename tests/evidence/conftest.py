@@ -1,4 +1,4 @@
-"""Recordings of every kind of event, and messages as ROS itself serialises them."""
+"""Recordings of every kind of event, and messages as ROS itself serializes them."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 
-from course.evidence import events as kinds
-from course.evidence.events import Event
-from course.evidence.graph import Endpoint, Graph, Qos, Service
 from course.evidence.home_files import HomeEntry
 from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
-from course.feedback import Feedback, Location
+from course.model import events as kinds
+from course.model.events import Event
+from course.model.feedback import Feedback, Location
+from course.model.graph import Endpoint, Graph, Qos, Service
 from course.rosenv import find_ros, node_environment, prepare
 
 TIMEOUT = 120.0
@@ -100,7 +100,7 @@ def recording() -> Recording:
 
 @dataclass(frozen=True)
 class Sample:
-    """A message as rclpy serialised it, with its text definition and its fields."""
+    """A message as rclpy serialized it, with its text definition and its fields."""
 
     type: str
     data: bytes
@@ -108,8 +108,8 @@ class Sample:
     fields: dict[str, Any]
 
 
-# Runs with ROS: serialises messages, and writes their fields as plain JSON.
-SERIALISE = Path(__file__).with_name("serialise.py")
+# Runs with ROS: serializes messages, and writes their fields as plain JSON.
+SERIALIZE = Path(__file__).with_name("serialize.py")
 
 
 def ros_python(script: Path, *arguments: str, **variables: str) -> str:
@@ -137,7 +137,7 @@ def _path(environment: dict[str, str]) -> str:
 @pytest.fixture(scope="session")
 def samples() -> dict[str, Sample]:
     """By name."""
-    found = json.loads(ros_python(SERIALISE))
+    found = json.loads(ros_python(SERIALIZE))
     return {
         name: Sample(item["type"], bytes.fromhex(item["data"]), item["definition"], item["fields"])
         for name, item in found.items()

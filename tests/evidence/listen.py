@@ -12,10 +12,10 @@ from std_msgs.msg import Header, String
 
 from course.errors import OurFault
 from course.evidence import recorder as module
-from course.evidence.events import GraphSeen, Joined, MessagesCut, MessageSeen, MessageSent
 from course.evidence.recorder import Recorder
 from course.evidence.recording import ROSOUT, Recording
 from course.evidence.timeline import Timeline
+from course.model.events import GraphSeen, Joined, MessagesCut, MessageSeen, MessageSent
 
 WAIT = 20.0
 STRING = "std_msgs/msg/String"

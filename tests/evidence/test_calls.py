@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 
 from .conftest import ros_python
 
@@ -20,7 +20,7 @@ CALL = Path(__file__).with_name("call.py")
 @pytest.fixture(scope="module")
 def found(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     folder = tmp_path_factory.mktemp("call")
-    with enclosure(namespaces=False) as around:
+    with isolated(namespaces=False) as around:
         return dict(json.loads(ros_python(CALL, str(folder / "call.mcap"), **around.environment)))
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from course.evidence.events import Late, Watched
-from course.evidence.lateness import is_overloaded
+from course.evidence.recording import is_overloaded
+from course.model.events import Late, Watched
 
 BEGIN, END = Watched(1.0, True), Watched(5.0, False)
 

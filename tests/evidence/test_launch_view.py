@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from course.evidence.events import Event, OutputLine, ProcessExited, ProcessLeft, ProcessStarted, SignalSent
-from course.evidence.launch_view import LaunchView
+from course.evidence.process_view import LaunchView
+from course.model.events import Event, OutputLine, ProcessExited, ProcessLeft, ProcessStarted, SignalSent
 
 LINES = """\
 [INFO] [launch]: All log files can be found below /log

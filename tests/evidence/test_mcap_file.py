@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import errno
 import json
-from dataclasses import replace
 from pathlib import Path
+from typing import IO, Union
 
 import pytest
 from mcap.reader import make_reader
@@ -14,10 +14,10 @@ from mcap_ros2.decoder import DecoderFactory
 from rosbags.highlevel import AnyReader
 
 from course.errors import StorageError
-from course.evidence import event_json
-from course.evidence.events import MessageSeen, OutputLine
 from course.evidence.mcap_file import EVENTS, BadRecording, OtherFormat, _attachments, load, save
 from course.evidence.recording import Recording
+from course.model import codec, replace
+from course.model.events import Event, Marked, MessageSeen, OutputLine
 
 from .conftest import HELLO, NUMBER, STRING
 
@@ -121,12 +121,17 @@ def test_events_of_recordings_of_before_are_read(tmp_path: Path) -> None:
         writer.start(profile="ros2", library="ros2course")
         writer.add_metadata("ros2course", {"version": "1", "exercise": "x", "began": str(BEGAN)})
         for name, data in _attachments(Recording("x", duration=2.0)).items():
-            writer.add_attachment(BEGAN, BEGAN, name, "application/json", json.dumps(data).encode())
+            writer.add_attachment(BEGAN, BEGAN, name, "application/json", codec.to_json(data))
         schema = writer.register_schema("ros2course.Event", "jsonschema", b'{"type": "object"}')
         channel = writer.register_channel(EVENTS, "json", schema)
-        writer.add_message(channel, BEGAN, json.dumps(event_json.to_dict(event)).encode(), BEGAN)
+        writer.add_message(channel, BEGAN, codec.to_json(event), BEGAN)
         writer.finish()
     assert load(tmp_path / "old.mcap") == Recording("x", (event,), duration=2.0)
+
+
+def test_a_recording_of_version_1_is_read(recording: Recording) -> None:
+    """The file is what the last release before version 2 wrote of this recording."""
+    assert load(Path(__file__).with_name("version_1.mcap")) == recording
 
 
 def test_what_we_sent_is_a_channel_of_its_own(file: Path) -> None:
@@ -190,17 +195,17 @@ def test_an_mcap_file_of_another_program_is_refused(tmp_path: Path) -> None:
 
 def test_a_later_version_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with monkeypatch.context() as patch:
-        patch.setattr("course.evidence.mcap_file._VERSION", "2")
+        patch.setattr("course.evidence.mcap_file._VERSION", "3")
         save(Recording("x"), tmp_path / "x", began_ns=BEGAN)
-    with pytest.raises(OtherFormat, match="version 2"):
+    with pytest.raises(OtherFormat, match="version 3"):
         load(tmp_path / "x")
 
 
 def test_an_event_that_is_not_known_here_is_no_damage(
     file: Path, recording: Recording, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    known = {name: kind for name, kind in event_json._KINDS.items() if name != "Marked"}
-    monkeypatch.setattr(event_json, "_KINDS", known)
+    others = [kind for kind in Event.__subclasses__() if kind is not Marked]
+    monkeypatch.setattr("course.evidence.mcap_file.AnyEvent", Union[tuple(others)])  # noqa: UP007 - of a list
     with pytest.raises(OtherFormat, match="Marked"):
         load(file)
 
@@ -223,12 +228,11 @@ def test_a_recording_from_before_scenarios_were_kept(tmp_path: Path, monkeypatch
 def test_a_full_disk_leaves_the_older_file_and_nothing_else(
     file: Path, recording: Recording, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def full(path: Path, data: bytes) -> int:
-        with path.open("wb") as stream:
-            stream.write(data[: len(data) // 2])
+    def full(stream: IO[bytes], copy: IO[bytes]) -> None:
+        copy.write(stream.read(100))
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(Path, "write_bytes", full)
+    monkeypatch.setattr("shutil.copyfileobj", full)
     with pytest.raises(StorageError, match="No space left on device"):
         save(replace(recording, exercise="other"), file, began_ns=BEGAN)
     monkeypatch.undo()

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from course.evidence.parameter_types import NOT_SET, ParameterData, from_message, to_fields, type_name
+from course.evidence.parameter_view import NOT_SET, ParameterData, from_message, to_fields, type_name
 
 
 @pytest.mark.parametrize(

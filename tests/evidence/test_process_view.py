@@ -6,7 +6,8 @@ import signal
 
 import pytest
 
-from course.evidence.events import (
+from course.evidence.process_view import ProcessView
+from course.model.events import (
     Event,
     ExecutableMissing,
     Marked,
@@ -16,7 +17,6 @@ from course.evidence.events import (
     ProcessStarted,
     SignalSent,
 )
-from course.evidence.process_view import ProcessView
 
 PLAIN = """\
 Traceback (most recent call last):

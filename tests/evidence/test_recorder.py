@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 
 from .conftest import ros_python
 
@@ -19,7 +19,7 @@ LISTEN = Path(__file__).with_name("listen.py")
 
 @pytest.fixture(scope="module")
 def found() -> dict[str, Any]:
-    with enclosure(namespaces=False) as around:
+    with isolated(namespaces=False) as around:
         return dict(json.loads(ros_python(LISTEN, **around.environment)))
 
 

@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import signal
 from struct import pack
 
 import pytest
 
-from course.evidence.events import (
+from course.evidence.recording import ROSOUT, ROSOUT_TYPE, Recording
+from course.model import replace
+from course.model.events import (
     Event,
     ExecutableMissing,
     FileKept,
     GraphSeen,
+    LimitReached,
     Marked,
     MessageSeen,
     MessageSent,
     MessagesLost,
+    OutputLine,
+    ProcessExited,
+    SignalSent,
 )
-from course.evidence.graph import Endpoint, Graph, Qos, Service
-from course.evidence.recording import ROSOUT, ROSOUT_TYPE, Recording
+from course.model.graph import Endpoint, Graph, Qos, Service
 
 from .conftest import HELLO, STRING
 
@@ -55,6 +60,27 @@ def test_messages_of_a_topic_in_their_order() -> None:
     assert found.lost("/talk") == 3
     view = found.topic("/talk")
     assert (view.times, view.lost, view.watched) == ((1.0, 1.3), 3, 3.0)
+
+
+def test_what_came_of_each_message_of_the_arena() -> None:
+    found = record(
+        log(0.9, "talker", "early"),
+        MessageSent(1.0, "/ask", STRING, HELLO),
+        OutputLine(1.0, "talker", "printed at once"),
+        log(1.1, "talker", "one"),
+        MessageSeen(1.2, "/answer", STRING, HELLO),
+        log(1.3, "talker", "more"),
+        MessageSent(2.0, "/ask", STRING, HELLO),
+        MessageSent(2.5, "/other", STRING, HELLO),
+        OutputLine(2.6, "other", "no"),
+        log(2.7, "talker", "two"),
+    )
+    first, second = found.reactions("/ask")
+    assert (first.to.t, first.until, second.to.t) == (1.0, 2.0, 2.0)
+    assert (first.logged, second.logged) == ("one\nmore", "two")
+    assert [len(one.topic("/answer").messages) for one in (first, second)] == [1, 0]
+    assert (first.printed("talker"), second.printed("talker")) == (("printed at once",), ())
+    assert found.reactions("/never") == ()
 
 
 def test_what_a_flood_overruns_was_not_lost_by_us() -> None:
@@ -124,6 +150,22 @@ def test_marks_files_and_missing_executables() -> None:
     assert (found.kept("a"), found.kept("b"), found.kept("c")) == ("text", None, None)
     assert found.marked("done") == Marked(2.0, "done", "well")
     assert found.marked("other") is None
+
+
+@pytest.mark.parametrize(
+    ("event", "said"),
+    [
+        (ProcessExited(2.0, "it", None, signal.SIGTERM), False),
+        (ProcessExited(2.0, "other", None, signal.SIGKILL), True),
+        (SignalSent(1.0, "it", signal.SIGINT), True),
+        (SignalSent(1.0, "it", signal.SIGKILL), False),  # by us: it would not end
+        (LimitReached(1.0, "memory", 1024.0), False),
+    ],
+)
+def test_killed_means_not_by_us(event: Event, said: bool) -> None:
+    ended = ProcessExited(2.0, "it", None, signal.SIGKILL)
+    events = [event] if isinstance(event, ProcessExited) else [event, ended]
+    assert bool(record(*events).killed) is said
 
 
 def test_recordings_are_equal_by_what_they_hold(recording: Recording) -> None:

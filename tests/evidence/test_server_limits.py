@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from course.evidence import ros_services as module
-from course.evidence.events import ServiceCalled
-from course.evidence.graph import Graph
 from course.evidence.ros_services import Server
 from course.evidence.timeline import Timeline
+from course.model.events import ServiceCalled
+from course.model.graph import Graph
 
 
 class Node:
@@ -32,7 +32,7 @@ class Recorder:
 
     def watch(self, state: object) -> None: ...
 
-    def serialised(self, request: bytes) -> bytes:
+    def serialized(self, request: bytes) -> bytes:
         return request
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import threading
 import time
+from collections.abc import Iterator
 
 import pytest
 
-from course.evidence.events import Event, Marked, MessageSeen, OutputLine
 from course.evidence.timeline import Timeline
+from course.model.events import Event, Marked, MessageSeen, OutputLine
 
 WAIT = 20.0
 
@@ -29,6 +30,52 @@ def test_events_are_sorted_by_time_and_then_by_arrival() -> None:
     assert timeline.events() == (one, two, late)
     assert list(timeline.of(Marked)) == [late, one, two]
     assert list(timeline.of(OutputLine)) == []
+
+
+class Looked(str):
+    """A text that counts how often somebody searches in one."""
+
+    times = 0
+
+    def __contains__(self, text: object) -> bool:
+        Looked.times += 1
+        return super().__contains__(text)
+
+
+def test_a_condition_looks_at_each_event_once_however_often_it_is_asked(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Else the work grows with the square of what a program prints."""
+    monkeypatch.setattr(Looked, "times", 0)
+    timeline, counts = Timeline(), []
+    for number in range(500):
+        timeline.add(OutputLine(number / 1e3, "talker", Looked(f"line {number}")))
+        timeline.add(Marked(number / 1e3, "in between"))
+        counts.append(timeline.count(OutputLine, "9", lambda event: "9" in event.text))
+    assert counts[-1] == sum("9" in str(number) for number in range(500)) and counts == sorted(counts)
+    assert Looked.times == 500
+    assert timeline.count(OutputLine, "line 7", lambda event: "line 7" in event.text) == 11
+
+
+def test_events_of_one_kind_are_found_without_going_through_the_others() -> None:
+    timeline = Timeline()
+    timeline.add(Marked(0.0, "first"))
+    found = timeline.of(Marked)
+    for number in range(100):
+        timeline.add(OutputLine(0.1, "talker", str(number)))
+    timeline.add(Marked(0.2, "later"))
+    visited = 0
+
+    class Counted(list[Event]):
+        def __iter__(self) -> Iterator[Event]:
+            nonlocal visited
+            visited += len(self)
+            return super().__iter__()
+
+    timeline._events = Counted(timeline._events)
+    assert [mark.name for mark in timeline.of(Marked)] == ["first", "later"]
+    assert visited == 0
+    assert [mark.name for mark in found] == ["first"]  # as it was when it was asked
 
 
 def seen(t: float, topic: str, text: str) -> MessageSeen:

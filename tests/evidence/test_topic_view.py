@@ -8,11 +8,13 @@ from types import SimpleNamespace
 
 import pytest
 
-from course.evidence.events import MessageSeen
 from course.evidence.messages import Decoder
 from course.evidence.recording import Recording
-from course.evidence.topic_view import LogLine, Message, TopicView, expect_period, seconds
-from course.feedback import Failure, Feedback, Pace
+from course.evidence.topic_view import LogLine, Message, TopicView, paces_asked, seconds
+from course.grading.expect.periods import expect_period
+from course.model.events import MessageSeen
+from course.model.feedback import Failure, Feedback, Location, Pace
+from tests.golden import golden
 
 from .conftest import HELLO, STRING
 
@@ -46,23 +48,10 @@ def test_the_median_is_what_counts(intervals: tuple[float, ...]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("intervals", "seen"),
-    [
-        ((0.39,) * 4, "one every 0.39 s (2.56 Hz)"),
-        ((0.61,) * 4, "one every 0.61 s (1.64 Hz)"),
-        ((1.0,) * 4, "one every 1.00 s (1 Hz)"),
-        ((0.0005,) * 4, "one every 0.5 ms (2e+03 Hz)"),
-        ((0.0,) * 4, "one every 0 ms (all at once)"),
-        ((5.0,), "one every 5.00 s (0.2 Hz)"),  # one interval is enough to see that it is wrong
-    ],
+    "intervals", [(0.39,) * 4, (0.61,) * 4, (1.0,) * 4, (0.0005,) * 4, (0.0,) * 4, (5.0,)]
 )
-def test_another_period_is_told_with_both_figures(intervals: tuple[float, ...], seen: str) -> None:
-    found = failure(times(*intervals))
-    assert found is not None
-    assert found.summary.startswith("The messages on /talk come every")
-    assert found.summary.endswith("not every 0.50 s.")
-    assert (found.expected, found.seen) == ("one every 0.50 s (2 Hz)", seen)
-    assert found.advice == "try this"
+def test_another_period_is_told_with_both_figures(intervals: tuple[float, ...]) -> None:
+    golden(failure(times(*intervals)))
 
 
 @pytest.mark.parametrize(
@@ -76,10 +65,7 @@ def test_the_edges_of_the_tolerance_belong_to_it(interval: float, tolerance: flo
 
 @pytest.mark.parametrize("count", [0, 1, 2, 3, 4])
 def test_too_few_tell_nothing(count: int) -> None:
-    found = failure(tuple(0.5 * n for n in range(count)))
-    assert found is not None
-    assert found.summary == f"Only {count} messages on /talk came, too few to tell how often they come."
-    assert (found.expected, found.seen) == ("at least 5, one every 0.50 s", str(count))
+    golden(failure(tuple(0.5 * n for n in range(count))))
 
 
 def test_five_are_enough() -> None:
@@ -89,9 +75,12 @@ def test_five_are_enough() -> None:
 def test_of_a_topic() -> None:
     messages = tuple(Message(0.5 * n, STRING, None) for n in range(5))
     view = TopicView("/talk", messages, 0, 3.0)
-    view.expect_period(0.5)
-    with pytest.raises(Failure, match=r"messages on /talk come every 0\.50 s, not every 1\.00 s"):
-        view.expect_period(1.0, advice="slower")
+    expect_period(view, 0.5)
+    assert view.between(0.5, 1.5).times == (0.5, 1.0)
+    place = Location("talk.py", 3)
+    with pytest.raises(Failure, match=r"messages on /talk come every 0\.50 s, not every 1\.00 s") as caught:
+        expect_period(view, 1.0, advice="slower", where=(place,))
+    assert caught.value.feedback.where == (place,)
 
 
 def test_a_message_that_cannot_be_read_has_no_data() -> None:
@@ -119,11 +108,11 @@ def test_durations_for_people(value: float, text: str) -> None:
 
 
 @pytest.mark.parametrize("period", [0.5, 5.0])
-def test_a_recording_knows_what_was_asked_of_it(period: float) -> None:
+def test_a_pace_that_is_asked_for_is_known(period: float) -> None:
     """Whether it was so or not."""
     recording = Recording(
         "x", tuple(MessageSeen(n / 2, "/talk", STRING, HELLO) for n in range(9)), {STRING: ""}
     )
-    with contextlib.suppress(Failure):
-        recording.topic("/talk").expect_period(period, tolerance=0.2)
-    assert recording.paces == [Pace("/talk", pytest.approx(period * 0.8), pytest.approx(period * 1.2))]
+    with paces_asked() as paces, contextlib.suppress(Failure):
+        expect_period(recording.topic("/talk"), period, tolerance=0.2)
+    assert paces == [Pace("/talk", pytest.approx(period * 0.8), pytest.approx(period * 1.2))]

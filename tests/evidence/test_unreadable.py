@@ -7,9 +7,8 @@ import copy
 import pytest
 
 from course.errors import OurFault
-from course.evidence.messages import Decoder
-from course.evidence.unreadable import decoded
-from course.feedback import Failure
+from course.evidence.messages import Decoder, decoded
+from course.model.feedback import Failure
 
 from .conftest import HELLO, STRING
 

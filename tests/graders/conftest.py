@@ -9,10 +9,10 @@ import pytest
 
 from course.build import Store
 from course.content import Course, Exercise, open_course
-from course.grading.check import check_exercise
-from course.grading.result import Result
+from course.grading.check import Request, check_exercise
 from course.grading.trial_answers import SEED
 from course.home import create_home
+from course.model.result import Result
 from course.rosenv import find_ros
 
 Check = Callable[[Exercise, Path], Result]
@@ -37,4 +37,4 @@ def home(tmp_path: Path) -> Path:
 @pytest.fixture
 def check(store: Store) -> Check:
     ros = find_ros()
-    return lambda exercise, home: check_exercise(exercise, home, ros=ros, store=store, seed=SEED)
+    return lambda exercise, home: check_exercise(Request(exercise, home, ros=ros, store=store, seed=SEED))

@@ -10,10 +10,10 @@ import yaml
 
 from course.content import Course, Exercise, Question, answers_file, open_course
 from course.grading import trial
-from course.grading.mystery.load import questions_for
-from course.grading.quiz.right import right_answer
+from course.grading.load import questions_for
+from course.grading.quiz.judge import right_answer
 from course.grading.trial_answers import SEED
-from course.validate.judge import earns_all
+from course.validate.claims import earns_all
 
 from .conftest import Check
 

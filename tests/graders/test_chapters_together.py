@@ -9,7 +9,7 @@ import pytest
 from course.content import Course
 from course.grading import trial
 from course.home import CourseHome, begin
-from course.validate.judge import earns_all
+from course.validate.claims import earns_all
 
 from .conftest import Check
 

@@ -6,20 +6,20 @@ from pathlib import Path
 
 import pytest
 
-from course.arena import containment
-from course.arena.enclosure import namespace_obstacle
 from course.content import Course
 from course.errors import MissingHere, OurFault
-from course.evidence.events import Marked, OutputLine
 from course.evidence.home_files import HomeEntry
 from course.evidence.mcap_file import load
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
-from course.feedback import Failure, Feedback
 from course.grading import trial
-from course.grading.check import check_exercise
+from course.grading.check import Request, check_exercise
 from course.grading.load import load_module
-from course.grading.result import Result
+from course.isolation import Level, levels
+from course.isolation.levels import obstacle_to
+from course.model.events import Marked, OutputLine
+from course.model.feedback import Failure, Feedback
+from course.model.result import Result
 from course.rosenv import find_ros
 
 ROOT = Path(__file__).parents[2]
@@ -41,19 +41,19 @@ def complaint(text: str) -> Feedback:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("services: {talker: {image: a, stop_signals: X}}", ("`services.talker` knows", "`stop_signal`")),
+        ("services: {talker: {image: a, stop_signals: X}}", ("exist in `services.talker`", "`stop_signal`")),
         ("services: {talker: {image: a, healthcheck: {tests: a}}}", ("talker.healthcheck`", "`test`")),
-        ("services: {talker: {image: a}}\nlistener: {image: a}", ("no `listener`", "below `services:`")),
+        ("services: {talker: {image: a}}\nlistener: {image: a}", ("`listener` does", "below `services:`")),
         ("services: {talker: {image: a}}\nstop_signal: SIGINT", ("belongs to a service",)),
         ("services: {ta lker: {image: a}}", ("`ta lker`", "letters, digits")),
         (
             "services: {talker: {image: a, environment: {A: [1]}}}",
             ("talker.environment.A` cannot be a list",),
         ),
-        ("services: {talker: {image: a, env_file: [{paht: b}]}}", ("env_file.0` knows no `paht`",)),
+        ("services: {talker: {image: a, env_file: [{paht: b}]}}", ("`paht` does not exist in",)),
         ("services: {talker: {image: yes}}", ("cannot be yes or no", "Quotation marks")),
-        ("- services", ("no list of names",)),
-        ("services", ("no list of names",)),
+        ("- services", ("not a list of names",)),
+        ("services", ("not a list of names",)),
     ],
 )
 def test_the_first_thing_that_the_specification_does_not_have_is_named(
@@ -116,10 +116,10 @@ def test_a_witness_that_hears_nothing_is_never_blamed_on_a_right_domain() -> Non
 
 def test_without_shared_memory_in_the_control_nothing_is_proven() -> None:
     text = PROFILE.read_text()
-    marks = [Marked(1.0, GRADERS.memory_mark(name), "lttng-ust-wait-6") for name in GRADERS.NODES]
+    marks = [Marked(1.0, f"shared memory of {name}", "lttng-ust-wait-6") for name in GRADERS.NODES]
     with pytest.raises(OurFault):
         GRADERS.no_memory(recorded(GRADERS.PROFILE, text, *marks))
-    control = Marked(0.5, GRADERS.memory_mark(GRADERS.WITHOUT), "fastrtps_port7411 lttng-ust-wait-6")
+    control = Marked(0.5, f"shared memory of {GRADERS.WITHOUT}", "fastrtps_port7411 lttng-ust-wait-6")
     GRADERS.no_memory(recorded(GRADERS.PROFILE, text, control, *marks))
 
 
@@ -128,12 +128,13 @@ def test_where_namespaces_are_all_there_is_a_profile_is_judged_too(
     course: Course, home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Programs get a /dev/shm of their own from bubblewrap then, not from the sandbox that there is not."""
-    if obstacle := namespace_obstacle():
+    if obstacle := obstacle_to(Level.NAMESPACES):
         pytest.skip(f"not exercised: a profile where namespaces are all there is ({obstacle})")
-    monkeypatch.setattr(containment, "unless_known", lambda *_: "no sandbox here")
+    lacking = {levels.KNOWN: "no sandbox here"}
+    monkeypatch.setattr(levels, "unless_known", lambda name, *_: lacking.get(name))
     exercise = course.exercise("32-udp-profile")
     trial.lay_solution(course, exercise, home)
-    result = check_exercise(exercise, home, ros=find_ros())
+    result = check_exercise(Request(exercise, home, ros=find_ros()))
     assert result.containment == "namespaces"
     assert [check.id for check in result.checks if check.outcome.value != "passed"] == []
 
@@ -144,7 +145,7 @@ def graded(course: Course, home: Path, exercise: str, evidence: Path | None = No
     trial.lay_solution(course, found, home)
     for name, text in files.items():
         (home / getattr(GRADERS, name)).write_text(text)
-    return check_exercise(found, home, ros=find_ros(), namespaces=False, evidence=evidence)
+    return check_exercise(Request(found, home, ros=find_ros(), namespaces=False, evidence=evidence))
 
 
 @pytest.mark.slow

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from course.content import Course
-from course.grading.check import check_exercise
-from course.grading.result import Outcome, Verdict
+from course.grading.check import Request, check_exercise
+from course.model.result import Outcome, Verdict
 from course.rosenv import find_ros
 
 from .conftest import Check
@@ -48,7 +48,7 @@ def test_one_whose_python_is_gone(course: Course, home: Path, check: Check) -> N
 
 
 def test_a_submission_has_none(course: Course, home: Path) -> None:
-    result = check_exercise(course.exercise("02-venv"), home, ros=find_ros(), local=False)
+    result = check_exercise(Request(course.exercise("02-venv"), home, ros=find_ros(), local=False))
     assert result.verdict is Verdict.NOT_APPLICABLE
 
 
@@ -63,6 +63,6 @@ def test_a_submission_names_a_ros_that_only_its_own_machine_has(
     course: Course, home: Path, line: str, unjudged: set[str]
 ) -> None:
     (home / ".bashrc").write_text(line)
-    result = check_exercise(course.exercise("03-environment"), home, ros=find_ros(), local=False)
+    result = check_exercise(Request(course.exercise("03-environment"), home, ros=find_ros(), local=False))
     assert {one.id for one in result.checks if one.outcome is Outcome.NOT_APPLICABLE} == unjudged
     assert not [one for one in result.checks if one.outcome is Outcome.FAILED]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from types import SimpleNamespace
 
+from course.evidence.sources import Sources
 from course.grading.load import load_module
 
 GRADERS = load_module(Path(__file__).parents[2] / "graders/ch20_services.py")
@@ -35,3 +36,14 @@ def test_the_oracle_remembers_what_it_was_asked_and_gave() -> None:
     assert oracle.about_life == {True, False}
     assert oracle.given == [tuple(str(int(point[axis])) for axis in "xyz") for point in points]
     assert all(float(number).is_integer() and len(number) == 4 for given in oracle.given for number in given)
+
+
+def test_capitals_are_missed() -> None:
+    def at(text: str) -> list[str]:
+        cause = GRADERS.case_sensitive(Sources({"server.py": text}))
+        return [str(place) for place in cause.where] if cause else []
+
+    assert at("\nif 'life' in quote: pass") == ["server.py:2"]
+    assert at("if 'life' in quote.lower(): pass") == []
+    assert at("if re.search('life', quote, re.IGNORECASE): pass") == []
+    assert at("if LIFE in quote: pass") == []

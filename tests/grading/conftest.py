@@ -1,22 +1,28 @@
-"""A toy exercise whose program is any Python text, graded by the real grading process."""
+"""A toy exercise whose program is any Python text, graded by the real processes."""
 
 from __future__ import annotations
 
+import contextlib
+import os
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
-from course.arena.enclosure import enclosure
+from course.content import open_course
 from course.evidence.packages import BuiltPackage, BuiltPackages
-from course.grading.channel import Judgement
-from course.grading.job import Job
+from course.grading.judge.judges import Judge
+from course.grading.protocol import RecordingTask
 from course.grading.supervisor import Supervisor
+from course.isolation.levels import isolated
+from course.model import replace
+from course.model.feedback import Feedback
+from course.model.result import CheckResult, Doubt
 from course.rosenv import find_ros, node_environment
 
 GRADER = """
-from course.grading.author import Grader
-from course.grading.expect.programs import expect_running, expect_clean_interrupt
+from course.api import Grader, expect_clean_interrupt, expect_running
 
 toy = Grader("01-toy")
 
@@ -35,14 +41,37 @@ def interrupt(recording):
     expect_clean_interrupt(recording, "program")
 """
 
-Grade = Callable[..., Judgement]
+
+@dataclass(frozen=True)
+class Graded:
+    """What came of a recording, and of judging it where there is one."""
+
+    checks: tuple[CheckResult, ...] = ()
+    fault: Feedback | None = None
+    doubt: Doubt | None = None
+    missing: bool = False
+
+
+Grade = Callable[..., Graded]
+
+
+def graded(supervisor: Supervisor, task: RecordingTask, time_limit: float = 30.0) -> Graded:
+    """Record, then judge, as `check` does; of an exercise that no course has."""
+    recorded = supervisor.record(task, time_limit, lambda text: None)
+    if recorded.fault is not None:
+        return Graded((), recorded.fault, recorded.doubt, recorded.missing)
+    exercise = replace(open_course().exercise("02-script"), id=task.exercise, grader=Path(task.grader))
+    with contextlib.closing(Judge()) as judge:
+        file = Path(f"/proc/{os.getpid()}/fd/{supervisor.recording.fileno()}")
+        judgment = judge.judge(exercise, file)
+    return Graded(judgment.checks, judgment.fault, judgment.doubt)
 
 
 @pytest.fixture
-def toy_job(tmp_path: Path) -> Callable[..., Job]:
+def toy_job(tmp_path: Path) -> Callable[..., RecordingTask]:
     """A job for a program and a grader given as texts."""
 
-    def make(program: str, grader: str = GRADER) -> Job:
+    def make(program: str, grader: str = GRADER) -> RecordingTask:
         ros = find_ros()
         prefix = tmp_path / "prefix"
         executable = prefix / "lib" / "toy" / "program"
@@ -52,7 +81,7 @@ def toy_job(tmp_path: Path) -> Callable[..., Job]:
         module = tmp_path / "toy_grader.py"
         module.write_text(grader, encoding="utf-8")
         package = BuiltPackage("toy", "ros2_tutorial_workspace/src/toy", str(prefix), ("program",))
-        return Job(
+        return RecordingTask(
             exercise="01-toy",
             grader=str(module),
             home=str(tmp_path),
@@ -66,17 +95,17 @@ def toy_job(tmp_path: Path) -> Callable[..., Job]:
 
 
 @pytest.fixture(params=["namespaces", "domain"])
-def grade(request: pytest.FixtureRequest, toy_job: Callable[..., Job]) -> Grade:
+def grade(request: pytest.FixtureRequest, toy_job: Callable[..., RecordingTask]) -> Grade:
     """Grade the toy in both kinds of enclosure."""
 
-    def run(program: str, grader: str = GRADER, time_limit: float = 30.0) -> Judgement:
+    def run(program: str, grader: str = GRADER, time_limit: float = 30.0) -> Graded:
         job = toy_job(program, grader)
-        with enclosure(namespaces=request.param == "namespaces") as where:
-            if where.kind != request.param:
+        with isolated(namespaces=request.param == "namespaces") as where:
+            if where.level != request.param:
                 pytest.skip(f"this machine gives no {request.param}: {where.missing}")
             environment = {**job.environment, **where.environment}
-            job = Job(**{**vars(job), "environment": environment})
+            job = replace(job, environment=environment)
             with Supervisor(where, node_environment(find_ros())) as supervisor:
-                return supervisor.grade(job, time_limit, lambda text: None)
+                return graded(supervisor, job, time_limit)
 
     return run

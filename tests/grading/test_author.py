@@ -7,8 +7,8 @@ import pytest
 from course.errors import OurFault
 from course.evidence.packages import BuiltPackages
 from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback
 from course.grading.author import BUILDS, CheckSpec, Grader
+from course.model.feedback import Failure, Feedback
 
 
 def judge(recording: Recording) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import signal
 import subprocess
@@ -14,7 +13,8 @@ from pathlib import Path
 import psutil
 import pytest
 
-from course.grading.job import Job, to_line
+from course.grading.protocol import RecordingTask
+from course.model import codec
 
 pytestmark = pytest.mark.slow
 
@@ -22,18 +22,19 @@ pytestmark = pytest.mark.slow
 COORDINATOR = """
 import sys
 from pathlib import Path
-from course.arena.enclosure import enclosure
-from course.grading.job import from_line
+from course.isolation.levels import isolated
+from course.grading.protocol import RecordingTask
 from course.grading.supervisor import Supervisor
+from course.model import codec
 from course.rosenv import find_ros, node_environment
 
-job = from_line(Path(sys.argv[1]).read_text())
-with enclosure(namespaces=sys.argv[2] == "namespaces") as where:
+job = codec.from_json(Path(sys.argv[1]).read_bytes(), RecordingTask, "the job")
+with isolated(namespaces=sys.argv[2] == "namespaces") as where:
     with Supervisor(where, node_environment(find_ros())) as supervisor:
-        supervisor.grade(job, 60.0, lambda text: print(text, flush=True))
+        supervisor.record(job, 60.0, lambda text: print(text, flush=True))
 """
 GRADER = """
-from course.grading.author import Grader
+from course.api import Grader
 
 toy = Grader("01-toy")
 
@@ -42,7 +43,7 @@ def wait_for_ever(arena):
     program = arena.run("toy", "program")
     arena.until(lambda: arena.printed("running"), timeout=30)
     import os
-    os.write(int(__import__("sys").argv[1]), b'{"kind": "progress", "text": "it runs"}\\n')
+    os.write(int(__import__("sys").argv[1]), b'{"kind": "stage", "text": "it runs"}\\n')
     arena.until(lambda: False, timeout=60)
 
 @toy.check("never", "is never judged")
@@ -62,7 +63,7 @@ while True: time.sleep(600)
 @pytest.fixture(params=["namespaces", "domain"])
 def coordinator(
     request: pytest.FixtureRequest,
-    toy_job: Callable[..., Job],
+    toy_job: Callable[..., RecordingTask],
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> Iterator[subprocess.Popen[str]]:
@@ -71,7 +72,7 @@ def coordinator(
     scratch.mkdir()
     monkeypatch.setenv("TMPDIR", str(scratch))
     file = tmp_path / "job.json"
-    file.write_text(to_line(toy_job(PROGRAM, GRADER)))
+    file.write_bytes(codec.to_json(toy_job(PROGRAM, GRADER)))
     process = subprocess.Popen(
         [sys.executable, "-c", COORDINATOR, str(file), request.param],
         stdout=subprocess.PIPE,
@@ -112,12 +113,8 @@ def test_the_grading_process_is_killed(coordinator: subprocess.Popen[str], tmp_p
     """Killed alone, it cannot clean up: its parent does."""
     for child in psutil.Process(coordinator.pid).children(recursive=True):
         with contextlib.suppress(psutil.NoSuchProcess):  # zombies included
-            if "course.grading.process" in child.cmdline():
+            if "course.grading.recording_process" in child.cmdline():
                 child.kill()
     coordinator.wait(30)
     assert left_over(tmp_path) == []
     assert list((tmp_path / "scratch").iterdir()) == []
-
-
-def test_job_is_plain_json(toy_job: Callable[..., Job]) -> None:
-    assert json.loads(to_line(toy_job("pass")))["exercise"] == "01-toy"

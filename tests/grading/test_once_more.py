@@ -1,28 +1,38 @@
-"""A recording that was spoilt by somebody else's fault is made once more, and once only."""
+"""What may not be the learner's failure is watched again, and the last attempt counts."""
 
 from __future__ import annotations
 
 import contextlib
+import tempfile
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
+from typing import IO
 
 import pytest
 
 from course.content import Exercise, open_course
 from course.errors import MissingHere
-from course.feedback import Feedback, Spoilt
 from course.grading import check as module
 from course.grading.author import CheckSpec
-from course.grading.channel import Judgement
-from course.grading.check import check_exercise
-from course.grading.outcome import passed, raised
-from course.grading.result import Verdict
+from course.grading.check import Request, check_exercise
+from course.grading.load import load_grader
+from course.grading.outcomes import failed, passed, raised
+from course.grading.protocol import Judgment, RecordingOutcome
+from course.model import replace
+from course.model.feedback import Feedback, Spoilt
+from course.model.result import Doubt, Verdict
 from course.rosenv import find_ros
 
 SPEC = CheckSpec("interrupt", "Ctrl+C ends it", 1, False, (), "02-script")
-SPOILT = Judgement((raised(SPEC, Spoilt("rclpy fell over.")),), 1.0)
-RIGHT = Judgement((passed(SPEC),), 1.0)
+RECORDED = RecordingOutcome(1.0)
+DIED = RecordingOutcome(fault=Feedback("The recording process died."), doubt=Doubt.SPOILT)
+# What was recorded, and what is said of it.
+Attempt = tuple[RecordingOutcome, Judgment | None]
+SPOILT: Attempt = (RECORDED, Judgment((raised(SPEC, Spoilt("rclpy fell over.")),)))
+RIGHT: Attempt = (RECORDED, Judgment((passed(SPEC),)))
+WRONG: Attempt = (RECORDED, Judgment((failed(SPEC, Feedback("it goes on")),)))
+LATE: Attempt = (replace(RECORDED, lag=0.5), WRONG[1])
+LOST: Attempt = (DIED, None)
 
 
 @pytest.fixture
@@ -30,49 +40,73 @@ def exercise() -> Exercise:
     return replace(open_course().exercise("02-script"), packages=(), grader_packages=())
 
 
-def given_by_supervisor(monkeypatch: pytest.MonkeyPatch, judgements: list[Judgement]) -> list[Judgement]:
-    """These judgements in place of grading processes' own; returns those that were asked for by now."""
-    given: list[Judgement] = []
+def pretend(monkeypatch: pytest.MonkeyPatch, attempts: list[Attempt]) -> list[Attempt]:
+    """These in place of the processes' own; returns those that were asked for by now."""
+    made: list[Attempt] = []
 
-    class Made:
-        def grade(self, *_: object) -> Judgement:
-            given.append(judgements[len(given)])
-            return given[-1]
+    class Recorder:
+        recording: IO[bytes]
+
+        def record(self, *_: object) -> RecordingOutcome:
+            made.append(attempts[len(made)])
+            return made[-1][0]
+
+    class Judge:
+        def prepare(self, *_: object) -> None: ...
+        def close(self) -> None: ...
+
+        def judge(self, *_: object) -> Judgment:
+            assert made[-1][1] is not None
+            return made[-1][1]
 
     @contextlib.contextmanager
-    def supervisor(*_: object) -> Iterator[Made]:
-        yield Made()
+    def supervisor(*_: object) -> Iterator[Recorder]:
+        recorder = Recorder()
+        with tempfile.TemporaryFile() as recorder.recording:
+            yield recorder
 
     monkeypatch.setattr(module, "Supervisor", supervisor)
-    return given
+    monkeypatch.setattr(module, "Judge", Judge)
+    return made
 
 
 def test_what_this_machine_lacks_is_said_with_its_remedy(
     exercise: Exercise, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    lacking = Judgement((), 0.0, Feedback("no g++", advice="install it"), missing=True)
-    given_by_supervisor(monkeypatch, [lacking])
+    lacking = RecordingOutcome(fault=Feedback("no g++", advice="install it"), missing=True)
+    pretend(monkeypatch, [(lacking, None)])
     with pytest.raises(MissingHere) as caught:
-        check_exercise(exercise, tmp_path, ros=find_ros(), namespaces=False)
+        check_exercise(Request(exercise, tmp_path, ros=find_ros(), namespaces=False))
     assert (caught.value.what, caught.value.next_step) == ("no g++", "install it")
 
 
 @pytest.mark.parametrize(
-    ("judgements", "verdict", "tries"),
+    ("attempts", "verdict"),
     [
-        ([SPOILT, RIGHT], Verdict.PASSED, 2),
-        ([SPOILT, SPOILT, RIGHT], Verdict.OUR_ERROR, 2),
-        ([RIGHT, SPOILT], Verdict.PASSED, 1),
+        ([RIGHT], Verdict.PASSED),
+        ([WRONG], Verdict.NOT_PASSED),
+        ([SPOILT, RIGHT], Verdict.PASSED),
+        ([LATE, SPOILT, WRONG], Verdict.NOT_PASSED),
+        ([SPOILT, SPOILT, SPOILT, RIGHT], Verdict.NOT_PASSED),  # the last is the course's own solution
+        ([SPOILT, SPOILT, SPOILT, SPOILT], Verdict.OUR_ERROR),
+        ([LOST, LOST, LOST, RIGHT], Verdict.NOT_PASSED),
+        ([LOST, LOST, LOST, LOST], Verdict.OUR_ERROR),
+        ([LATE, LATE, LATE], Verdict.OUR_ERROR),
     ],
 )
-def test_once_more(
+def test_again(
     exercise: Exercise,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    judgements: list[Judgement],
+    attempts: list[Attempt],
     verdict: Verdict,
-    tries: int,
 ) -> None:
-    given = given_by_supervisor(monkeypatch, judgements)
-    result = check_exercise(exercise, tmp_path, ros=find_ros(), namespaces=False)
-    assert (result.verdict, len(given)) == (verdict, tries)
+    made = pretend(monkeypatch, attempts)
+    result = check_exercise(Request(exercise, tmp_path, ros=find_ros(), namespaces=False))
+    assert (result.verdict, made) == (verdict, attempts)
+    every = load_grader(exercise.grader, exercise.id).checks
+    if attempts[0] is LOST and verdict is Verdict.NOT_PASSED:  # it is blamed
+        assert len(result.checks) == len(every)
+    else:
+        judgment = attempts[-1][1]
+        assert len(result.checks) == (len(judgment.checks) if judgment else 0)

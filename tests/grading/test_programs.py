@@ -9,10 +9,9 @@ from pathlib import Path
 import psutil
 import pytest
 
-from course.grading.channel import Judgement
-from course.grading.result import Outcome
+from course.model.result import Outcome
 
-from .conftest import Grade
+from .conftest import Grade, Graded
 
 pytestmark = pytest.mark.slow
 
@@ -29,14 +28,14 @@ def nothing_is_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator
     assert list(scratch.iterdir()) == []
 
 
-def outcomes(judgement: Judgement) -> dict[str, Outcome]:
-    assert judgement.fault is None, judgement.fault
-    print(*judgement.checks, sep="\n")  # shown by pytest where a test fails
-    return {check.id: check.outcome for check in judgement.checks}
+def outcomes(judgment: Graded) -> dict[str, Outcome]:
+    assert judgment.fault is None, judgment.fault
+    print(*judgment.checks, sep="\n")  # shown by pytest where a test fails
+    return {check.id: check.outcome for check in judgment.checks}
 
 
-def said(judgement: Judgement, check_id: str) -> str:
-    return str(next(check.feedback for check in judgement.checks if check.id == check_id))
+def said(judgment: Graded, check_id: str) -> str:
+    return str(next(check.feedback for check in judgment.checks if check.id == check_id))
 
 
 GOOD = """
@@ -52,22 +51,22 @@ def test_a_quiet_program_passes(grade: Grade) -> None:
 
 
 def test_one_that_exits_at_once(grade: Grade) -> None:
-    judgement = grade("pass")
-    assert outcomes(judgement)["starts"] is Outcome.FAILED
-    assert "ended by itself" in said(judgement, "starts")
-    assert outcomes(judgement)["interrupt"] is Outcome.SKIPPED
+    judgment = grade("pass")
+    assert outcomes(judgment)["starts"] is Outcome.FAILED
+    assert "ended by itself" in said(judgment, "starts")
+    assert outcomes(judgment)["interrupt"] is Outcome.SKIPPED
 
 
 def test_one_that_crashes_at_import(grade: Grade) -> None:
-    judgement = grade("import a_module_that_is_not_there")
-    assert "No module named 'a_module_that_is_not_there'" in said(judgement, "starts")
+    judgment = grade("import a_module_that_is_not_there")
+    assert "No module named 'a_module_that_is_not_there'" in said(judgment, "starts")
 
 
 def test_one_that_ignores_sigint(grade: Grade) -> None:
     program = "import signal, time\nsignal.signal(2, signal.SIG_IGN)\nprint('go', flush=True)\n"
-    judgement = grade(program + "while True: time.sleep(1)")
-    assert outcomes(judgement)["interrupt"] is Outcome.FAILED
-    assert "Ctrl+C does not end the program" in said(judgement, "interrupt")
+    judgment = grade(program + "while True: time.sleep(1)")
+    assert outcomes(judgment)["interrupt"] is Outcome.FAILED
+    assert "Ctrl+C does not end the program" in said(judgment, "interrupt")
 
 
 def test_one_that_ignores_sigint_and_sigterm_and_spins(grade: Grade) -> None:
@@ -78,14 +77,14 @@ def test_one_that_ignores_sigint_and_sigterm_and_spins(grade: Grade) -> None:
 
 
 def test_one_that_floods_its_terminal(grade: Grade) -> None:
-    judgement = grade("print('go', flush=True)\nline = 'x' * 1000\nwhile True: print(line)")
-    assert outcomes(judgement)["starts"] is Outcome.PASSED
-    assert outcomes(judgement)["interrupt"] is Outcome.FAILED  # KeyboardInterrupt in a traceback
+    judgment = grade("print('go', flush=True)\nline = 'x' * 1000\nwhile True: print(line)")
+    assert outcomes(judgment)["starts"] is Outcome.PASSED
+    assert outcomes(judgment)["interrupt"] is Outcome.FAILED  # KeyboardInterrupt in a traceback
 
 
 def test_one_that_dies_of_a_signal(grade: Grade) -> None:
-    judgement = grade("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)")
-    assert "SIGSEGV" in said(judgement, "starts")
+    judgment = grade("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)")
+    assert "SIGSEGV" in said(judgment, "starts")
 
 
 def test_one_whose_children_outlive_it(grade: Grade) -> None:
@@ -116,10 +115,10 @@ for _ in range(40):
 
 
 def test_no_program_at_all(grade: Grade) -> None:
-    grader_text = "from course.grading.author import Grader\nother = Grader('01-other')\n"
-    judgement = grade("pass", grader_text)
-    assert judgement.fault is not None
-    assert "no grader in toy_grader.py judges 01-toy" in judgement.fault.summary
+    grader_text = "from course.api import Grader\nother = Grader('01-other')\n"
+    judgment = grade("pass", grader_text)
+    assert judgment.fault is not None
+    assert "no grader in toy_grader.py judges 01-toy" in judgment.fault.summary
 
 
 def test_ctrl_c_reaches_it_although_we_ignore_it(grade: Grade) -> None:

@@ -15,8 +15,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 import machine
-from course.grading.author import Grader
-from course.grading.stimulus import words
+from course.api import Grader, words
 from shared import greet
 
 if TYPE_CHECKING:
@@ -120,7 +119,7 @@ def test_what_does_not_change_the_evidence(toy: Path, file: str, old: str, new: 
         ("ch04_toys.py", "LONG = 5", "LONG = 6"),
         ("ch04_toys.py", "if text", "if not text"),
         ("ch04_toys.py", "ros=False", "ros=True"),
-        ("ch04_toys.py", "stimulus import words", "stimulus import _WORDS as words"),
+        ("ch04_toys.py", "import Grader, words", "import Grader, spellings as words"),
         ("ch04_toys.py", "@toy.scenario\n", ""),
         ("shared.py", "Ann", "Bob"),
         ("machine.py", "True", "False"),

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import stat
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from course.content import Alternative, Course, Edit, Exercise, Mistake, open_course
 from course.grading import trial
+from course.model import replace
 
 INIT = "# as init wrote it\n"
 

@@ -6,16 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from course.arena.acts import acts_file, read_acts
+from course.arena.mystery_module import log_file, read_log
 from course.build import Store
 from course.content import Alternative, Exercise, Mistake, open_course
 from course.errors import ContentError
 from course.evidence.acts import Act
 from course.grading import trial
-from course.grading.check import check_exercise
+from course.grading.check import Request, check_exercise
 from course.grading.quiz.answers import read_answers
-from course.grading.result import Outcome, Result, Verdict
 from course.grading.trial_answers import SEED, change_answers, lay_answers
+from course.model.result import Outcome, Result, Verdict
 from course.rosenv import find_ros
 
 COURSE = open_course(Path(__file__).parents[1] / "fixtures/quiz_course")
@@ -25,7 +25,7 @@ OTHER_WAYS = [(one, other) for one in (QUIZ, KEEPERS) for other in one.alternati
 
 
 def grade(exercise: Exercise, home: Path, tmp_path: Path, seed: int = SEED) -> Result:
-    return check_exercise(exercise, home, ros=find_ros(), store=Store(tmp_path / "store"), seed=seed)
+    return check_exercise(Request(exercise, home, ros=find_ros(), store=Store(tmp_path / "store"), seed=seed))
 
 
 @pytest.fixture
@@ -86,18 +86,18 @@ def test_a_copied_answer_is_a_wrong_one(home: Path, tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_without_a_seed_a_mystery_is_our_error(home: Path, tmp_path: Path) -> None:
     lay_answers(KEEPERS, home)
-    result = check_exercise(KEEPERS, home, ros=find_ros(), store=Store(tmp_path / "store"))
+    result = check_exercise(Request(KEEPERS, home, ros=find_ros(), store=Store(tmp_path / "store")))
     assert result.verdict is Verdict.OUR_ERROR
 
 
 def test_a_stored_answers_file_is_kept(home: Path) -> None:
     trial.lay_solution(COURSE, QUIZ, home)
-    assert "colours: red, white and green" in (home / "answers/05-quiz.yaml").read_text()
+    assert "colors: red, white and green" in (home / "answers/05-quiz.yaml").read_text()
 
 
 def test_acts_of_the_reference_are_laid(home: Path) -> None:
     lay_answers(KEEPERS, home)
-    assert read_acts(acts_file(home / ".ros2course", "05-keepers")) == (Act("greeted"),)
+    assert read_log(log_file(home / ".ros2course", "05-keepers")) == (Act("greeted"),)
 
 
 def test_a_change_of_no_question(home: Path) -> None:

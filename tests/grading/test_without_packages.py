@@ -3,29 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from course.arena.enclosure import enclosure
+from course.build import Store
 from course.content import open_course
+from course.errors import OurFault
 from course.evidence.packages import BuiltPackages
-from course.grading.channel import Judgement
-from course.grading.check import check_exercise
-from course.grading.job import Job
-from course.grading.result import Outcome, Verdict
+from course.grading.check import Request, check_exercise
+from course.grading.protocol import RecordingTask
 from course.grading.supervisor import Supervisor
+from course.grading.trial import lay_solution
+from course.isolation import Level, view
+from course.isolation.levels import isolated, obstacle_to
+from course.model import replace
+from course.model.result import Outcome, Verdict
 from course.rosenv import find_ros, node_environment
 
+from .conftest import Graded, graded
+
 pytestmark = pytest.mark.slow
+REPO = Path(__file__).parents[2]
 
 GRADER = """
 import sys
-from course.feedback import NotApplicable
-from course.grading.author import Grader
-from course.grading.expect.files import expect_file
-from course.grading.expect.shell import expect_ran
+from course.api import Grader, NotApplicable, expect_file, expect_ran
 
 toy = Grader("01-toy", builds=None, ros=False)
 
@@ -46,14 +49,14 @@ def says(recording):
 @toy.check("index", "needs more than there is")
 def index(recording):
     if not recording.local:
-        raise NotApplicable("It is about your own machine.")
+        raise NotApplicable("It is about your own computer.")
 
 @toy.check("after", "comes after that", needs="index")
 def after(recording):
     pass
 """
 
-Run = Callable[..., Judgement]
+Run = Callable[..., Graded]
 
 
 @pytest.fixture
@@ -68,11 +71,11 @@ def home(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def run(tmp_path: Path, home: Path) -> Run:
-    def grade(local: bool = True) -> Judgement:
+    def grade(local: bool = True) -> Graded:
         module = tmp_path / "toy_grader.py"
         module.write_text(GRADER, encoding="utf-8")
         environment = node_environment(find_ros())
-        job = Job(
+        job = RecordingTask(
             exercise="01-toy",
             grader=str(module),
             home=str(home),
@@ -84,30 +87,49 @@ def run(tmp_path: Path, home: Path) -> Run:
             plain={"PATH": "/usr/bin:/bin"},
             local=local,
         )
-        with enclosure() as where, Supervisor(where, environment) as supervisor:
-            return supervisor.grade(job, 30.0, lambda text: None)
+        with isolated() as where, Supervisor(where, environment) as supervisor:
+            return graded(supervisor, job)
 
     return grade
 
 
 def test_files_and_a_shell_in_a_copy_of_the_home(run: Run, home: Path) -> None:
-    judgement = run()
-    assert judgement.fault is None
-    assert {check.id: check.outcome for check in judgement.checks} == dict.fromkeys(
+    judgment = run()
+    assert judgment.fault is None
+    assert {check.id: check.outcome for check in judgment.checks} == dict.fromkeys(
         ("file", "says", "index", "after"), Outcome.PASSED
-    ), judgement.checks
+    ), judgment.checks
     assert sorted(path.name for path in home.iterdir()) == [".bashrc", "folder", "secret.txt"]
 
 
 def test_what_a_submission_lacks_does_not_apply(run: Run) -> None:
     by_id = {check.id: check for check in run(local=False).checks}
     assert by_id["index"].outcome is by_id["after"].outcome is Outcome.NOT_APPLICABLE
-    assert by_id["after"].skipped_because == "It is about your own machine."
+    assert by_id["after"].skipped_because == "It is about your own computer."
     assert by_id["says"].outcome is Outcome.PASSED
 
 
 def test_an_exercise_about_the_learners_machine(small_course: Path, home: Path) -> None:
     exercise = replace(open_course(small_course).exercise("04-light"), local_only=True, bonus=True)
-    result = check_exercise(exercise, home, ros=find_ros(), local=False)
+    result = check_exercise(Request(exercise, home, ros=find_ros(), local=False))
     assert (result.verdict, result.bonus, result.checks) == (Verdict.NOT_APPLICABLE, True, ())
-    assert "your own machine" in result.notes[0]
+    assert "your own computer" in result.notes[0]
+
+
+@pytest.mark.parametrize("linked", [False, True])
+@pytest.mark.parametrize("part", ["graders", "solutions", "chapters"])
+def test_a_course_that_submissions_can_read_builds_and_grades_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, part: str, linked: bool
+) -> None:
+    if obstacle := obstacle_to(Level.CONTAINED):
+        pytest.skip(f"not exercised here: nothing is hidden ({obstacle})")
+    monkeypatch.setattr(view, "SYSTEM", (*view.SYSTEM, REPO / part))
+    root = tmp_path / "link" if linked else REPO
+    if linked:
+        root.symlink_to(REPO)
+    course, home, store = open_course(root), tmp_path / "handed-in", Store(tmp_path / "store")
+    exercise = course.exercise("07-simplest-package")
+    lay_solution(course, exercise, home)
+    with pytest.raises(OurFault, match="among the files of the system, which submissions can read"):
+        check_exercise(Request(exercise, home, ros=find_ros(), store=store, local=False))
+    assert not any(store.root.iterdir())

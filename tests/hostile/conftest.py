@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from course.arena.lateness import Lateness, measured_lateness
 from course.content import open_course
+from course.evidence.timeline import Timeline
 from tests.hostile.world import SECRET, Grade, Graded, World, graded, lay_world, open_to_all
 
 
@@ -75,3 +77,10 @@ def grade(
         return graded(worlds[-1], exercise, evidence, guarantee=guarantee, local=local)
 
     return in_new_world
+
+
+@pytest.fixture
+def machine() -> Iterator[Lateness]:
+    """How busy this machine is meanwhile, with anything but these tests."""
+    with measured_lateness(Timeline()) as measured:
+        yield measured

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from course.grading.result import Verdict
+from course.isolation.isolation_plan import ResourceLimits
+from course.model.result import Verdict
 from tests.hostile.world import NODE, SECRET, Grade, open_to_all, with_attack
 
 pytestmark = pytest.mark.slow
@@ -23,15 +24,19 @@ KINDS = (
 )
 ESCAPES = frozenset(
     """rights setuid_programs namespaces clone3 families devices make_device kernel_settings control_groups
-    type_for_another steal_a_terminal limits ptrace process_vm_readv pidfd_getfd signal priority unshare mount
-    chroot setuid setgroups keyctl bpf perf_event_open userfaultfd io_uring""".split()
+    type_for_another steal_a_terminal terminals limits ptrace process_vm_readv pidfd_getfd signal priority
+    unshare mount chroot setuid setgroups keyctl bpf perf_event_open userfaultfd io_uring memfd_secret
+    memfd_create shmget landlock first_process mptcp mptcp6 sctp sock_diag udev stand_back""".split()
 )
 
 
 def test_there_is_no_way_out(grade: Grade) -> None:
-    graded = grade({NODE: with_attack("escapes")}, guarantee="programs have no rights, and reach nobody")
+    text = with_attack("escapes", TERMINALS=ResourceLimits().terminals)
+    graded = grade({NODE: text}, guarantee="programs have no rights, and reach nobody")
     assert not graded.breaches
-    assert graded.held >= ESCAPES | {"kernel log", "other architecture", "kill everybody"}
+    further = {"kernel log", "pair of tipc", "other architecture", "kill everybody"}
+    assert graded.held >= ESCAPES | further
+    assert "HELD terminals: nothing" in graded.printed
     assert graded.result.verdict is Verdict.PASSED, graded.result
 
 

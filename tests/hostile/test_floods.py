@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from course.evidence.events import MessageSeen, OutputCut
-from course.grading.result import Verdict
+from course.model.events import MessageSeen, OutputCut
+from course.model.result import Verdict
 from tests.hostile.world import CLIENT, MB, NODE, SUBSCRIBER, Grade, with_attack
 
 pytestmark = pytest.mark.slow

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 
 from course.content import open_course
-from course.grading.result import Verdict
-from tests.hostile.world import NODE, SECRET, Grade, with_attack
+from course.model.result import Verdict
+from tests.hostile.secrets import secrets
+from tests.hostile.world import NODE, SECRET, Grade, walking, with_attack
 
 pytestmark = pytest.mark.slow
 FURTHER = {"environments", "command_lines", "descriptors", "passwords", "secrets_in_environment", "search"}
@@ -18,6 +19,13 @@ def test_an_honest_program_passes(grade: Grade) -> None:
     """Else the others prove little: what stops attacks must let the right ones through."""
     graded = grade({}, guarantee="an honest program is graded as ever")
     assert graded.result.verdict is Verdict.PASSED, graded.result
+
+
+def test_no_text_of_any_course_is_anywhere(grade: Grade, course_copy: Path) -> None:
+    """Neither while its packages are built nor while it runs; also of a course in a folder of its own."""
+    graded = grade(walking(secrets(course_copy)), guarantee="no file of a course can be read")
+    assert graded.result.verdict is Verdict.PASSED, graded.all_words or graded.result
+    assert "walk" in graded.held
 
 
 def test_nothing_but_its_own_files_is_there(
@@ -30,7 +38,6 @@ def test_nothing_but_its_own_files_is_there(
         *(course_copy / part for part in ("solutions", "graders", "chapters")),
         *(course_copy / part / f"{SECRET}.txt" for part in ("solutions", "graders", "chapters")),
         *(own / part for part in ("graders/ch18_publishers_and_subscribers.py", "README.md", ".git/HEAD")),
-        Path(pytest.__file__).parents[1] / "course",
         store / f"{SECRET}.txt",
         tmp_path / "evidence-1" / "evidence.mcap",
         Path("/etc/shadow"),

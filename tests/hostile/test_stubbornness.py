@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from course.grading.result import Verdict
+from course.model.result import Verdict
 from tests.hostile.world import NODE, Grade, with_attack
 
 pytestmark = pytest.mark.slow

@@ -25,20 +25,23 @@ from pathlib import Path
 import psutil
 import pytest
 
-from course.arena.containment import sandbox_obstacle
-from course.arena.sandbox.identity import identity
-from course.arena.sandbox.limits import Limits
 from course.build import Store
 from course.content import open_course
-from course.evidence.events import OutputLine
 from course.evidence.mcap_file import load
 from course.evidence.recording import Recording
 from course.grading import trial
-from course.grading.check import check_exercise
-from course.grading.result import CheckResult, Outcome, Result
+from course.grading.attempts import ATTEMPTS
+from course.grading.check import Request, check_exercise
 from course.grading.trial_answers import SEED
 from course.home import create_home
+from course.isolation import Level
+from course.isolation.identity import new_identity
+from course.isolation.isolation_plan import ResourceLimits
+from course.isolation.levels import obstacle_to
+from course.model.events import OutputLine
+from course.model.result import CheckResult, Outcome, Result
 from course.rosenv import find_ros
+from tests.processes import GRADING
 
 SRC = "ros2_tutorial_workspace/src"
 PACKAGE = "python_package_that_uses_the_messages"
@@ -54,6 +57,13 @@ MB = 1024 * 1024
 MOST_GROWTH = 64 * MB
 MOST_FOR_GRADING = 2048 * MB
 PROGRAMS = Path(__file__).parent / "programs"
+_WALK_IN_CMAKE = """
+set(walk "${CMAKE_CURRENT_SOURCE_DIR}/walk.py")
+execute_process(COMMAND python3 "${walk}" RESULT_VARIABLE found ERROR_VARIABLE said)
+if(found)
+  message(FATAL_ERROR "the walk ended with ${found}: ${said}")
+endif()
+"""
 _GROUPS = Path("/sys/fs/cgroup")
 _SHARED = (Path("/tmp"), Path("/var/tmp"), Path("/dev/shm"), Path("/run"), Path("/dev/mqueue"))
 _NETWORK = ("tcp", "tcp6", "udp", "udp6", "raw", "raw6")
@@ -73,6 +83,29 @@ def with_attack(name: str, node: str | None = None, exercise: str = "18-publishe
     parts = (*(PROGRAMS / f"{part}.py" for part in ("attempts", "beside", name)), solution)
     attempts, beside, attack, honest = (part.read_text(encoding="utf-8") for part in parts)
     return f"{attempts}\n{beside}\n{settings}\n{attack}\n{honest}"
+
+
+def walking(known: Mapping[str, object]) -> dict[str, str]:
+    """Files of a right 18-publisher that walks through all that it sees: in `setup.py`, CMake and the node.
+
+    known: constants for programs/walks.py. Where something is found, the build or the node ends.
+    """
+    node, interfaces = (open_course().exercise(name).solution for name in ("18-publisher", "17-interfaces"))
+    attempts, walks = ((PROGRAMS / name).read_text(encoding="utf-8") for name in ("attempts.py", "walks.py"))
+
+    def walk(*skipped: str, most: int = MB // 4) -> str:
+        constants = {**known, "SKIPPED": ("/proc", "/sys", "/dev", *skipped), "MOST_TEXT": most}
+        return "\n".join([attempts, *(f"{key} = {value!r}" for key, value in constants.items()), walks])
+
+    setup, cmake = f"{SRC}/{PACKAGE}/setup.py", f"{SRC}/package_with_interfaces/CMakeLists.txt"
+    aside = f"import sys\n_out, sys.stdout = sys.stdout, sys.stderr\n{walk('/usr')}\nsys.stdout = _out\n"
+    return {
+        # All see the same of the system; and a node has little time until it is to publish.
+        NODE: f"{walk('/usr', most=0)}\n{(node / NODE).read_text(encoding='utf-8')}",
+        setup: aside + (node / setup).read_text(encoding="utf-8"),  # colcon reads what it prints
+        cmake: (interfaces / cmake).read_text(encoding="utf-8") + _WALK_IN_CMAKE,
+        f"{SRC}/package_with_interfaces/walk.py": walk(),
+    }
 
 
 @dataclass(frozen=True)
@@ -106,6 +139,11 @@ class Graded:
         feedback = self.check(name).feedback
         parts = (feedback.summary, feedback.seen, feedback.advice, *feedback.details) if feedback else ()
         return " ".join(part for part in parts if part)
+
+    @property
+    def all_words(self) -> str:
+        """What the learner is told of everything that failed."""
+        return " ".join(f"{name}: {self.words(name)}" for name in self.failed)
 
     @property
     def breaches(self) -> tuple[str, ...]:
@@ -160,7 +198,7 @@ class World:
 
     def left(self) -> list[str]:
         """Whatever of this test's submissions is still there, or where it must never be."""
-        with identity(Limits()) as who:  # the one that all gradings of this process had
+        with new_identity(ResourceLimits()) as who:  # the one that all gradings of this process had
             user = who.user
             groups = {str(group) for group in who.control_groups}
             found = {path for path, *_ in os.walk(_GROUPS) if f"ros2course-{os.getpid()}-" in path} - groups
@@ -211,7 +249,7 @@ def graded(world: World, exercise: str, evidence: Path, *, guarantee: str, local
 
     guarantee: what this shows, for the skip where the machine has no full containment.
     """
-    obstacle = sandbox_obstacle()
+    obstacle = obstacle_to(Level.CONTAINED)
     if obstacle:
         pytest.skip(f"not exercised here: {guarantee} ({obstacle})")
     wanted = open_course(world.course).exercise(exercise)
@@ -219,7 +257,7 @@ def graded(world: World, exercise: str, evidence: Path, *, guarantee: str, local
     memory = psutil.Process().memory_info().rss
     began = time.monotonic()
     with _peak() as peak:
-        result = check_exercise(
+        request = Request(
             wanted,
             world.home,
             ros=find_ros(),
@@ -228,14 +266,17 @@ def graded(world: World, exercise: str, evidence: Path, *, guarantee: str, local
             local=local,
             seed=SEED,
         )
+        result = check_exercise(request)
     seconds = time.monotonic() - began
     growth = psutil.Process().memory_info().rss - memory
     world.prove()
     assert result.containment == "contained"
     assert growth < MOST_GROWTH, f"this process grew by {growth // MB} MB"
     assert peak[0] < MOST_FOR_GRADING, f"the grading process took {peak[0] // MB} MB"
-    watched = seconds - result.timing.build
-    assert watched < wanted.time_limit, f"the verdict took {watched:.0f} s after the build"
+    watched = result.timing.total - result.timing.build
+    assert watched < wanted.time_limit, f"the last attempt took {watched:.0f} s after the build"
+    # All of them, and one of the course's own solution.
+    assert seconds - result.timing.build < (ATTEMPTS + 1) * wanted.time_limit
     return Graded(result, load(evidence) if evidence.exists() else None, seconds, peak[0])
 
 
@@ -248,7 +289,7 @@ def _peak() -> Iterator[list[int]]:
         while not over.wait(0.1):
             for process in psutil.Process().children(recursive=True):
                 with contextlib.suppress(psutil.Error, OSError, ValueError):
-                    if "course.grading.process" in process.cmdline()[1:3] + process.cmdline()[-4:-2]:
+                    if GRADING in process.cmdline()[1:3] + process.cmdline()[-5:-3]:
                         most[0] = max(most[0], _high_water(process.pid))
 
     thread = threading.Thread(target=watch, daemon=True)

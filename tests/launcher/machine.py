@@ -31,7 +31,7 @@ class Machine:
         (self.fake / "answers" / name).write_text(" ".join(answer))
 
     def uname(self, system: str = "Linux", machine: str = "x86_64") -> None:
-        self.script("uname", f'case $1 in -s) echo {system} ;; -m) echo {machine} ;; esac')
+        self.script("uname", f"case $1 in -s) echo {system} ;; -m) echo {machine} ;; esac")
 
     def script(self, name: str, body: str) -> None:
         file = self.bin / name

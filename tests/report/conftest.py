@@ -1,4 +1,4 @@
-"""Consoles that write into a string, with and without colour."""
+"""Consoles that write into a string, with and without color."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ class Page:
 
 @pytest.fixture
 def page() -> Page:
-    """80 columns, no colour: a pipe or a dumb terminal."""
+    """80 columns, no color: a pipe or a dumb terminal."""
     stream = io.StringIO()
     return Page(open_console(stream, width=80), stream)
 
 
 @pytest.fixture
 def colour_page(monkeypatch: pytest.MonkeyPatch) -> Page:
-    """80 columns, a terminal with colours."""
+    """80 columns, a terminal with colors."""
     for name in ("NO_COLOR", "COLORTERM"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("TERM", "xterm-256color")

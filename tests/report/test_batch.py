@@ -7,9 +7,18 @@ import io
 import pytest
 from rich.console import Console
 
-from course.grading.result import CheckResult, Feedback, Outcome, Result, Verdict
-from course.report import tally
-from course.report.batch import Row, Tally, line_of, progress, render_end, render_plan
+from course.model.result import CheckResult, Feedback, Outcome, Result, Verdict
+from course.report import activity
+from course.report.activity import progress
+from course.report.batch import (
+    GradingTally,
+    MovedRow,
+    SubmissionRow,
+    line_of,
+    render_end,
+    render_moves,
+    render_plan,
+)
 
 SHINES = CheckResult("shines", "It shines", 2, Outcome.PASSED)
 DIM = CheckResult("dims", "It dims", 1.5, Outcome.FAILED, feedback=Feedback("It does not."))
@@ -31,8 +40,8 @@ def said(console: Console) -> str:
 
 def test_the_plan_tells_what_was_found_where(console: Console) -> None:
     rows = [
-        Row("ada", "Ada Okafor", "ada.zip", "workspace", ("04-light", "04-dim")),
-        Row("bao", "Bảo", "bao", "nothing", (), ("It is empty.",)),
+        SubmissionRow("ada", "Ada Okafor", "ada.zip", "workspace", ("04-light", "04-dim")),
+        SubmissionRow("bao", "Bảo", "bao", "nothing", (), ("It is empty.",)),
     ]
     render_plan(console, rows, ["notes.txt was passed over."])
     lines = said(console).splitlines()
@@ -43,20 +52,22 @@ def test_the_plan_tells_what_was_found_where(console: Console) -> None:
 
 
 def test_many_exercises_are_counted(console: Console) -> None:
-    render_plan(console, [Row("ada", "Ada", "ada", "course home", [f"0{n}-x" for n in range(7)])], [])
+    render_plan(
+        console, [SubmissionRow("ada", "Ada", "ada", "course home", [f"0{n}-x" for n in range(7)])], []
+    )
     assert "00-x, 01-x, 02-x and 4 more" in said(console)
 
 
 def test_nothing_of_a_submission_reaches_the_terminal_as_it_is(console: Console) -> None:
-    render_plan(console, [Row(HOSTILE, HOSTILE, HOSTILE, "files", (), (HOSTILE,))], [HOSTILE])
+    render_plan(console, [SubmissionRow(HOSTILE, HOSTILE, HOSTILE, "files", (), (HOSTILE,))], [HOSTILE])
     with progress(console) as show:
-        show(Tally(1, 0), line_of(HOSTILE, PASSED))
+        show(GradingTally(1, 0), line_of(HOSTILE, PASSED))
     assert not {"\x1b", "\u202e"} & set(said(console))
     assert line_of(HOSTILE, PASSED).count("\n") == 0
 
 
 def test_markup_in_names_is_text(console: Console) -> None:
-    render_plan(console, [Row("[red]x[/red]", "[bold]", "[/]", "files", (), ("[link=x]",))], [])
+    render_plan(console, [SubmissionRow("[red]x[/red]", "[bold]", "[/]", "files", (), ("[link=x]",))], [])
     assert "[red]x[/red]" in said(console) and "[link=x]" in said(console)
 
 
@@ -77,12 +88,12 @@ def test_a_grading_in_one_line(result: Result, line: str) -> None:
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     now = [1000.0]
-    monkeypatch.setattr(tally.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(activity.time, "monotonic", lambda: now[0])
     return now
 
 
 def test_how_far_it_is_how_fast_and_how_long_it_takes(clock: list[float]) -> None:
-    tally = Tally(60, 0)
+    tally = GradingTally(60, 0)
     assert tally.line() == "0 of 60"
     clock[0] += 30
     for result in [PASSED] * 6 + [FAILED] * 3 + [OURS]:
@@ -91,7 +102,7 @@ def test_how_far_it_is_how_fast_and_how_long_it_takes(clock: list[float]) -> Non
 
 
 def test_what_an_earlier_run_has_graded_does_not_count_as_fast(clock: list[float]) -> None:
-    tally = Tally(60, 50)
+    tally = GradingTally(60, 50)
     clock[0] += 60
     assert tally.line() == "50 of 60"
     tally.add(PASSED)
@@ -99,7 +110,7 @@ def test_what_an_earlier_run_has_graded_does_not_count_as_fast(clock: list[float
 
 
 def test_where_no_terminal_is_each_grading_has_a_line(console: Console) -> None:
-    tally = Tally(2, 0)
+    tally = GradingTally(2, 0)
     with progress(console) as show:
         show(tally, None)
         tally.add(PASSED)
@@ -110,7 +121,7 @@ def test_where_no_terminal_is_each_grading_has_a_line(console: Console) -> None:
 
 def test_on_a_terminal_there_is_a_bar() -> None:
     console = Console(file=io.StringIO(), width=100, force_terminal=True, legacy_windows=False)
-    tally = Tally(2, 0)
+    tally = GradingTally(2, 0)
     with progress(console) as show:
         show(tally, None)
         tally.add(PASSED)
@@ -127,3 +138,11 @@ def test_the_end_counts_and_tells_where_to_read_on(console: Console) -> None:
 def test_an_end_without_anything_says_so(console: Console) -> None:
     render_end(console, [], [("out/a.csv", "a table")])
     assert said(console).startswith("Nothing was graded.")
+
+
+def test_moves_show_what_could_be_had_and_count_only_marks_that_moved(console: Console) -> None:
+    up = MovedRow("Ada", "04-light", 2, 4, 12, 14, ["It shines: worth 4, was 2"])
+    same = MovedRow("Bob", "04-light", 2, 2, 12, 12, ["It dims: failed before"])
+    render_moves(console, [up, same], 5)
+    assert "2 of 12 → 4 of 14" in said(console) and "2 of 12, as before" in said(console)
+    assert "1 of them moved, and 1 came to the same points in another way." in said(console)

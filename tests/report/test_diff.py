@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from course.report.diff import render_diff
+from course.report.exercise_text import render_diff
 
 if TYPE_CHECKING:
     from tests.report.conftest import Page

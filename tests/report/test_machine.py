@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from course.report.machine import Finding, State, render_findings
+from course.report.problem import MachineFinding, State, render_findings
 
 if TYPE_CHECKING:
     from tests.report.conftest import Page
 
-GOOD = Finding("ROS 2", State.OK, "jazzy, from pip")
-LESS = Finding("bubblewrap", State.LESS, "not installed", "Install it: `sudo apt install bubblewrap`")
-MISSING = Finding(
+GOOD = MachineFinding("ROS 2", State.OK, "jazzy, from pip")
+LESS = MachineFinding("bubblewrap", State.LESS, "not installed", "Install it: `sudo apt install bubblewrap`")
+MISSING = MachineFinding(
     "g++", State.MISSING, "not found", "Install it: `sudo apt install g++` " + "and so on " * 20
 )
 

@@ -1,4 +1,4 @@
-"""Lessons stay readable without colour, and their code stays fit for copying."""
+"""Lessons stay readable without color, and their code stays fit for copying."""
 
 from __future__ import annotations
 

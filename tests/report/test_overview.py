@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from course.report.overview import Row, render_list
+from course.report.exercise_text import ExerciseRow, render_list
 
 if TYPE_CHECKING:
     from tests.report.conftest import Page
 
 ROWS = [
-    Row("12 A node", "12-print-forever", "Print forever", "passed", best=5, most=5),
-    Row("18 Publishers", "18-publisher", "A publisher", "tried", current=True, best=1.5, most=8),
-    Row("18 Publishers", "18-subscriber", "A title that is much too long " * 4, "begun"),
-    Row("20 Services", "20-server", "A server [bold]\x1b[31m", "new"),
+    ExerciseRow("12 A node", "12-print-forever", "Print forever", "passed", best=5, most=5),
+    ExerciseRow("18 Publishers", "18-publisher", "A publisher", "tried", current=True, best=1.5, most=8),
+    ExerciseRow("18 Publishers", "18-subscriber", "A title that is much too long " * 4, "begun"),
+    ExerciseRow("20 Services", "20-server", "A server [bold]\x1b[31m", "new"),
 ]
 
 

@@ -19,7 +19,12 @@ def test_what_and_next_step(page: Page) -> None:
 def test_an_id_or_a_path_keeps_its_case(page: Page) -> None:
     render_problem(page.console, "/tmp/x/lesson.yaml:3: wrong")
     render_problem(page.console, "chapters/x/lesson.yaml:3: wrong")
-    assert page.lines == ["Error: /tmp/x/lesson.yaml:3: wrong", "Error: chapters/x/lesson.yaml:3: wrong"]
+    render_problem(page.console, "bad_roster.csv is no roster")
+    assert page.lines == [
+        "Error: /tmp/x/lesson.yaml:3: wrong",
+        "Error: chapters/x/lesson.yaml:3: wrong",
+        "Error: bad_roster.csv is no roster",
+    ]
 
 
 def test_steps_on_lines_of_their_own(page: Page) -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import io
 
 from course.content import Choice, Question
-from course.grading.result import CheckResult, Feedback, Outcome, Result, Verdict
+from course.model.result import CheckResult, Feedback, Outcome, Result, Verdict
 from course.report.console import open_console
-from course.report.questions import render_question, render_questions
-from course.report.terminal import render_result
+from course.report.exercise_text import render_question, render_questions
+from course.report.verdict import render_result
 
 LONG = "It completes what you began to type, or, when several things would fit, does nothing at first."
 QUESTION = Question(

@@ -2,7 +2,7 @@
 
 import pytest
 
-from course.report import safe
+from course.report import sanitize
 
 
 @pytest.mark.parametrize(
@@ -32,32 +32,32 @@ from course.report import safe
     ],
 )
 def test_controls_are_removed_or_shown(hostile: str, shown: str) -> None:
-    assert safe.clean(hostile) == shown
+    assert sanitize.clean(hostile) == shown
 
 
 def test_an_unfinished_sequence_swallows_only_its_line() -> None:
-    assert safe.clean("\x1b]0;never ended\nnext line").endswith("\nnext line")
+    assert sanitize.clean("\x1b]0;never ended\nnext line").endswith("\nnext line")
 
 
 def test_newlines_of_two_kinds_stay() -> None:
-    assert safe.clean("a\r\nb\nc") == "a\nb\nc"
+    assert sanitize.clean("a\r\nb\nc") == "a\nb\nc"
 
 
 def test_one_line_shows_newlines() -> None:
-    assert safe.one_line("a\nb.py") == "a\\nb.py"
+    assert sanitize.one_line("a\nb.py") == "a\\nb.py"
 
 
 def test_overlong_lines_are_cut_and_counted() -> None:
-    shown = safe.one_line("x" * 1_000_000, limit=100)
+    shown = sanitize.one_line("x" * 1_000_000, limit=100)
     assert shown == "x" * 100 + "... (999900 more characters)"
 
 
 def test_a_paragraph_is_one_flow_of_words() -> None:
-    assert safe.paragraph("  one\n\n  two\tthree ") == "one two three"
+    assert sanitize.paragraph("  one\n\n  two\tthree ") == "one two three"
 
 
 def test_long_evidence_keeps_both_ends() -> None:
-    shown = safe.details((str(number) for number in range(1000)), most=10)
+    shown = sanitize.details((str(number) for number in range(1000)), most=10)
     assert shown[:5] == ["0", "1", "2", "3", "4"]
     assert shown[5] == "... 990 more lines ..."
     assert shown[-1] == "999"
@@ -65,4 +65,4 @@ def test_long_evidence_keeps_both_ends() -> None:
 
 
 def test_evidence_with_newlines_inside_is_split() -> None:
-    assert safe.details(["a\nb", "", "c"]) == ["a", "b", "", "c"]
+    assert sanitize.details(["a\nb", "", "c"]) == ["a", "b", "", "c"]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from course.rosenv.find import find_ros
 from course.rosenv.host import Host
-from course.rosenv.model import Ros
+from course.rosenv.ros import Ros
 
 VERSION = (3, 11)
 BUILD_PYTHON = "/opt/python/cp311-cp311/include/python3.11"

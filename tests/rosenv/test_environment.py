@@ -1,9 +1,15 @@
+""""""
+
+from __future__ import annotations
+
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from course.rosenv import find_ros, node_environment
+from course.errors import MissingHere
+from course.rosenv import Ros, find_ros, node_environment, plain_environment
+from course.rosenv.environment import captured_variables
 from tests.rosenv.made_up import installed, no_wheels, pip_ros, underlay, wheels, workspace
 
 
@@ -161,3 +167,80 @@ def test_a_process_in_that_environment_finds_the_same_ros(tmp_path: Path, kind: 
     assert (again.prefix, again.identity) == (ros.prefix, ros.identity)
     deeper = node_environment(again, [second], inside)
     assert deeper == node_environment(ros, [second], outer(tmp_path))
+
+
+def test_of_a_sourced_shell_nothing_of_ros_is_left(tmp_path: Path) -> None:
+    ros = pip_ros(wheels(tmp_path / "venv"))
+    outer = {"PATH": "/usr/bin:/bin", "HOME": "/home/me", "ROS2COURSE_CACHE": str(tmp_path / "cache")}
+    sourced = node_environment(ros, environ=outer)
+    assert str(ros.prefix) in sourced["PATH"]
+    plain = plain_environment(ros, {**sourced, "ROS_DOMAIN_ID": "7", "SECRET": "x", "LANG": "de"})
+    assert plain == {"PATH": "/usr/bin:/bin", "HOME": "/home/me", "LANG": "de"}
+
+
+def test_an_active_environment_of_the_wheels_is_left_out_too(tmp_path: Path) -> None:
+    ros = pip_ros(wheels(tmp_path / "venv"))
+    plain = plain_environment(ros, {"PATH": f"{ros.prefix}/bin:/usr/bin"})
+    assert plain == {"PATH": "/usr/bin"}
+
+
+def test_without_a_path_there_is_the_usual_one(tmp_path: Path) -> None:
+    ros = pip_ros(wheels(tmp_path / "venv"))
+    assert plain_environment(ros, {})["PATH"] == "/usr/local/bin:/usr/bin:/bin"
+
+
+@pytest.fixture
+def ros(tmp_path: Path) -> Ros:
+    host = no_wheels(tmp_path)
+    installed(host.installed)
+    return find_ros({}, host)
+
+
+@pytest.fixture
+def environ(tmp_path: Path) -> dict[str, str]:
+    return {
+        "ROS2COURSE_CACHE": str(tmp_path / "cache"),
+        "FORBIDDEN": "1",
+        "PATH": "/mine",
+        "HOME": "/home/me",
+    }
+
+
+def test_setup_bash_is_sourced_in_a_plain_shell(ros: Ros, environ: dict[str, str]) -> None:
+    variables = captured_variables(ros, environ)
+    assert variables["AMENT_PREFIX_PATH"] == str(ros.prefix)
+    assert variables["PATH"] == f"{ros.prefix}/bin", "the PATH of the shell got in"
+    assert set(variables) == {"AMENT_PREFIX_PATH", "LD_LIBRARY_PATH", "PATH", "PYTHONPATH"}
+
+
+def test_it_is_sourced_once_and_again_when_the_ros_changes(ros: Ros, environ: dict[str, str]) -> None:
+    first = captured_variables(ros, environ)
+    assert captured_variables(ros, environ) == first
+    assert (ros.prefix / "sourced").read_text() == "once\n"
+    captured_variables(replace(ros, identity="another"), environ)
+    assert (ros.prefix / "sourced").read_text() == "once\nonce\n"
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"identity": 1}', '{"identity": "ID", "variables": []}'])
+def test_a_damaged_memory_is_made_anew(ros: Ros, environ: dict[str, str], tmp_path: Path, text: str) -> None:
+    first = captured_variables(ros, environ)
+    (memory,) = (tmp_path / "cache").rglob("*.json")
+    memory.write_text(text.replace("ID", ros.identity))
+    assert captured_variables(ros, environ) == first
+
+
+def test_a_cache_that_cannot_be_written_costs_only_time(ros: Ros, tmp_path: Path) -> None:
+    (tmp_path / "cache").write_text("a file, not a folder")
+    assert (
+        captured_variables(ros, {"ROS2COURSE_CACHE": str(tmp_path / "cache")})["PATH"] == f"{ros.prefix}/bin"
+    )
+
+
+@pytest.mark.parametrize(
+    ("script", "reason"), [("echo broken >&2; exit 1", "broken"), ("true", "sets no AMENT_PREFIX_PATH")]
+)
+def test_a_broken_setup_bash_is_named(ros: Ros, environ: dict[str, str], script: str, reason: str) -> None:
+    (ros.prefix / "setup.bash").write_text(script)
+    with pytest.raises(MissingHere, match=reason) as caught:
+        captured_variables(ros, environ)
+    assert f"bash -c 'source {ros.prefix}/setup.bash'" in (caught.value.next_step or "")

@@ -5,7 +5,8 @@ import pytest
 
 from course.errors import MissingHere
 from course.rosenv import find_ros
-from tests.rosenv.made_up import installed, no_wheels, pip_ros, python, wheels, workspace
+from course.rosenv.setup_files import is_stamped, place_of, write_stamp
+from tests.rosenv.made_up import installed, no_wheels, pip_ros, python, wheels, workspace, write
 
 
 def sourced(prefix: Path, distro: str = "jazzy") -> dict[str, str]:
@@ -33,6 +34,27 @@ def test_the_wheels_are_found_where_nothing_else_is(tmp_path: Path) -> None:
     ros = find_ros({}, wheels(tmp_path / "venv"))
     assert (ros.origin, ros.prefix, ros.distro) == ("pip", tmp_path / "venv", "jazzy")
     assert ros.python == tmp_path / "venv/bin/python3"
+
+
+@pytest.mark.parametrize(("changed", "identity_changes"), [("plain", False), ("compiled", True)])
+def test_our_own_packages_belong_to_what_was_found(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, changed: str, identity_changes: bool
+) -> None:
+    """What is compiled on top of the wheels takes part in builds; all of them are laid out."""
+    host, root = wheels(tmp_path / "venv"), tmp_path / "underlay"
+    for name in ("plain", "compiled"):
+        for file in ("package.xml", "setup.py", "setup.cfg"):
+            write(root / "src" / name / file, "")
+    write(root / "src/compiled/CMakeLists.txt", "")
+    monkeypatch.setattr("course.rosenv.find.source_root", lambda: root)
+    before = find_ros({}, host)
+    write(root / "src" / changed / "package.xml", "<package/>")
+    after = find_ros({}, host)
+    assert before.underlay != after.underlay
+    assert (before.identity != after.identity) is identity_changes
+    place = place_of(before, {})
+    write_stamp(before, place)
+    assert is_stamped(before, place) and not is_stamped(after, place)
 
 
 def test_the_python_of_the_wheels_has_one_name_however_it_was_started(tmp_path: Path) -> None:

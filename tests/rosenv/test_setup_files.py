@@ -1,5 +1,7 @@
 """What the learner sources, read by real shells."""
 
+from __future__ import annotations
+
 import os
 import shutil
 import subprocess
@@ -7,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from course.rosenv import Ros, node_environment, prepare, setup_script
+from course.rosenv import Ros, find_ros, node_environment, on_this_machine, prepare, setup_script
 from tests.rosenv.made_up import installed, no_wheels, pip_ros, underlay, wheels, workspace
 
 PLAIN = {"PATH": "/usr/bin:/bin", "HOME": "/nowhere"}
@@ -121,3 +123,15 @@ def said(shell: str, script: str, path: Path, *options: str) -> str:
         command, env={**PLAIN, "HOME": str(path.parent)}, capture_output=True, text=True, check=True
     )
     return done.stdout
+
+
+LINE = "source /opt/ros/jazzy/setup.bash\n"
+
+
+def test_it_names_the_file_of_the_ros_in_use() -> None:
+    assert on_this_machine(f"# first\n{LINE}") == f"# first\nsource {setup_script(find_ros())}\n"
+
+
+def test_other_distributions_stay_as_they_are() -> None:
+    other = LINE.replace("jazzy", "humble")
+    assert on_this_machine(other) == other

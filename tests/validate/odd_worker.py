@@ -1,20 +1,20 @@
-"""Stands in for course.validate.worker: WAYS says what the attempts come to, one after another."""
+"""Stands in for course.validate.prover: WAYS says what the attempts come to, one after another."""
 
 from __future__ import annotations
 
 import os
-import sys
 
-from course.feedback import Feedback
-from course.grading.result import CheckResult, Outcome, Result, Timing, Verdict, verdict_of
-from course.validate.tasks import Proven, Task, proven_to_line, task_from_line
+from course.child import answer_tasks
+from course.model.feedback import Feedback
+from course.model.result import CheckResult, Outcome, Result, Timing, Verdict, verdict_of
+from course.validate.proofs import ProofResult, ProofTask
 
 PASSED = CheckResult("why", "why", 1, Outcome.PASSED)
 FAILED = CheckResult("why", "why", 1, Outcome.FAILED, feedback=Feedback("burns all the time, 05-quiz.yaml"))
 BUSY = Timing(evidence=1.0, lag=0.5)
 
 
-def answer(task: Task) -> Proven:
+def answer(task: ProofTask, _: object) -> ProofResult:
     way = os.environ["WAYS"].split()[min(task.attempt, len(os.environ["WAYS"].split())) - 1]
     if way == "dies":
         raise SystemExit(3)
@@ -25,11 +25,8 @@ def answer(task: Task) -> Proven:
         result = Result(task.proof.exercise, Verdict.OUR_ERROR, fault=Feedback("It fell over."))
     if way == "missing":
         result = Result(task.proof.exercise, Verdict.NOT_AVAILABLE, fault=Feedback("There is no ROS."))
-    return Proven(task.proof, task.turn, task.attempt, result, 0.1, laid=way != "unlaid")
+    return ProofResult(task.proof, task.turn, task.attempt, result, 0.1, laid=way != "unlaid")
 
 
 if __name__ == "__main__":
-    with os.fdopen(int(sys.argv[1]), "w") as answers:
-        for line in sys.stdin:
-            answers.write(proven_to_line(answer(task_from_line(line))) + "\n")
-            answers.flush()
+    answer_tasks(ProofTask, answer)

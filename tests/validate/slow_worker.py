@@ -1,21 +1,22 @@
-"""Stands in for course.validate.worker: does three proofs, and is busy with the fourth until it is ended."""
+"""Stands in for course.validate.prover: does three proofs, and is busy with the fourth until it is ended."""
 
 from __future__ import annotations
 
-import os
-import sys
 import threading
+from itertools import count
 
-from course.validate.tasks import proven_to_line, task_from_line
-from course.validate.worker import Prover
+from course.child import answer_tasks
+from course.validate.proofs import ProofResult, ProofTask
+from course.validate.prover import Prover
 
 PROOFS = 3
 
 if __name__ == "__main__":
-    prover = Prover()
-    with os.fdopen(int(sys.argv[1]), "w") as answers:
-        for done, line in enumerate(sys.stdin):
-            if done == PROOFS:
-                threading.Event().wait(60)
-            answers.write(proven_to_line(prover.run(task_from_line(line))) + "\n")
-            answers.flush()
+    prover, asked = Prover(), count()
+
+    def answer(task: ProofTask, _: object) -> ProofResult:
+        if next(asked) == PROOFS:
+            threading.Event().wait(60)
+        return prover.run(task)
+
+    answer_tasks(ProofTask, answer)

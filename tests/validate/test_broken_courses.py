@@ -50,14 +50,14 @@ def test_a_sound_exercise(validate: Validate) -> None:
             "says: [burns all the time, 05-quiz.yaml]",
             "says: [burns no oil]",
             (MISTAKES, "id: saves-oil"),
-            "`why` does not say «burns no oil», but: ",
+            '`why` does not say "burns no oil", but: ',
         ),
         (
             MISTAKES,
-            "also_fails: [why, seen, keeper, colours]",
+            "also_fails: [why, seen, keeper, colors]",
             "also_fails: [why, seen, keeper]",
             (MISTAKES, "id: whole-file-wrong"),
-            "it fails `colours`, too",
+            "it fails `colors`, too",
         ),
         (
             ANSWERS,
@@ -86,6 +86,22 @@ def test_a_claim_that_is_not_so(
     shown = ended.out[ended.out.index(str(where[0])) :].splitlines()[1:]
     assert str(line_of(*where)) in {line.split()[0] for line in shown if line.strip()}
     assert "try" in ended.words
+
+
+@pytest.mark.slow
+def test_a_program_that_prints_what_no_choice_says(validate: Validate) -> None:
+    edit(LESSON, "      - id: why\n", "      - id: why\n        program: blink.py\n")
+    edit(LESSON, "Its rhythm tells which lighthouse it is", "'`on`, then `off`'")
+    edit(ALTERNATIVE, "why: its rhythm tells which lighthouse it is", 'why: "on, then off"')
+    (CHAPTER / "programs").mkdir()
+    program = CHAPTER / "programs/blink.py"
+    program.write_text("print('on')\nprint('off')\n")
+    ended = validate()
+    assert ended.code == 0, ended.out
+    program.write_text("print('on')\n")
+    ended = validate()
+    assert ended.code == 1
+    assert "`why` failed: The program prints on, but the right choice says: `on`, then `off`" in ended.words
 
 
 @pytest.mark.slow
@@ -122,7 +138,7 @@ def test_a_grader_with_a_syntax_error(validate: Validate) -> None:
     edit(Path("graders/ch05_lighthouses.py"), "@grader.check(", "@grader.check((")
     ended = validate(exercise="05-keepers")
     assert ended.code == 1
-    assert "graders/ch05_lighthouses.py" in ended.out and "the grader is no Python" in ended.words
+    assert "graders/ch05_lighthouses.py" in ended.out and "the grader is not valid Python" in ended.words
 
 
 def test_a_folder_that_is_no_course(validate: Validate, tmp_path: Path, quiz_course: Path) -> None:
@@ -141,8 +157,7 @@ def test_an_exercise_that_does_not_exist(validate: Validate) -> None:
 FLAKY = """
 from pathlib import Path
 
-from course.feedback import Failure, Feedback
-from course.grading.author import Grader
+from course.api import Failure, Feedback, Grader
 
 coin = Grader("06-coin", builds=None, ros=False)
 

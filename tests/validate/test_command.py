@@ -21,16 +21,17 @@ NOT_CAUGHT = ("answers: {why: It saves oil}", "answers: {why: tell-apart}")
 # The command with workers that answer until the folder is asked for by its third proof, and then hang.
 PROGRAM = """
 import sys
-from dataclasses import replace
-from course.validate import run, tasks
-run.PROOFS = replace(tasks.PROOFS, worker="tests.validate.slow_worker")
+from course.model import replace
+from course.validate import proofs
+from course.validate import schedule
+schedule.PROOFS = replace(proofs.PROOFS, worker="tests.validate.slow_worker")
 from course.cli.main import main
 sys.exit(main(sys.argv[1:]))
 """
 
 
 def test_static_grades_nothing(validate: Validate, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("course.validate.run.run", None)
+    monkeypatch.setattr("course.cli.validate.run", None)
     edit(MISTAKES, *NOT_CAUGHT)
     ended = validate("--static")
     assert (ended.code, ended.out) == (0, "\nNothing was found.\n")
@@ -79,12 +80,11 @@ def test_what_broke_is_told_as_it_goes_where_there_is_no_bar(validate: Validate)
 
 @pytest.mark.slow
 def test_a_machine_that_lacks_something(validate: Validate, monkeypatch: pytest.MonkeyPatch) -> None:
-    from dataclasses import replace
+    from course.model import replace
+    from course.validate import schedule
+    from course.validate.proofs import PROOFS
 
-    from course.validate import run
-    from course.validate.tasks import PROOFS
-
-    monkeypatch.setattr(run, "PROOFS", replace(PROOFS, worker="tests.validate.odd_worker"))
+    monkeypatch.setattr(schedule, "PROOFS", replace(PROOFS, worker="tests.validate.odd_worker"))
     monkeypatch.setenv("WAYS", "missing")
     ended = validate()
     assert ended.code == 4

@@ -1,4 +1,4 @@
-"""Stands in for course.watch.worker: a check that says what the learner's light.py tells it to.
+"""Stands in for course.watch.check_worker: a check that says what the learner's light.py tells it to.
 
 Each check that begins and each that was called off leaves a line in `calls`, beside the course home.
 """
@@ -8,28 +8,26 @@ from __future__ import annotations
 import os
 import sys
 import threading
-import types
-from collections.abc import Callable
 from pathlib import Path
 
-from course.content import Exercise
 from course.errors import MissingHere
-from course.feedback import Feedback
-from course.grading.result import CheckResult, Outcome, Result, Verdict
-from course.watch import worker
+from course.grading import check
+from course.grading.check import Request
+from course.model.feedback import Feedback
+from course.model.result import CheckResult, Outcome, Result, Verdict
+from course.watch import check_worker
 
 LIGHT = "ros2_tutorial_workspace/src/lanterns/lanterns/light.py"
 FLOOD = 100
 
 
-def check_exercise(
-    exercise: Exercise, home: Path, *, on_progress: Callable[[str], None], **_: object
-) -> Result:
+def check_exercise(request: Request) -> Result:
+    home = request.home
     told = (home / LIGHT).read_text().strip() if (home / LIGHT).is_file() else "dark"
     try:  # whatever tells a test that it has begun is within
         note(home, f"began {told}")
         if told.startswith("waits"):
-            on_progress(f"looking at the {told} lantern")
+            request.on_progress(f"looking at the {told} lantern")
             threading.Event().wait(300)
     finally:
         if told.startswith("waits"):
@@ -38,10 +36,13 @@ def check_exercise(
         raise MissingHere("There is no lamp oil on this machine.", "Buy some.")
     if told == "breaks":
         raise RuntimeError("the wick")
+    if told.startswith("seeks"):
+        request.so_far(Result(request.exercise.id, *judged("half")))
+        told = "falls" if told == "seeks and falls" else "dark"
     if told == "falls":
         print("out of oil", file=sys.stderr, flush=True)
         os._exit(7)
-    return Result(exercise.id, *judged(told))
+    return Result(request.exercise.id, *judged(told))
 
 
 def judged(told: str) -> tuple[Verdict, tuple[CheckResult, ...]]:
@@ -68,8 +69,6 @@ def note(home: Path, text: str) -> None:
 
 
 if __name__ == "__main__":
-    module = types.ModuleType("course.grading.check")
-    module.check_exercise = check_exercise  # type: ignore[attr-defined]
-    sys.modules[module.__name__] = module
-    worker.find_ros = lambda: None  # type: ignore[assignment, return-value]
-    raise SystemExit(worker.main())
+    check.check_exercise = check_exercise
+    check_worker.find_ros = lambda: None  # type: ignore[assignment, return-value]
+    raise SystemExit(check_worker.main())

@@ -9,15 +9,15 @@ from pathlib import Path
 
 import pytest
 
+from course import child
 from course.content import Exercise
-from course.grading.result import Verdict
 from course.home import create_home
+from course.model.result import Verdict
 from course.watch import checks as module
-from course.watch.checks import Checks
-from course.watch.messages import message_from_line, message_to_line, task_from_line, task_to_line
-from course.watch.model import Checked, Message, Said, Stuck, Task
+from course.watch.checks import CheckProcess, Checks
+from course.watch.updates import Checked, Message, Said, SoFar
 from tests.processes import none_stays
-from tests.watch.pretended import LIGHT, judged
+from tests.watch.pretended import LIGHT
 
 pytestmark = pytest.mark.slow
 PATIENCE = 60
@@ -123,6 +123,43 @@ def test_cancelled_in_the_middle_everything_ends(serve: Callable[[Act], Room], l
     assert serve(act).calls() == ["began waits", "ended waits"]
 
 
+@pytest.mark.parametrize("told", ["seeks", "seeks and falls"])
+def test_what_is_certain_stays_when_the_search_for_the_cause_falls(
+    serve: Callable[[Act], Room], light: Exercise, told: str
+) -> None:
+    async def act(room: Room) -> None:
+        room.light(told)
+        first = await room.answer(room.checks.start(light))
+        assert isinstance(first, SoFar)
+        last = await room.heard.get()
+        assert isinstance(last, Checked) and (last.result == first.result) is (told == "seeks and falls")
+
+    serve(act)
+
+
+@pytest.mark.parametrize("turns", range(6))
+def test_who_is_cancelled_while_a_process_ends_is_told_so(
+    serve: Callable[[Act], Room], monkeypatch: pytest.MonkeyPatch, turns: int
+) -> None:
+    """Also at the very moment when it has ended: otherwise `watch` goes on for ever."""
+
+    async def act(room: Room) -> None:
+        process, over = CheckProcess(), asyncio.Event()
+        monkeypatch.setattr(process, "_is_over", over.wait)
+        ending = asyncio.ensure_future(process.end())
+        for _ in range(5):  # of the loop: until it waits
+            await asyncio.sleep(0)
+        over.set()
+        for _ in range(turns):
+            await asyncio.sleep(0)
+        ending.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await ending
+        await process.end()
+
+    serve(act)
+
+
 @pytest.mark.parametrize(
     ("told", "said"), [("falls", "out of oil"), ("breaks", "the wick"), ("lacks", "lamp oil"), ("lots", "")]
 )
@@ -134,7 +171,7 @@ def test_what_fails_is_told_and_the_next_one_works(
     said: str,
 ) -> None:
     if told == "lots":
-        monkeypatch.setattr(module, "_LONGEST_LINE", 1000)
+        monkeypatch.setattr(child, "LONGEST_LINE", 1000)
         told = "flood"
 
     async def act(room: Room) -> None:
@@ -150,12 +187,3 @@ def test_what_fails_is_told_and_the_next_one_works(
         assert isinstance(second, Checked)
 
     serve(act)
-
-
-def test_messages_survive_the_way() -> None:
-    task = Task(3, "/course", "/home", "04-light", namespaces=False)
-    assert task_from_line(task_to_line(task)) == task
-    result = module.Result("04-light", *judged("half"))
-    for message in (Said(1, "bûilding\n"), Checked(2, result), Stuck(3, "no", "do")):
-        line = message_to_line(message)
-        assert "\n" not in line and message_from_line(line) == message

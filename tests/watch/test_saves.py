@@ -6,7 +6,6 @@ import asyncio
 import contextlib
 import shutil
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,9 +13,10 @@ import pytest
 from course.content import Exercise
 from course.errors import MissingHere
 from course.home import CourseHome, create_home
+from course.model import replace
 from course.watch import saves as module
-from course.watch.own_files import OwnFiles
 from course.watch.saves import concerning, saves
+from course.watch.session import OwnFiles
 from tests.watch.pretended import LIGHT
 
 

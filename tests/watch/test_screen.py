@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 import time
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from rich.text import Text
 
 from course.content import Exercise, Lesson
-from course.feedback import Feedback
-from course.grading.result import CheckResult, Outcome, Result, Verdict
-from course.report.overview import Row
-from course.watch import model
-from course.watch.changes import what_changed
-from course.watch.model import Body, Look
+from course.model import replace
+from course.model.feedback import Feedback
+from course.model.result import CheckResult, Outcome, Result, Verdict
+from course.report.exercise_text import ExerciseRow
+from course.watch import updates
 from course.watch.screen import MOST_LINES, Frame, Screen
+from course.watch.updates import Body, Look, what_changed
 from tests.watch.pretended import judged
 
 
 @pytest.fixture(autouse=True)
-def coloured(monkeypatch: pytest.MonkeyPatch) -> None:
+def colored(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TERM", "xterm-256color")
     monkeypatch.delenv("NO_COLOR", raising=False)
 
@@ -45,24 +44,28 @@ def plain(frame: Frame) -> list[str]:
     return [Text.from_ansi(line).plain.rstrip() for line in frame.lines]
 
 
-def lesson(exercise: Exercise, text: str) -> model.LessonText:
-    return model.LessonText(exercise, (Lesson(exercise.chapter, text),))
+def lesson(exercise: Exercise, text: str) -> updates.LessonText:
+    return updates.LessonText(exercise, (Lesson(exercise.chapter, text),))
 
 
 def bodies(exercise: Exercise) -> list[Body]:
-    rows = tuple(Row("4 Lanterns", f"{n:02}-light", "Light " * 30, "new", current=n == 40) for n in range(80))
+    rows = tuple(
+        ExerciseRow("4 Lanterns", f"{n:02}-light", "Light " * 30, "new", current=n == 40) for n in range(80)
+    )
     change = what_changed(result("dark"), result("half"))
     return [
         lesson(exercise, "# Lanterns\n\n" + "word " * 2000 + "\n\n```python\n" + "x" * 300 + "\n```"),
-        model.TaskText(exercise, Path("/a" * 90), "begun", (Path("/a" * 90) / "new.py",), ("03-oil",)),
-        model.Verdict(exercise, result("half"), result("dark"), change),
-        model.Verdict(exercise, result("flood"), None, None),
-        model.Verdict(exercise, Result("04-light", Verdict.OUR_ERROR, fault=Feedback("Fell.")), None, None),
-        model.Problem("There is no " + "oil" * 100, "Buy\nsome"),
-        model.HintText(exercise, 1, 3, "A hint."),
-        model.HintText(exercise, 0, 0),
-        model.Listing(rows),
-        model.AllPassed(),
+        updates.TaskText(exercise, Path("/a" * 90), "begun", (Path("/a" * 90) / "new.py",), ("03-oil",)),
+        updates.ResultText(exercise, result("half"), result("dark"), change),
+        updates.ResultText(exercise, result("flood"), None, None),
+        updates.ResultText(
+            exercise, Result("04-light", Verdict.OUR_ERROR, fault=Feedback("Fell.")), None, None
+        ),
+        updates.ProblemText("There is no " + "oil" * 100, "Buy\nsome"),
+        updates.HintText(exercise, 1, 3, "A hint."),
+        updates.HintText(exercise, 0, 0),
+        updates.Listing(rows),
+        updates.AllPassed(),
     ]
 
 
@@ -79,7 +82,9 @@ def test_everything_fits_everywhere(light: Exercise, number: int, width: int, he
 
 def test_the_edges_tell_exercise_result_activity_and_keys(light: Exercise) -> None:
     change = what_changed(result("dark"), result("half"))
-    look = Look(light, model.AllPassed(), result("half"), change, "building lanterns", 3.0, "saved: light.py")
+    look = Look(
+        light, updates.AllPassed(), result("half"), change, "building lanterns", 3.0, "saved: light.py"
+    )
     lines = plain(drawn(look))
     assert lines[0].startswith("04-light  Light it")
     assert lines[0].endswith("Not passed yet: 2 of 4 points (2 points more)")
@@ -90,13 +95,13 @@ def test_the_edges_tell_exercise_result_activity_and_keys(light: Exercise) -> No
 
 def test_a_result_names_what_changed_and_what_is_to_be_done_first(light: Exercise) -> None:
     change = what_changed(result("dark"), result("half"))
-    text = plain(drawn(Look(light, model.Verdict(light, result("half"), result("dark"), change))))
+    text = plain(drawn(Look(light, updates.ResultText(light, result("half"), result("dark"), change))))
     order = ["Not passed yet: 2 of 4", "Since the last check: 2 points more", "+ It stands passes now"]
     order += ["no  It shines", "try       Light it.", "ok  It stands"]
     found = [next(row for row, line in enumerate(text) if part in line) for part in order]
     assert found == sorted(found)
     worse = what_changed(result("half"), result("dark"))
-    text = plain(drawn(Look(light, model.Verdict(light, result("dark"), result("half"), worse))))
+    text = plain(drawn(Look(light, updates.ResultText(light, result("dark"), result("half"), worse))))
     assert any("2 points fewer" in line for line in text)
     assert any("- It stands does not pass any more" in line for line in text)
 
@@ -127,7 +132,7 @@ def test_a_huge_result_is_cut_and_says_where_all_of_it_is(light: Exercise) -> No
     )
     huge = Result("04-light", Verdict.NOT_PASSED, checks)
     screen = Screen(typed)
-    look = Look(light, model.Verdict(light, huge, None, None), huge)
+    look = Look(light, updates.ResultText(light, huge, None, None), huge)
     frame = drawn(look, screen=screen)
     assert "`ros2course check` shows all at once" in plain(frame)[-4]
     last = drawn(replace(look, first=10 * MOST_LINES), screen=screen)
@@ -141,7 +146,7 @@ def test_what_a_submission_wrote_stays_in_its_place(light: Exercise) -> None:
     check = CheckResult("c", "\x1b[2Jtitle", 1, Outcome.FAILED, feedback=nasty)
     bad = Result("04-light", Verdict.NOT_PASSED, (check,))
     frame = drawn(
-        Look(light, model.Verdict(light, bad, None, None), bad, None, "\x1b[2Jbuild", 0.0, "\x1b[H")
+        Look(light, updates.ResultText(light, bad, None, None), bad, None, "\x1b[2Jbuild", 0.0, "\x1b[H")
     )
     for line in frame.lines:
         assert "\x1b[2J" not in line and "\x1b[H" not in line and "\x1b]" not in line and "\x1b[?" not in line
@@ -150,7 +155,7 @@ def test_what_a_submission_wrote_stays_in_its_place(light: Exercise) -> None:
 def test_the_same_body_is_rendered_once(light: Exercise, monkeypatch: pytest.MonkeyPatch) -> None:
     rendered: list[Body] = []
     monkeypatch.setattr("course.watch.screen.render", lambda body, console, typed: rendered.append(body))
-    screen, look = Screen(typed), Look(light, model.AllPassed())
+    screen, look = Screen(typed), Look(light, updates.AllPassed())
     for _ in range(3):
         screen.draw(look, 79, 24, time.monotonic())
     screen.draw(look, 60, 24, 0.0)

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
 
 from course.content import Exercise, Lesson, open_course
-from course.grading.result import Result, Verdict
-from course.watch import model
-from course.watch.model import Begun, Checked, Key, Look, Said, Saved, Stuck
+from course.model import replace
+from course.model.result import Result, Verdict
+from course.watch import updates
 from course.watch.session import Session
+from course.watch.updates import Begun, Checked, Key, Look, Said, Saved, Stuck
 from tests.watch.pretended import LIGHT, judged
 
 
@@ -27,17 +28,17 @@ class Desk:
     def next(self) -> Begun | None:
         return self.coming.pop(0) if self.coming else None
 
-    def lesson(self, exercise: Exercise) -> model.LessonText:
-        return model.LessonText(exercise, (Lesson(exercise.chapter, "A lantern."),))
+    def lesson(self, exercise: Exercise) -> updates.LessonText:
+        return updates.LessonText(exercise, (Lesson(exercise.chapter, "A lantern."),))
 
-    def task(self, begun: Begun) -> model.TaskText:
-        return model.TaskText(begun.exercise, self.home, "begun", begun.new)
+    def task(self, begun: Begun) -> updates.TaskText:
+        return updates.TaskText(begun.exercise, self.home, "begun", begun.new)
 
-    def hint(self, exercise: Exercise) -> model.HintText:
-        return model.HintText(exercise, 1, 3, exercise.hints[0])
+    def hint(self, exercise: Exercise) -> updates.HintText:
+        return updates.HintText(exercise, 1, 3, exercise.hints[0])
 
-    def listing(self) -> model.Listing:
-        return model.Listing(())
+    def listing(self) -> updates.Listing:
+        return updates.Listing(())
 
     def is_passed(self, exercise: Exercise) -> bool:
         return exercise.id in self.passed
@@ -128,7 +129,7 @@ def test_a_save_during_a_check_starts_it_anew_and_the_old_one_is_not_heard(table
     table.save()
     table.save(LIGHT, "notes.txt")
     assert table.checking.started == ["04-light"] * 2
-    assert table.look.remark == "saved: light.py and 1 more; checking anew"
+    assert table.look.remark == "saved: light.py and 1 more; checking again"
     table.session.hear(Said(1, "of the old one"))
     table.finish("bright", number=1)
     assert table.look.doing not in ("", "of the old one") and table.desk.stored == []
@@ -139,13 +140,23 @@ def test_a_save_during_a_check_starts_it_anew_and_the_old_one_is_not_heard(table
 def test_what_changed_is_shown_with_the_result(table: Table) -> None:
     table.save()
     table.finish("dark")
-    assert isinstance(table.look.body, model.Verdict) and table.look.body.change is None
+    assert isinstance(table.look.body, updates.ResultText) and table.look.body.change is None
     table.save()
     table.finish("half")
-    assert isinstance(table.look.body, model.Verdict) and table.look.body.change is not None
+    assert isinstance(table.look.body, updates.ResultText) and table.look.body.change is not None
     assert table.look.body.change.fixed == ("It stands",) and table.look.body.change.points == 2
     table.press("tr")
-    assert isinstance(table.look.body, model.Verdict) and table.look.body.change == table.look.change
+    assert isinstance(table.look.body, updates.ResultText) and table.look.body.change == table.look.change
+
+
+def test_what_is_certain_is_shown_while_the_cause_is_looked_for(table: Table) -> None:
+    table.save()
+    so_far = Result("04-light", *judged("half"))
+    table.session.hear(updates.SoFar(1, so_far))
+    assert isinstance(table.look.body, updates.ResultText) and table.look.body.result is so_far
+    assert table.look.doing and table.desk.stored == [], "the check goes on"
+    table.finish("half")
+    assert not table.look.doing and len(table.desk.stored) == 1
 
 
 def test_our_error_is_compared_with_nothing(table: Table) -> None:
@@ -159,7 +170,7 @@ def test_our_error_is_compared_with_nothing(table: Table) -> None:
 def test_no_result_is_told_with_what_to_do(table: Table) -> None:
     table.save()
     table.session.hear(Stuck(1, "There is no ROS.", "Get one."))
-    assert table.look.body == model.Problem("There is no ROS.", "Get one.") and not table.look.doing
+    assert table.look.body == updates.ProblemText("There is no ROS.", "Get one.") and not table.look.doing
     assert table.desk.stored == []
 
 
@@ -177,7 +188,7 @@ def test_n_moves_on_only_when_passed(table: Table, dim: Exercise) -> None:
     assert table.desk.last_result(dim) is None, "a check of the exercise before is not heard"
     table.desk.passed.add("04-dim")
     table.press("n")
-    assert isinstance(table.look.body, model.AllPassed)
+    assert isinstance(table.look.body, updates.AllPassed)
 
 
 def test_starters_that_are_laid_are_no_saves(table: Table, dim: Exercise) -> None:
@@ -197,20 +208,20 @@ def test_starters_that_are_laid_are_no_saves(table: Table, dim: Exercise) -> Non
 
 
 def test_t_turns_between_task_and_lesson(table: Table, light: Exercise) -> None:
-    assert isinstance(table.look.body, model.TaskText)
+    assert isinstance(table.look.body, updates.TaskText)
     table.press("t")
-    assert isinstance(table.look.body, model.LessonText)
+    assert isinstance(table.look.body, updates.LessonText)
     table.press("t")
-    assert isinstance(table.look.body, model.TaskText)
+    assert isinstance(table.look.body, updates.TaskText)
     first = Session(table.desk, table.checking, Begun(light, (), True), lambda: 0, table.ask)
-    assert isinstance(first.look.body, model.LessonText), "the chapter's lesson comes first, once"
+    assert isinstance(first.look.body, updates.LessonText), "the chapter's lesson comes first, once"
 
 
 def test_the_other_keys(table: Table) -> None:
     table.press("h")
-    assert isinstance(table.look.body, model.HintText)
+    assert isinstance(table.look.body, updates.HintText)
     table.press("l")
-    assert isinstance(table.look.body, model.Listing)
+    assert isinstance(table.look.body, updates.Listing)
     table.press(" ")
     assert table.look.first == 7, "as the screen says"
     table.press("r")

@@ -89,7 +89,7 @@ def test_a_save_during_a_check_begins_it_anew(seat: Seat) -> None:
     seat.save("waits 1")
     seat.see("looking at the waits 1 lantern")
     seat.save("waits 2")
-    seat.see("looking at the waits 2 lantern", "checking anew")
+    seat.see("looking at the waits 2 lantern", "checking again")
     seat.save("bright")
     seat.see("Passed: 4 of 4")
     told = ["began waits 1", "ended waits 1", "began waits 2", "ended waits 2", "began bright"]

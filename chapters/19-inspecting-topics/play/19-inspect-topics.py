@@ -128,7 +128,7 @@ def draw(seed: int) -> Plan:
 
 
 def slip(word: str, chance: random.Random) -> str:
-    """The word with one letter missing, or with two neighbours swapped; never the word itself."""
+    """The word with one letter missing, or with two neighbors swapped; never the word itself."""
     places = [n for n in range(1, len(word) - 2) if word[n] != word[n + 1]]
     at = chance.choice(places)
     if chance.random() < 0.5:
@@ -200,7 +200,7 @@ def _notifier(plan: Plan) -> Node:
     node = Node(plan.notifier)
     kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     publisher = node.create_publisher(String, plan.notice, kept)
-    publisher.publish(String(data=f"The password of tonight is {plan.password}"))
+    publisher.publish(String(data=f"Tonight's password is {plan.password}"))
     return node
 
 

@@ -23,7 +23,7 @@ PERIODS = (0.2, 0.25, 0.4, 0.8, 1.6)
 DIALS = "altitude appetite loudness patience speed".split()
 # Some do not look like what they are.
 ODD_ONES = (
-    ("licence", "string", "2027"),
+    ("license", "string", "2027"),
     ("ring_number", "string", "17.5"),
     ("awake", "string", "true"),
     ("wingspan", "double", 1.0),

@@ -1,5 +1,5 @@
-// Asks the learner's C++ code questions, for a check. Answers are lines of JSON on a descriptor of their
-// own, with the fields of `course.evidence.probe_view.Answer`: what their code prints does no harm.
+// Asks the learner's C++ code questions, for a check. Answers are lines of JSON on a separate descriptor,
+// with the fields of `course.evidence.process_view.ProbeAnswer`, so the code's own output does no harm.
 //
 //   #include "ask.hpp"
 //   #include "theirs.hpp"
@@ -9,8 +9,8 @@
 //     done();
 //   }
 //
-// An exception ends one question, not the probe. What ends the program itself ends all: ask what may do
-// that in a run of its own (`main` gets the scenario's arguments).
+// An exception ends only its question, not the probe. A question that may end the whole program needs a
+// separate run (`main` gets the scenario's arguments).
 #pragma once
 
 #include <cmath>
@@ -126,10 +126,10 @@ void ask(const std::string& question, Function&& function) {
   }
 }
 
-// There when `heap.cpp` is linked, too, which reports at the very end and is done only then.
+// Defined if `heap.cpp` is linked, too, which reports at the very end and is done only then.
 extern "C" __attribute__((weak)) void ros2course_watches_the_heap();
 
-// The last thing that a probe does: without it, it counts as one that was cut off.
+// The last thing that a probe does; otherwise the probe counts as cut off.
 inline void done() {
   if (ros2course_watches_the_heap == nullptr) {
     send("\"done\"");

@@ -1,5 +1,5 @@
-// Linked with a program of the learner's: takes note of all that `new` makes, and at the program's very end
-// reports what nobody has deleted, as the answer to the question "never freed" (see ask.hpp). The leak
+// Linked with one of the learner's programs: notes everything that `new` allocates, and at the very end
+// reports what was never deleted, as the answer to the question "never freed" (see ask.hpp). The leak
 // detector of the address sanitizer does the same, but looks into the program from outside, which the
 // sandbox forbids.
 #include "ask.hpp"
@@ -21,7 +21,7 @@ struct Block {
   std::size_t size = 0;
 };
 
-// More than that at once are not kept, and not reported. A power of two.
+// The most blocks at once; further ones are not reported. A power of two.
 constexpr std::size_t most = 1U << 17U;
 constexpr std::size_t most_reported = 20;
 
@@ -29,7 +29,7 @@ std::array<Block, most> blocks;
 std::mutex guard;
 bool telling = false;
 
-// Never a block's address; where one was, so that those behind it are still found.
+// Not a block's address; marks where one was, so that later ones are still found.
 void* const gone = reinterpret_cast<void*>(std::uintptr_t{1});
 
 std::size_t first_place(const void* address) {
@@ -82,7 +82,7 @@ void destroy(void* address) {
   }
 }
 
-// The place without the home before it, in which the program was compiled; empty for one outside of it.
+// The place relative to the home, in which the program was compiled; empty for one outside of it.
 std::string in_home(std::string place) {
   const char* home = std::getenv("HOME");
   for (const std::string& prefix : {std::string(home == nullptr ? "" : home) + "/", std::string("./")}) {
@@ -90,19 +90,19 @@ std::string in_home(std::string place) {
       place.erase(0, prefix.size());
     }
   }
-  // `<null>` is said of what has no lines.
+  // `<null>` stands for code without line information.
   const bool outside = place.empty() || place[0] == '/' || place[0] == '<' || place.compare(0, 3, "../") == 0;
   return outside ? "" : place;
 }
 
-// The line of the learner's that made the block, as `file:line`; empty if none did.
+// The learner's line that allocated the block, as `file:line`; empty if none did.
 std::string made_in(void* address) {
   std::array<void*, 64> trace{};
   int thread = 0;
   const std::size_t depth = __asan_get_alloc_stack(address, trace.data(), trace.size(), &thread);
   for (std::size_t frame = 0; frame < depth; ++frame) {
     char place[1024] = "";
-    // What is kept are the places that calls return to: one byte before is within the call.
+    // We keep the addresses that calls return to; one byte before is inside the call.
     __sanitizer_symbolize_pc(static_cast<char*>(trace[frame]) - 1, "%s:%l", place, sizeof place);
     if (const std::string own = in_home(place); !own.empty()) {
       return own;

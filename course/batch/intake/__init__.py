@@ -5,22 +5,20 @@ course home of it. Each step can be done again, and for each submission by itsel
 in any process.
 """
 
-from course.batch.intake.laying import lay_out
-from course.batch.intake.look import look
-from course.batch.intake.model import Found, Kind, Part, Person, Place, Source, Sources
-from course.batch.intake.sources import find_sources, one_source
-from course.home.opening import Finding, Limits
+from course.batch.intake.contents import lay_out, look
+from course.batch.intake.submission import Found, Part, Placement, SubmissionKind, Upload, Uploads
+from course.batch.intake.uploads import find_sources, one_source
+from course.home.opening import Limits, Remark
 
 __all__ = [
-    "Finding",
     "Found",
-    "Kind",
     "Limits",
     "Part",
-    "Person",
-    "Place",
-    "Source",
-    "Sources",
+    "Placement",
+    "Remark",
+    "SubmissionKind",
+    "Upload",
+    "Uploads",
     "find_sources",
     "lay_out",
     "look",

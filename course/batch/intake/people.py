@@ -7,20 +7,30 @@ import os
 import re
 import unicodedata
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from datetime import datetime
+from enum import Enum
 from itertools import takewhile
 
-from course.batch.intake.model import Person
-from course.home.opening import archive_stem, is_archive, visible
+from course.batch.intake.recognize import number_of_try
+from course.batch.intake.submission import Part, Upload, Uploads
+from course.home.opening import Opened, Remark, archive_stem, is_archive, visible
+from course.model import replace
+from course.model.gradebook import Person
 
 # Jane Doe_1234567_assignsubmission_file_, with or without a file's name behind it
 _MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_[a-z]+(?:_(?P<file>.*))?", re.DOTALL)
-# doejane_12345_67890_file.zip, doejane_LATE_12345_67890_file-1.zip, doejane_12345_text.html
+# doejane_12345_67890_file.zip, doejane_LATE_12345_67890_file-1.zip, doejane_12345_text.html, and where
+# the grading is anonymous LATE_anon_k3Xp9_67890_file.zip
 _CANVAS = re.compile(
-    r"(?P<name>[^\W_]+)(?P<late>_LATE)?_(?P<id>\d+)_(?:(?P<upload>\d+)_(?P<file>.+)|(?P<text>text\.html))",
+    r"(?:(?P<name>[^\W_]+)_)?(?P<late>LATE_)?(?(name)(?P<id>\d+)|anon_(?P<anonymous>[^\W_]{5}))_"
+    r"(?:(?P<upload>\d+)_(?P<file>.+)|(?P<text>(?:text|link)\.html))",
     re.DOTALL,
 )
+_MOODLE_ID = re.compile(r"_(\d+)_assignsubmission_[a-z]+(?:_|$)")
+_LINK = "link.html"
+_MOODLE_TIMES = ("%A, %d %B %Y, %I:%M %p", "%A, %d %B %Y, %H:%M")
 _SUBMISSIONS = "-submissions"
 _LONGEST_ID = 64
 _NO_ID = re.compile(r"[^\w.@+-]+")
@@ -28,11 +38,30 @@ _NO_ID = re.compile(r"[^\w.@+-]+")
 
 @dataclass(frozen=True)
 class Label:
-    """What a name tells. file: the name under which the file was handed in, "" for a folder."""
+    """What a name tells. file: the name under which the file was handed in, "" for a folder.
+
+    upload: a number that is higher for what was uploaded later, 0 where nothing tells.
+    """
 
     person: Person
     file: str
     is_lms: bool
+    upload: int = 0
+
+
+class Lms(str, Enum):
+    """Whose export it is."""
+
+    MOODLE = "Moodle"
+    CANVAS = "Canvas"
+
+
+def lms_id(source: str, lms: Lms) -> str:
+    """The number by which the LMS knows who handed this in, as its export says; "" where nothing tells."""
+    names = source.split(", ")
+    if lms is Lms.MOODLE:
+        return next((found[1] for found in map(_MOODLE_ID.search, names) if found), "")
+    return next((found["id"] for found in map(_CANVAS.fullmatch, names) if found and found["id"]), "")
 
 
 def labels(names: Iterable[str]) -> dict[str, Label]:
@@ -42,8 +71,27 @@ def labels(names: Iterable[str]) -> dict[str, Label]:
     return {name: _moodle(name) or _canvas(name, uploads) or _plain(name) for name in every}
 
 
-def person(identity: str, name: str, *, late: bool = False) -> Person:
+def person(identity: str, name: str, *, late: bool | None = None) -> Person:
     return Person(safe_id(identity), visible(" ".join(name.split())), late)
+
+
+def iso_moment(text: str) -> datetime:
+    """As datetime.fromisoformat, which knows no `Z` before Python 3.11. Raises ValueError."""
+    return datetime.fromisoformat(re.sub(r"[zZ]$", "+00:00", text))
+
+
+def moment(text: str) -> datetime | None:
+    """A date and a time as rosters (ISO 8601) and Moodle write it; None for anything else."""
+    try:
+        return iso_moment(text)
+    except ValueError:
+        pass
+    for form in _MOODLE_TIMES:
+        try:
+            return datetime.strptime(text, form)
+        except ValueError:
+            continue
+    return None
 
 
 def safe_id(text: str) -> str:
@@ -83,13 +131,81 @@ def _moodle(name: str) -> Label | None:
 
 def _canvas(name: str, uploads: Counter[str]) -> Label | None:
     match = _CANVAS.fullmatch(name)
-    # Each upload has a number of its own; where one stands in several names, they are no names of Canvas.
+    # Each upload has a number of its own. If one is in several names, they are not names of Canvas.
     if match is None or (match["upload"] and uploads[match["upload"]] > 1):
         return None
-    who = person(match["id"], match["name"], late=match["late"] is not None)
-    return Label(who, match["file"] or match["text"], True)
+    identity = match["id"] or match["anonymous"]
+    who = person(identity, match["name"] or identity, late=match["late"] is not None)
+    return Label(who, match["file"] or match["text"], True, int(match["upload"] or 0))
 
 
 def _plain(name: str) -> Label:
     stem = archive_stem(name) if is_archive(name) else name
     return Label(person(stem, stem), "", False)
+
+
+PASSED_OVER = "Files that are not a submission were passed over."
+LINKED = Remark(
+    "A link was handed in instead of files. Links are not followed.",
+    "Ask for an archive, or clone what the link leads to.",
+)
+
+
+def grouped(items: Sequence[Opened], folder: str) -> Uploads:
+    """`items` are folders and files that lie in one place, called `folder`; the order does not matter."""
+    items = sorted(items, key=lambda item: item.name)
+    clones = [item.name for item in items if item.path and (item.path / ".git").exists()]
+    told = _clones(labels(item.name for item in items), clones, assignment(clones, folder))
+    passed_over: list[str] = []
+    people: dict[tuple[str, ...], list[Opened]] = {}
+    for item in items:
+        label = told[item.name]
+        if label.is_lms:
+            people.setdefault((label.person.id, label.person.name), []).append(item)
+        elif item.path is None or item.path.is_dir() or is_archive(item.name):
+            people[(item.name,)] = [item]
+        else:
+            passed_over.append(visible(item.name))
+    sources = unique([_source(own, told) for own in people.values()])
+    return Uploads(sources, (Remark(PASSED_OVER, where=", ".join(passed_over)),) if passed_over else ())
+
+
+def _clones(told: dict[str, Label], clones: Iterable[str], slug: str) -> dict[str, Label]:
+    own = {name: name.removeprefix(slug) for name in clones if slug and not told[name].is_lms}
+    return {**told, **{name: Label(person(user, user), "", False) for name, user in own.items() if user}}
+
+
+def _source(items: Sequence[Opened], told: dict[str, Label]) -> Upload:
+    """The newest part first, as far as the names tell."""
+    items = sorted(items, key=lambda item: _age(told[item.name]), reverse=True)
+    first = told[items[0].name].person
+    known = [late for item in items if (late := told[item.name].person.late) is not None]
+    late = any(known) if known else None
+    parts = tuple(Part(told[item.name].file or item.name, item.path) for item in items if item.path)
+    findings = tuple(finding for item in items for finding in item.findings)
+    if any(told[item.name].file == _LINK for item in items):
+        findings += (LINKED,)
+    shown = ", ".join(visible(item.name) for item in items)
+    return Upload(Person(first.id, first.name, late), shown, parts, findings)
+
+
+def _age(label: Label) -> tuple[int, int]:
+    return label.upload, number_of_try(label.file)
+
+
+def unique(sources: Iterable[Upload]) -> tuple[Upload, ...]:
+    """Where an id is there twice, those after the first get one made of their own names, and all are told."""
+    every = tuple(sources)
+    count = Counter(source.person.id for source in every)
+    seen: set[str] = set()
+    return tuple(_told_apart(source, seen) if count[source.person.id] > 1 else source for source in every)
+
+
+def _told_apart(source: Upload, seen: set[str]) -> Upload:
+    who = source.person
+    what = f"More than one submission goes by the id {who.id}."
+    finding = Remark(what, "They are graded one by one; remove those that do not count.", source.shown)
+    if who.id in seen:
+        who = replace(who, id=f"{who.id}-{fingerprint(source.shown)}")
+    seen.add(source.person.id)
+    return replace(source, person=who, findings=(*source.findings, finding))

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
-from collections.abc import Iterable, Mapping
+import stat
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.batch.intake.model import Part
-from course.home.opening import USUAL, Finding, Limits, Meter, Notes, Unsafe, safe_name
-from course.home.opening.limits import megabytes
-from course.home.opening.names import DEEPEST
-from course.home.opening.unpack import LINK_OUT, NO_FILE, RENAMED
+from course.batch.intake.submission import Part
+from course.content.layout import STATE, WORKSPACE
+from course.home.opening import USUAL, Limits, Meter, Notes, Remark, Unsafe, safe_name
+from course.home.opening.findings import DEEPEST, megabytes
+from course.home.opening.unpack import LINK_OUT, NO_FILE, RENAMED, leads_inside
 
 # What systems, tools and editors leave. `.ros2course` is looked into: see `_KEPT_STATE`.
 _LEFT_BY_TOOLS = frozenset(
@@ -23,12 +25,17 @@ _BUILT = frozenset({"build", "install", "log"})
 _BUILT_BESIDE = frozenset({"src", "package.xml"})
 _BUILT_INSIDE = frozenset({"COLCON_IGNORE", ".built_by", "setup.bash"})
 _NO_NAME = re.compile(r"\A\.{0,2}\Z")  # `..`, which is also what is left of `...zip`
-_STATE = ".ros2course"
-_KEPT_STATE = frozenset({"home.json", "acts"})
+PACKED = "hand-in.json"  # the manifest of `pack`
+RESULTS = "grades.sqlite3"  # what `grade` writes first
+RESULTS_LEFT_OUT = "Results of `grade` were left out."
+# Each of these makes the folder it is in a submission.
+ONE = frozenset({WORKSPACE, STATE, "src", "package.xml"})
+_STEP = 1 << 18
+_KEPT_STATE = frozenset({"home.json", "acts", PACKED})
 
 
 @dataclass(frozen=True)
-class Entry:
+class TreeEntry:
     """One file or folder; `path` is where it really lies. size: bytes, 0 for a folder."""
 
     path: Path
@@ -39,16 +46,70 @@ class Entry:
 
 @dataclass(frozen=True)
 class Tree:
-    """entries: by relative path, in safe characters, folders before what is in them."""
+    """entries: by relative path, in safe characters, folders before what is in them.
 
-    entries: Mapping[str, Entry]
-    findings: tuple[Finding, ...]
+    parts: names of the parts in the order they were given, where there are several.
+    """
+
+    entries: Mapping[str, TreeEntry]
+    findings: tuple[Remark, ...]
+    parts: tuple[str, ...] = ()
 
     def folders(self) -> frozenset[str]:
         return frozenset(path for path, entry in self.entries.items() if entry.folder)
 
     def files(self) -> frozenset[str]:
         return frozenset(path for path, entry in self.entries.items() if not entry.folder)
+
+
+def is_results(folder: Path) -> bool:
+    """Whether `grade` keeps results there. A folder that can be a submission is none, whatever is in it."""
+    with contextlib.suppress(OSError):
+        return (folder / RESULTS).is_file() and not any(os.path.lexists(folder / name) for name in ONE)
+    return False
+
+
+def holds_only_results(folder: Path) -> bool:
+    """Whether folders of results are all that is in it, at any depth."""
+    found = False
+    for path, folders, files in os.walk(folder):
+        if is_results(Path(path)):
+            found = True
+            folders.clear()
+        elif files or path.count(os.sep) > f"{folder}".count(os.sep) + DEEPEST:
+            return False
+    return found
+
+
+def read_into(entry: TreeEntry, take: Callable[[bytes], object]) -> bool:
+    """Give `take` the bytes of a file, no more than were seen of it, whatever became of it since.
+
+    False when it cannot be read, or is not an ordinary file any more.
+    """
+    try:
+        descriptor = os.open(entry.path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+    except OSError:
+        return False
+    try:
+        left = entry.size if stat.S_ISREG(os.fstat(descriptor).st_mode) else -1
+        while left > 0 and (data := _piece(descriptor, left)):
+            left -= len(data)
+            take(data)
+        return left >= 0
+    finally:
+        os.close(descriptor)
+
+
+def _piece(descriptor: int, most: int) -> bytes:
+    with contextlib.suppress(OSError):
+        return os.read(descriptor, min(_STEP, most))
+    return b""
+
+
+def content(entry: TreeEntry) -> bytes | None:
+    """All of a file; None as `read_into` tells."""
+    pieces: list[bytes] = []
+    return b"".join(pieces) if read_into(entry, pieces.append) else None
 
 
 def read_tree(parts: Iterable[Part], limits: Limits = USUAL) -> Tree:
@@ -58,15 +119,17 @@ def read_tree(parts: Iterable[Part], limits: Limits = USUAL) -> Tree:
     """
     every = tuple(parts)
     walk = _Walk(limits)
+    names = []
     for part in every:
         alone = len(every) == 1 and part.path.is_dir()
-        walk.part(part.path, "" if alone else walk.unique(part.name))
-    return Tree(walk.entries, walk.notes.findings())
+        names.append("" if alone else walk.unique(part.name))
+        walk.part(part.path, names[-1])
+    return Tree(walk.entries, walk.notes.findings(), tuple(names))
 
 
 class _Walk:
     def __init__(self, limits: Limits) -> None:
-        self.entries: dict[str, Entry] = {}
+        self.entries: dict[str, TreeEntry] = {}
         self.notes = Notes()
         self._limits = limits
         self._meter = Meter(limits)
@@ -86,7 +149,7 @@ class _Walk:
             self._add(real, name, real.parent, ())
             return
         if name:
-            self.entries[name] = Entry(real, folder=True)
+            self.entries[name] = TreeEntry(real, folder=True)
         self._inside(real, name, real, (real,))
 
     def _inside(self, folder: Path, prefix: str, top: Path, above: tuple[Path, ...]) -> None:
@@ -98,7 +161,7 @@ class _Walk:
             return
         if prefix and "pyvenv.cfg" in names:
             return
-        state = folder.name == _STATE
+        state = folder.name == STATE
         for name in sorted(names):
             if not _is_left_over(name, names, state):
                 self._named(folder / name, prefix, top, above)
@@ -128,7 +191,7 @@ class _Walk:
     def _add(self, path: Path, name: str, top: Path, above: tuple[Path, ...]) -> None:
         """A link counts as what it leads to, if that is inside `top`."""
         real = Path(os.path.realpath(path)) if path.is_symlink() else path
-        if real is not path and not (real.is_relative_to(top) and real.exists()):
+        if real is not path and not leads_inside(path, top):
             self.notes.add(LINK_OUT, name)
         elif real.is_dir():
             self._folder(real, name, top, above)
@@ -142,8 +205,10 @@ class _Walk:
             self.notes.add("Links to a folder that they lie in were left out.", name)
         elif len(above) > DEEPEST:
             self.notes.add(f"Folders more than {DEEPEST} deep were left out.", name)
+        elif is_results(real):
+            self.notes.add(RESULTS_LEFT_OUT, name)
         elif not (real.name in _BUILT and any((real / mark).exists() for mark in _BUILT_INSIDE)):
-            self.entries[name] = Entry(real, folder=True)
+            self.entries[name] = TreeEntry(real, folder=True)
             self._inside(real, name, top, (*above, real))
 
     def _file(self, real: Path, name: str) -> None:
@@ -152,7 +217,7 @@ class _Walk:
             self.notes.add(f"Files larger than {megabytes(self._limits.file)} were left out.", name)
             return
         self._meter.data(status.st_size, status.st_size, name)
-        self.entries[name] = Entry(real, False, status.st_size, bool(status.st_mode & 0o100))
+        self.entries[name] = TreeEntry(real, False, status.st_size, bool(status.st_mode & 0o100))
 
 
 def _is_left_over(name: str, beside: set[str], state: bool) -> bool:

@@ -1,1 +1,1 @@
-"""Expectations that many graders share. Each returns in silence or raises a `Failure`."""
+"""Expectations that many graders share. Each raises a `Failure` unless it is met."""

@@ -1,30 +1,29 @@
-"""What is expected of a launch file: that it is installed, starts its programs, and ends them.
+"""Expectations of a launch file: that it is installed, starts its programs, and ends them.
 
-`file` is the launch file's name, and the name under which the scenario launched it.
+`file` is the launch file's name, and also the name under which the scenario launched it.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from dataclasses import replace
 from pathlib import PurePosixPath
 
 from course.errors import OurFault
-from course.evidence.events import Event
-from course.evidence.launch_view import LaunchView
-from course.evidence.parameter_types import ParameterData
-from course.evidence.process_view import ProcessView
+from course.evidence.parameter_view import ParameterData
+from course.evidence.process_view import LaunchView, ProcessView
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
-from course.feedback import Failure, Feedback, Location
-from course.grading.expect.graph import expect_node
+from course.explain.launch_files import launch_file_cause, not_installed
+from course.explain.parameter_causes import named
+from course.explain.python_code import calls, nodes
+from course.grading.expect.endpoints import expect_node
 from course.grading.expect.parameters import expect_declared, expect_parameter
 from course.grading.expect.programs import expect_clean_interrupt, expect_running
-from course.grading.explain.launch_files import launch_file_cause, not_installed
-from course.grading.explain.names import listed, nearest
-from course.grading.explain.parameters import named
-from course.grading.explain.python_code import calls, trees
+from course.model import replace
+from course.model.events import Event
+from course.model.feedback import Failure, Feedback, Location
+from course.spelling import listed, nearest
 
 _NOT_FOUND = "was not found in the share directory"
 _LINE = re.compile(r", line (?P<line>\d+)\)")
@@ -34,37 +33,37 @@ _WRONG_TYPE = re.compile(
 )
 _WRITTEN = {
     "STRING": "in quotes",
-    "DOUBLE": "without quotes and with a point, such as `0.5` or `1.0`",
-    "INTEGER": "without quotes and without a point",
+    "DOUBLE": "without quotes and with a decimal point, such as `0.5` or `1.0`",
+    "INTEGER": "without quotes and without a decimal point",
     "BOOL": "as `True` or `False`, without quotes",
 }
-_IMPORT = "Nodes are started by the `Node` of launch_ros: `from launch_ros.actions import Node`."
-# What the error holds -> what to do. The first that fits is taken.
+_IMPORT = "`Node` from launch_ros starts nodes: `from launch_ros.actions import Node`."
+# What the error contains -> what to do. The first match counts.
 _ADVICE = (
     (
         ("SyntaxError", "IndentationError"),
-        "Python cannot read the file. Look at the line named here, and at the end of the one before.",
+        "Python cannot read the file. Check this line and the end of the line before it.",
     ),
     (("cannot import name 'Node'", "name 'Node' is not defined", "keyword argument 'package'"), _IMPORT),
     (("argument: 'executable'",), "`Node` must know what to start: `package=...` and `executable=...`."),
     (
         ("must return a LaunchDescription", "expected a list of actions"),
-        "The function ends with `return LaunchDescription([Node(...)])`: a list of nodes, and each with its "
-        "arguments in brackets of its own.",
+        "The function must end with `return LaunchDescription([Node(...)])`: a list of nodes, "
+        "each with its own parentheses.",
     ),
 )
 _OTHERWISE = "The message names the error. `ros2 launch --debug ...` shows where it comes from."
 
 
 def expect_launch_file(recording: Recording, package: str, file: str) -> None:
-    """`ros2 launch` finds the launch file among what the package installs."""
+    """Check that `ros2 launch` finds the launch file among the files that the package installs."""
     built = recording.packages.get(package)
     if built and any(_NOT_FOUND in text for text in _view(recording, file).main.text):
         raise Failure(not_installed(recording.sources, built.source, file))
 
 
 def expect_launched(recording: Recording, file: str) -> None:
-    """`ros2 launch` reads the file, and what it starts runs until the scenario ended it."""
+    """Check that `ros2 launch` reads the file, and that all it starts runs until the scenario ends it."""
     view = _view(recording, file)
     if view.error:
         raise Failure(_unreadable(recording, file, view.error))
@@ -76,7 +75,7 @@ def expect_launched(recording: Recording, file: str) -> None:
 
 
 def expect_launched_node(recording: Recording, file: str, name: str) -> None:
-    """A node of this full name was in the graph, by the name that the launch file gives it."""
+    """Check that a node appeared under this full name, which the launch file gives it."""
     nodes = recording.seen_nodes()
     if name in nodes:
         return
@@ -93,7 +92,7 @@ def expect_launched_node(recording: Recording, file: str, name: str) -> None:
             expected=name,
             seen=listed(nodes),
             where=given[:1] or tuple(call.where for call in calls(own, "Node"))[:1],
-            advice="Its name is right, but it has a namespace, which stands before it: leave `namespace` out."
+            advice="Its name is right, but it has a namespace before it: remove `namespace`."
             if spaced
             else f"The launch file names it: `name='{plain}'` among the arguments of `Node`.",
         )
@@ -103,7 +102,7 @@ def expect_launched_node(recording: Recording, file: str, name: str) -> None:
 def expect_launch_parameter(
     recording: Recording, file: str, node: str, name: str, value: ParameterData
 ) -> None:
-    """The launch file gives the node's parameter this value, as the node itself told when it was asked."""
+    """Check that the launch file gives the parameter this value, by asking the node itself."""
     try:
         expect_parameter(recording, node, name, value)
     except Failure as failure:
@@ -115,7 +114,7 @@ def expect_launch_parameter(
 def expect_own_launch_parameter(
     recording: Recording, file: str, node: str, name: str, default: ParameterData
 ) -> None:
-    """The launch file gives the node's parameter a value that is neither empty nor its default."""
+    """Check that the launch file gives the parameter a value that is neither empty nor its default."""
     expect_declared(recording, node, name, default)
     found = recording.parameters(node).get(name)
     if found is None:
@@ -127,7 +126,7 @@ def expect_own_launch_parameter(
                 summary=f"The parameter `{name}` is empty."
                 if found.value == ""
                 else f"The parameter `{name}` still has its default value.",
-                expected="a value of your own",
+                expected="your own value",
                 seen=repr(found.value),
                 where=_setting(recording, file, name),
                 advice=_to_set(name, "'...'"),
@@ -136,7 +135,7 @@ def expect_own_launch_parameter(
 
 
 def expect_launch_interrupt(recording: Recording, file: str) -> None:
-    """One Ctrl+C ended `ros2 launch` and all that it had started, within 3 s and with no traceback."""
+    """Check that one Ctrl+C ended `ros2 launch` and all that it started, within 3 s and with no traceback."""
     view = _view(recording, file)
     for name in view.processes:
         expect_clean_interrupt(_by_themselves(recording, view), name)
@@ -153,13 +152,14 @@ def expect_launch_interrupt(recording: Recording, file: str) -> None:
 
 
 def launch_file(recording: Recording, file: str) -> Sources:
-    """The launch file of this name alone: where `expect_*` helpers then look for a cause."""
+    """Return only the launch file of this name, so that `expect_*` helpers look for a cause there."""
     found = {path: text for path, text in recording.sources.files.items() if PurePosixPath(path).name == file}
     return Sources(found)
 
 
 def _expect_no_slip(recording: Recording, file: str, name: str) -> None:
-    """A launch file that sets a parameter of nearly this name: ROS says nothing of it."""
+    """Check that no launch file sets a parameter of nearly this name, which ROS accepts silently."""
+    _expect_no_yaml(recording, file)
     own = launch_file(recording, file)
     close = None if named(own, name) else nearest(name, _texts(own))
     if close:
@@ -169,15 +169,33 @@ def _expect_no_slip(recording: Recording, file: str, name: str) -> None:
                 expected=name,
                 seen=close,
                 where=named(own, close)[:1],
-                advice="Spell it as the node declares it. ROS says nothing of a parameter that no node "
-                "declares.",
+                advice="Spell it as the node declares it. ROS ignores a parameter that no node declares.",
+            )
+        )
+
+
+def _expect_no_yaml(recording: Recording, file: str) -> None:
+    """Check that no `ros__parameters` wraps the parameters; in a dict it is just another parameter's name."""
+    places = named(launch_file(recording, file), "ros__parameters")
+    if places:
+        raise Failure(
+            Feedback(
+                summary="`ros__parameters` belongs in a YAML file. In a launch file's dict it hides the "
+                "parameters inside it.",
+                expected="parameters=[{'period': 0.25, ...}]",
+                seen="parameters=[{'ros__parameters': {...}}]",
+                where=places[:1],
+                advice="Leave out `ros__parameters`: put the names and values directly into the dict.",
             )
         )
 
 
 def _texts(sources: Sources) -> set[str]:
-    every = (node for _, tree in trees(sources) for node in ast.walk(tree))
-    return {node.value for node in every if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+    return {
+        node.value
+        for _, node in nodes(sources)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }
 
 
 def _setting(recording: Recording, file: str, name: str) -> tuple[Location, ...]:
@@ -197,9 +215,10 @@ def _view(recording: Recording, file: str) -> LaunchView:
 
 
 def _by_themselves(recording: Recording, view: LaunchView) -> Recording:
-    """The recording as if the scenario itself had run each program that was launched."""
+    """The recording as if the scenario had run each launched program itself."""
     events = (event for one in view.processes.values() for event in _events(one))
-    return replace(recording, events=tuple(sorted((*recording.events, *events), key=lambda event: event.t)))
+    every = sorted((*recording.events, *events), key=lambda event: event.t)
+    return replace(recording, events=tuple(every))
 
 
 def _events(view: ProcessView) -> list[Event]:
@@ -220,7 +239,7 @@ def _unreadable(recording: Recording, file: str, error: str) -> Feedback:
 
 
 def _place(own: Sources, file: str, error: str) -> tuple[Location, ...]:
-    """The line that the error names, or that of the `Node` it is about, or the file."""
+    """The line that the error names, else the line of the `Node` that it is about, else the file."""
     line = _LINE.search(error) if f"({file}," in error else None
     if line:
         return tuple(Location(path, int(line["line"])) for path in own.files)
@@ -229,7 +248,7 @@ def _place(own: Sources, file: str, error: str) -> tuple[Location, ...]:
 
 
 def _short(error: str) -> str:
-    """Without launch's own preface, and without the folders of the build and of ROS."""
+    """The error without launch's preface, and without the build and ROS folders."""
     said = error.rpartition("(see debug for traceback): ")[2].partition(", searching:")[0]
     said = re.sub(r"'/[^']*/([^'/]+)'", r"'\1'", said)
     return re.sub(r" \(/[^)]*\)| object at 0x[0-9a-f]+", "", said).strip()
@@ -240,13 +259,13 @@ def _nothing(recording: Recording, file: str) -> Feedback:
     nodes = calls(own, "Node")
     places = (nodes or calls(own, "LaunchDescription"))[:1]
     return Feedback(
-        summary="`ros2 launch` reads the file, and starts nothing: `LaunchDescription` holds no node.",
+        summary="`ros2 launch` reads the file but starts nothing: `LaunchDescription` contains no node.",
         expected="one node",
         seen="no program",
         where=tuple(call.where for call in places),
-        advice="The `Node(...)` must stand in the list: `LaunchDescription([Node(...)])`."
+        advice="The `Node(...)` must be in the list: `LaunchDescription([Node(...)])`."
         if nodes
-        else "Put a `Node(...)` into the list that `LaunchDescription` gets.",
+        else "Put a `Node(...)` in the list that you pass to `LaunchDescription`.",
     )
 
 

@@ -1,14 +1,16 @@
-"""What is expected of a node's log."""
+"""Expectations of a node's log."""
 
 from __future__ import annotations
 
+from difflib import SequenceMatcher
 from math import inf
 
 from course.evidence.recording import Recording
 from course.evidence.topic_view import LogLine
-from course.feedback import Failure, Feedback
-from course.grading.explain.languages import language_of
-from course.grading.explain.python_code import text_places
+from course.explain.languages import language_of
+from course.explain.python_code import text_places
+from course.grading.expect.programs import cause_of_silence
+from course.model.feedback import Failure, Feedback
 
 _SHOWN = 3
 
@@ -16,9 +18,9 @@ _SHOWN = 3
 def expect_logged(
     recording: Recording, process: str, lines: tuple[LogLine, ...], example: str, mark: str
 ) -> None:
-    """The node logs lines like `example` at level INFO; `lines` are those that were found.
+    """Check that the node logs lines like `example` at level INFO; `lines` are those that were found.
 
-    mark: a text that every such line holds, to recognise it where it went astray.
+    mark: a text in every such line; it identifies the line if it was printed or logged elsewhere.
     """
     wrong_level = [line for line in lines if line.level != "INFO"]
     if wrong_level:
@@ -27,12 +29,12 @@ def expect_logged(
         return
     view = recording.process(process)
     before_the_end = (line.text for line in view.lines if line.t < (view.interrupted_at or inf))
-    printed = [text for text in before_the_end if mark in text]
+    printed = [text for text in before_the_end if mark in text and text not in view.traceback()]
     if recording.log:
-        raise Failure(_other_words(recording, recording.log[0], example))
+        raise Failure(_other_words(recording, example))
     if printed:
         raise Failure(_printed(recording, printed[0]))
-    raise Failure(_silent(recording, example))
+    raise Failure(_silent(recording, process, example))
 
 
 def _level(recording: Recording, line: LogLine, example: str) -> Feedback:
@@ -46,14 +48,16 @@ def _level(recording: Recording, line: LogLine, example: str) -> Feedback:
     )
 
 
-def _other_words(recording: Recording, line: LogLine, example: str) -> Feedback:
+def _other_words(recording: Recording, example: str) -> Feedback:
+    """Feedback on the line most similar to the expected one: a node may log other things, too."""
+    line = max(recording.log, key=lambda one: SequenceMatcher(None, one.text[:200], example).ratio())
     advice = language_of(recording.sources).other_words(line.text)
     return Feedback(
-        summary=f"The node logs other words: `{line.text[:120]}`.",
+        summary=f"The node logs different words: `{line.text[:120]}`.",
         expected=example,
         seen=line.text[:200],
         where=text_places(recording.sources, line.text[:20])[:1] if line.text.strip() else (),
-        advice=advice or "Log exactly the words of the task, with its capitals and its full stop.",
+        advice=advice or "Log exactly the words of the task, with the same capital letters and period.",
     )
 
 
@@ -61,15 +65,15 @@ def _printed(recording: Recording, text: str) -> Feedback:
     language = language_of(recording.sources)
     name, places = language.printed(recording.sources)
     return Feedback(
-        summary=f"The text comes from `{name}`: it is on the terminal, but not in the node's log.",
+        summary=f"The text comes from `{name}`: it is in the terminal, but not in the node's log.",
         expected="a message in the node's log",
-        seen=f"on the terminal only: {text[:120]}",
+        seen=f"only in the terminal: {text[:120]}",
         where=places[:_SHOWN],
-        advice=f"Use the node's logger in place of `{name}`: `{language.log_info}`.",
+        advice=f"Use the node's logger instead of `{name}`: `{language.log_info}`.",
     )
 
 
-def _silent(recording: Recording, example: str) -> Feedback:
+def _silent(recording: Recording, process: str, example: str) -> Feedback:
     language = language_of(recording.sources)
     debug = language.logged_at(recording.sources, "DEBUG")
     if debug:
@@ -79,13 +83,12 @@ def _silent(recording: Recording, example: str) -> Feedback:
             where=debug[:1],
             advice=f"Log it at level INFO: `{language.log_info}`.",
         )
-    cause = language.silent(recording.sources)
+    look_at = f"does something call the callback, and does it reach `{language.log_info}`?"
+    cause = cause_of_silence(recording, process, look_at=look_at)
     return Feedback(
         summary="The node runs, but it logs nothing.",
         expected=example,
         seen="no message",
-        where=cause.where if cause else (),
-        advice=cause.text
-        if cause
-        else f"Check that something calls the callback, and that it comes to `{language.log_info}`.",
+        where=cause.where,
+        advice=cause.text,
     )

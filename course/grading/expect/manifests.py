@@ -1,26 +1,26 @@
-"""What is expected of a package.xml."""
+"""Expectations of a package.xml."""
 
 from __future__ import annotations
 
 from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback
-from course.grading.explain.names import nearest
-from course.grading.explain.package_xml import RUN_TAGS, Manifest, manifest
+from course.explain.package_xml import RUN_TAGS, Manifest, manifest
+from course.model.feedback import Failure, Feedback
+from course.spelling import listed, nearest
 
 _LUCK = (
-    " Without it, colcon does not know which of the two packages must be built first: "
-    "if it works today, that is luck."
+    "Without it, colcon does not know which of the two packages to build first. If it works "
+    "today, that is luck."
 )
 
 
 def expect_manifest(recording: Recording, package: str) -> Manifest:
-    """The package's manifest. Raises Failure when there is none that can be read."""
+    """Return the package's manifest. Raises Failure if it is missing or cannot be read."""
     built = recording.packages.get(package)
     found = manifest(recording.sources, built.source) if built else None
     if found is None:
         raise Failure(
             Feedback(
-                summary=f"The package `{package}` has no package.xml that can be read.",
+                summary=f"The package `{package}` has no readable package.xml.",
                 advice="Compare it with the package.xml of a new package from `ros2 pkg create`.",
             )
         )
@@ -28,7 +28,7 @@ def expect_manifest(recording: Recording, package: str) -> Manifest:
 
 
 def expect_build_type(recording: Recording, package: str, wanted: str) -> None:
-    """package.xml names this build type, and so `ros2 pkg create` was given it."""
+    """Check the build type in package.xml, as `ros2 pkg create` writes it."""
     found = expect_manifest(recording, package)
     if found.build_type == wanted:
         return
@@ -46,18 +46,18 @@ def expect_build_type(recording: Recording, package: str, wanted: str) -> None:
 
 
 def expect_dependency(recording: Recording, package: str, *names: str) -> None:
-    """package.xml declares each of these packages as needed to run."""
+    """Check that package.xml declares each of these packages as needed at run time."""
     found = expect_manifest(recording, package)
     missing = [name for name in names if not found.depends(name, *RUN_TAGS)]
     if missing:
         own = recording.packages.get(missing[0]) is not None
-        raise Failure(_undeclared(found, missing[0], names, own=own))
+        raise Failure(_undeclared(found, missing, names, own=own))
 
 
 def expect_tag(
     recording: Recording, package: str, tags: tuple[str, ...], value: str, *, purpose: str
 ) -> None:
-    """package.xml has an element with one of these tags and this text."""
+    """Check that package.xml has an element with one of these tags and this text."""
     found = expect_manifest(recording, package)
     if found.depends(value, *tags):
         return
@@ -65,7 +65,7 @@ def expect_tag(
     written = f"<{tags[0]}>{value}</{tags[0]}>"
     raise Failure(
         Feedback(
-            summary=f"package.xml does not hold `{written}`: {purpose}.",
+            summary=f"package.xml does not contain `{written}`: {purpose}.",
             expected=written,
             seen=f"<{elsewhere[0]}>{value}</{elsewhere[0]}>" if elsewhere else None,
             where=(found.place_of(value) or found.where,),
@@ -74,9 +74,34 @@ def expect_tag(
     )
 
 
-def _undeclared(found: Manifest, name: str, wanted: tuple[str, ...], *, own: bool) -> Feedback:
-    """own: the missing package is one of the learner's own, so the order of the builds depends on it."""
+# What beginners declare by mistake: the other language's package.
+_LANGUAGES = {"rclpy": ("rclcpp", "C++"), "rclcpp": ("rclpy", "Python")}
+
+
+def _undeclared(found: Manifest, missing: list[str], wanted: tuple[str, ...], *, own: bool) -> Feedback:
+    """Feedback on the first missing package, or on all if several are missing.
+
+    own: the package is one of the learner's own, so the build order depends on it.
+    """
+    name = missing[0]
     line = f"<depend>{name}</depend>"
+    other, language = _LANGUAGES.get(name, ("", ""))
+    if found.depends(other, *RUN_TAGS):
+        return Feedback(
+            summary=f"package.xml does not declare `{name}`. It declares `{other}`, which is for {language}.",
+            expected=line,
+            seen=f"<depend>{other}</depend>",
+            where=(found.place_of(other) or found.where,),
+            advice=f"Change `{other}` to `{name}`.",
+        )
+    if len(missing) > 1:
+        return Feedback(
+            summary=f"package.xml does not declare the dependencies {listed(missing)}.",
+            expected=f"a <depend> for each of {len(wanted)} packages",
+            seen=f"{len(missing)} are missing",
+            where=(found.place_of("<depend>") or found.where,),
+            advice=f"Add {', '.join(f'`<depend>{one}</depend>`' for one in missing)} to package.xml.",
+        )
     other_tags = [tag for tag, text in found.tags if text == name]
     if other_tags:
         return Feedback(
@@ -85,7 +110,7 @@ def _undeclared(found: Manifest, name: str, wanted: tuple[str, ...], *, own: boo
             expected=line,
             seen=f"<{other_tags[0]}>{name}</{other_tags[0]}>",
             where=(found.place_of(name) or found.where,),
-            advice=f"Write `{line}`, which stands for building and running.",
+            advice=f"Write `{line}`, which covers building and running.",
         )
     close = nearest(name, set(found.values(*RUN_TAGS)) - set(wanted))
     return Feedback(

@@ -1,27 +1,25 @@
-"""What is expected of C++ files that the scenario compiled, and of the programs that came of them."""
+"""Expectations of C++ files that the scenario compiled, and of the resulting programs."""
 
 from __future__ import annotations
 
 import signal
-from dataclasses import replace
 
-from course.arena.native_programs import compiling
+from course.arena.cpp_programs import compiling
 from course.errors import OurFault
-from course.evidence.probe_view import Answer
-from course.evidence.process_view import ProcessView
+from course.evidence.process_view import ProbeAnswer, ProcessView
 from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.expect.files import expect_file
-from course.grading.explain.cpp_crashes import cpp_crash
-from course.grading.explain.native import not_compiled, warned
-from course.grading.explain.sanitizers import Trouble, trouble
+from course.explain.cpp_crashes import Trouble, cpp_crash, trouble
+from course.explain.cpp_errors import not_made, warned
+from course.grading.expect.text_files import expect_file
+from course.model import replace
+from course.model.feedback import Failure, Feedback, Location
 
 _LAST_LINES = 6
-_NO_END = "Look for a loop that never ends, or for something that waits to be typed."
+_NO_END = "Look for a loop that never ends, or for code that waits for input."
 
 
 def expect_compiled(recording: Recording, program: str) -> None:
-    """The files of `program` (its name in `arena.compile`) could be compiled and linked."""
+    """Check that the files of `program` (its name in `arena.cpp.compile`) compile and link."""
     lost = recording.missing_program(compiling(program))
     if lost:
         expect_file(recording, lost.file)
@@ -31,23 +29,23 @@ def expect_compiled(recording: Recording, program: str) -> None:
     if view.exited is None or view.exited.signal == signal.SIGKILL:
         raise Failure(
             Feedback(
-                summary="The compiler does not come to an end with your files.",
-                advice="Look for a template or a macro that goes on without end, and take it out.",
+                summary="The compiler never finishes with your files.",
+                advice="Look for a template or a macro that never ends, and remove it.",
             )
         )
     if view.exited.code != 0:
-        raise Failure(not_compiled(recording, program))
+        raise Failure(not_made(recording, compiling(program)))
 
 
 def expect_no_warnings(recording: Recording, program: str) -> None:
-    """The compiler had nothing to say of the learner's files, with all usual warnings."""
-    found = warned(recording, program)
+    """Check that the compiler, with all the usual warnings on, reports none in the learner's files."""
+    found = warned(recording, compiling(program))
     if found:
         raise Failure(found)
 
 
 def expect_sound(recording: Recording, process: str, *, code: int = 0) -> ProcessView:
-    """The program ended by itself with this exit code, and no sanitizer complained. Returns its view."""
+    """Check that the program ended by itself with this exit code and no sanitizer error. Returns its view."""
     view = recording.process(process)
     if view.started is None:
         raise OurFault(f"the scenario did not run {process}")
@@ -64,10 +62,10 @@ def expect_sound(recording: Recording, process: str, *, code: int = 0) -> Proces
 
 def native_answer(
     recording: Recording, question: str, what: str, process: str, *, where: Location | None = None
-) -> Answer:
-    """What a program answered to a question of `ask.hpp`; it may be an exception of the learner's.
+) -> ProbeAnswer:
+    """Return a program's answer to a question of `ask.hpp`, which may be an exception in the learner's code.
 
-    what: the call as a beginner types it, for the words. where: the place to look at when nothing names a
+    what: the call as a beginner types it, for the feedback. where: the place to name if nothing points to a
     better one.
     """
     answer = recording.probe(process).answer(question)
@@ -79,14 +77,14 @@ def native_answer(
         raise Failure(_troubled(found, what, where))
     places = (where,) if where else ()
     if view.ended_by_itself is None:
-        raise Failure(Feedback(summary=f"`{what}` does not come to an end.", where=places, advice=_NO_END))
+        raise Failure(Feedback(summary=f"`{what}` never ends.", where=places, advice=_NO_END))
     if crashed := cpp_crash(view.exited, view.text, recording.sources, f"With `{what}` the program stops"):
         raise Failure(replace(crashed, where=crashed.where or places))
     raise Failure(
         Feedback(
             summary=f"`{what}` ends the whole program.",
             where=places,
-            advice="Take out `std::exit` and the like: a function returns, or throws.",
+            advice="Remove `std::exit` and similar calls: a function should return or throw.",
             details=view.text[-_LAST_LINES:],
         )
     )
@@ -101,9 +99,7 @@ def _troubled(found: Trouble, what: str = "", where: Location | None = None) -> 
 
 
 def _endless(view: ProcessView) -> Feedback:
-    return Feedback(
-        summary="The program does not come to an end.", advice=_NO_END, details=view.text[-_LAST_LINES:]
-    )
+    return Feedback(summary="The program never ends.", advice=_NO_END, details=view.text[-_LAST_LINES:])
 
 
 def _other_end(view: ProcessView, code: int | None, wanted: int) -> Feedback:
@@ -111,6 +107,6 @@ def _other_end(view: ProcessView, code: int | None, wanted: int) -> Feedback:
         summary=f"The program should end with exit code {wanted}.",
         expected=f"exit code {wanted}",
         seen="it was killed" if code is None else f"exit code {code}",
-        advice="What `main` returns is the exit code: 0 says that all went well.",
+        advice="The value that `main` returns is the exit code: 0 means success.",
         details=view.text[-_LAST_LINES:],
     )

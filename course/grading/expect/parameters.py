@@ -1,4 +1,4 @@
-"""What is expected of a node's parameters."""
+"""Expectations of a node's parameters."""
 
 from __future__ import annotations
 
@@ -6,23 +6,24 @@ from math import inf, isclose
 from typing import Any
 
 from course.errors import OurFault
-from course.evidence.events import OutputLine
-from course.evidence.parameter_types import ParameterData, type_name
-from course.evidence.parameter_view import ParameterView
+from course.evidence.parameter_view import ParameterData, ParameterView, type_name
 from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.explain.names import listed, nearest
-from course.grading.explain.parameters import declared, named, undeclared
-from course.grading.explain.python_code import calls
+from course.explain.engine import Cause
+from course.explain.observed import unproven
+from course.explain.parameter_causes import declared, named, undeclared
+from course.explain.python_code import calls, text_places
+from course.model.events import OutputLine
+from course.model.feedback import Failure, Feedback, Location
+from course.spelling import listed, nearest
 
 # ROS adds these to every node.
 _OF_EVERY_NODE = ("use_sim_time", "start_type_description_service")
 
 
 def expect_declared(recording: Recording, node: str, name: str, default: ParameterData) -> None:
-    """The node has a parameter of this name. Needs a scenario that asked for it, or for the list.
+    """Check that the node has this parameter. The scenario must have asked for it, or for the list.
 
-    default: what the exercise wants it to begin with; shown in the advice.
+    default: the initial value that the exercise asks for; shown in the advice.
     """
     view = _view(recording, node)
     if view.get(name) or name in view.names:
@@ -36,7 +37,7 @@ def expect_declared(recording: Recording, node: str, name: str, default: Paramet
                 expected=name,
                 seen=close,
                 where=named(recording.sources, close)[:2],
-                advice=f"Spell it `{name}`, letter by letter, where it is declared and where it is read.",
+                advice=f"Spell it `{name}` where it is declared and where it is read.",
             )
         )
     raise Failure(_undeclared(recording, name, default, own))
@@ -45,9 +46,20 @@ def expect_declared(recording: Recording, node: str, name: str, default: Paramet
 def expect_parameter(
     recording: Recording, node: str, name: str, value: ParameterData, *, t: float = inf
 ) -> None:
-    """The parameter has the type of `value`, and that value, as the node gave it last before time `t`."""
+    """Check type and value of the parameter, as the node last reported it before time `t` (s)."""
     expect_declared(recording, node, name, value)
-    found = _view(recording, node).get(name, t)
+    view = _view(recording, node)
+    found = view.get(name, t)
+    if found is None and name in view.undeclared:
+        raise Failure(
+            Feedback(
+                summary=f"The node lists the parameter `{name}`, but does not answer with its value.",
+                expected=_written(value),
+                seen="no value",
+                where=_declarations(recording, name),
+                advice=f"Give `{name}` a value where you declare it.",
+            )
+        )
     if found is None:
         raise OurFault(f"the scenario did not get the parameter {name} of {node}")
     wanted = type_name(value)
@@ -68,13 +80,13 @@ def expect_parameter(
                 expected=_written(value),
                 seen=_written(found.value),
                 where=_declarations(recording, name),
-                advice=f"Correct the value that `{name}` gets. Quotes, capitals and each digit count.",
+                advice=f"Correct the value of `{name}`. Quotes, capital letters and every digit count.",
             )
         )
 
 
 def expect_set(recording: Recording, node: str, name: str) -> None:
-    """The node accepted every value that the scenario gave to this parameter."""
+    """Check that the node accepted every value that the scenario set for this parameter."""
     results = [result for result in _view(recording, node).sets if result.name == name]
     if not results:
         raise OurFault(f"the scenario did not set the parameter {name} of {node}")
@@ -82,32 +94,47 @@ def expect_set(recording: Recording, node: str, name: str) -> None:
         if result.successful:
             continue
         refused = result.successful is False
+        cause = _refusal(recording, result.reason or "") if refused else None
         raise Failure(
             Feedback(
                 summary=f"The node {'refuses' if refused else 'does not answer'} when `{name}` is set to "
                 f"{_written(result.value)}" + (f": {result.reason}" if result.reason else "."),
-                expected="the new value is taken",
+                expected="the new value is accepted",
                 seen="refused" if refused else "no answer",
-                where=tuple(
-                    call.where for call in calls(recording.sources, "add_on_set_parameters_callback")
-                )[:1],
-                advice="Your callback for changes should accept this one: let it end with "
-                "`return SetParametersResult(successful=True)`."
-                if refused
+                where=cause.where if cause else (),
+                advice=cause.text
+                if cause
                 else "A node answers while `rclpy.spin(node)` runs and no callback keeps it busy.",
             )
         )
 
 
+def _refusal(recording: Recording, reason: str) -> Cause:
+    """Why a node refused a new value."""
+    read_only = text_places(recording.sources, "read_only")
+    if "read-only" in reason and read_only:
+        return Cause(
+            "A read-only parameter keeps its first value. Declare it without `read_only`.", read_only
+        )
+    callback = tuple(call.where for call in calls(recording.sources, "add_on_set_parameters_callback"))[:1]
+    if callback:
+        return Cause(
+            "Your callback for changes should accept this one: end it with `return "
+            "SetParametersResult(successful=True)`.",
+            callback,
+        )
+    return unproven(recording, f"what the node says of it: {reason or 'nothing'}")
+
+
 def _view(recording: Recording, node: str) -> ParameterView:
-    """Raises Failure when the node never answered, OurFault when it was not asked."""
+    """Raises Failure if the node never answered, OurFault if it was not asked."""
     view = recording.parameters(node)
     if not view.asked:
         raise OurFault(f"the scenario did not ask {node} for its parameters")
     if not view.answered:
         raise Failure(
             Feedback(
-                summary=f"The node `{node}` does not answer when it is asked for its parameters.",
+                summary=f"The node `{node}` does not answer a request for its parameters.",
                 expected="an answer, as from every node that `rclpy.spin` runs",
                 seen="no answer",
                 where=tuple(call.where for call in calls(recording.sources, "sleep"))[:1],
@@ -128,7 +155,7 @@ def _undeclared(recording: Recording, name: str, default: ParameterData, own: li
         expected=f"a parameter `{name}`",
         seen=f"the node has {listed(own, 'no parameter of its own')}",
         where=(cause.where if cause else ()) or named(recording.sources, name)[:2],
-        advice="There is a line that declares it, but it does not run: call it in `__init__`."
+        advice="A line declares it, but that line does not run: call it in `__init__`."
         if in_source
         else f"Declare it in `__init__`: `self.declare_parameter('{name}', {default!r})`.",
         details=(error,) if error else (),
@@ -152,9 +179,9 @@ def _declarations(recording: Recording, name: str) -> tuple[Location, ...]:
 def _advice_on_type(name: str, value: ParameterData) -> str:
     written = f"`self.declare_parameter('{name}', {value!r})`"
     if isinstance(value, float):
-        return f"A double is written with a point, and without quotes: {written}."
+        return f"A double needs a decimal point and no quotes: {written}."
     if isinstance(value, str):
-        return f"A string is written in quotes: {written}."
+        return f"A string needs quotes: {written}."
     return f"The default decides the type: {written}."
 
 
@@ -165,7 +192,7 @@ def _same(found: Any, wanted: ParameterData) -> bool:
 
 
 def _written(value: Any) -> str:
-    """As in YAML, short."""
+    """A value in short YAML form."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, tuple | list):

@@ -1,19 +1,25 @@
-"""What is expected of a program: that it starts, keeps running, and ends on Ctrl+C."""
+"""Expectations of a program: that it starts, keeps running, and ends on Ctrl+C."""
 
 from __future__ import annotations
 
 import signal
+from collections.abc import Callable
 from math import inf
 
 from course.errors import OurFault
-from course.evidence.events import ProcessExited
 from course.evidence.process_view import ProcessView
 from course.evidence.recording import Recording
+from course.evidence.sources import Sources
 from course.evidence.topic_view import seconds
-from course.feedback import Failure, Feedback
-from course.grading.expect.files import expect_file
-from course.grading.explain.executables import no_executable
-from course.grading.explain.languages import language_of
+from course.explain.engine import Cause
+from course.explain.executables import no_executable
+from course.explain.languages import language_of, timer_places
+from course.explain.observed import unproven
+from course.explain.python_slips import first, wrong_guard
+from course.grading.expect.one_program import of_program
+from course.grading.expect.text_files import expect_file
+from course.model.events import ProcessExited
+from course.model.feedback import Failure, Feedback
 
 INTERRUPT_GRACE = 3.0
 _QUIET_EXITS = (0, 1, 128 + signal.SIGINT)
@@ -21,9 +27,9 @@ _LAST_LINES = 6
 
 
 def expect_executable(recording: Recording, process: str) -> None:
-    """The executable that the scenario was to run is installed (a script: is there), and was started.
+    """Check that the executable is installed (for a script: that the file exists) and was started.
 
-    Raises OurFault when the scenario never came to it: then nothing can be said of the program.
+    Raises OurFault if the scenario never tried to start it, because then it cannot be judged.
     """
     missing = recording.missing_executable(process)
     if missing:
@@ -36,7 +42,7 @@ def expect_executable(recording: Recording, process: str) -> None:
 
 
 def expect_running(recording: Recording, process: str, *, until: float = inf) -> None:
-    """The program started and ran until the scenario ended it, or at least to the time `until` (s)."""
+    """Check that the program ran until the scenario ended it, or at least until the time `until` (s)."""
     expect_executable(recording, process)
     view = recording.process(process)
     ended = view.ended_by_itself
@@ -46,23 +52,43 @@ def expect_running(recording: Recording, process: str, *, until: float = inf) ->
     if found:
         raise Failure(found)
     early = _ended_early if recording.packages.built else _script_ended
-    raise Failure(early(recording, view, ended))
+    raise Failure(early(of_program(recording, process), view, ended))
+
+
+def cause_of_silence(
+    recording: Recording, process: str, *others: Callable[[Sources], Cause | None], look_at: str
+) -> Cause:
+    """Return why a running node does nothing by itself, if its output or its code proves it.
+
+    others: functions that look for more causes in the code; they are tried first. look_at: questions for
+    the learner if no cause is proven.
+    """
+    own = of_program(recording, process)
+    found = first(own.sources, *others) or language_of(own.sources).silent(own.sources)
+    return found or unproven(own, look_at, timer_places(own.sources))
 
 
 def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
+    cause = wrong_guard(recording.sources) if not view.text else None
+    cause = cause or unproven(
+        recording, "is `main()` called at all, and does a loop, `while True:`, keep it running?"
+    )
     return Feedback(
         summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; "
-        "it should go on forever.",
+        "it should keep running.",
         expected="it runs until Ctrl+C",
         seen=_how(ended),
-        advice="A loop that never ends keeps it running: `while True:`. Is `main()` called at all?",
+        where=cause.where,
+        advice=cause.text,
         details=view.text[-_LAST_LINES:],
     )
 
 
 def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
     language = language_of(recording.sources)
-    cause = language.to_keep_running(recording.sources)
+    cause = language.to_keep_running(recording) or unproven(
+        recording, f"what did the program print last, and what could end `{language.spin}` after that?"
+    )
     return Feedback(
         summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; "
         f"`{language.spin}` should keep it running.",
@@ -77,12 +103,12 @@ def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) 
 def _how(ended: ProcessExited) -> str:
     if ended.signal is None:
         return f"exit code {ended.code}"
-    names = {number.value: number.name for number in signal.Signals}  # signals from 35 to 63 have none
+    names = {number.value: number.name for number in signal.Signals}  # signals 35 to 63 have no names
     return f"ended by the signal {names.get(ended.signal, ended.signal)}"
 
 
 def expect_clean_end(recording: Recording, process: str) -> None:
-    """The program ran and ended by itself with exit code 0."""
+    """Check that the program ended by itself with exit code 0."""
     expect_executable(recording, process)
     view = recording.process(process)
     ended = view.ended_by_itself
@@ -105,7 +131,7 @@ def expect_clean_end(recording: Recording, process: str) -> None:
 
 
 def expect_clean_interrupt(recording: Recording, process: str) -> None:
-    """Ctrl+C ended the program within 3 s, with no traceback."""
+    """Check that Ctrl+C ended the program within 3 s, without a traceback."""
     expect_executable(recording, process)
     view = recording.process(process)
     asked = view.interrupted_at
@@ -114,14 +140,14 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
             Feedback(
                 summary="The program ended before Ctrl+C could be tried.",
                 expected="it runs until Ctrl+C",
-                advice="Start it yourself, and read what it says at its end.",
+                advice="Start it yourself, and read its last lines of output.",
             )
         )
     ended = view.exited
     if ended is None or ended.signal == signal.SIGKILL:
-        raise Failure(_deaf(recording))
+        raise Failure(_deaf(of_program(recording, process)))
     language = language_of(recording.sources)
-    found = language.unhandled(recording, view, asked)
+    found = language.unhandled(of_program(recording, process), view, asked)
     if found:
         raise Failure(found)
     if ended.code is not None and ended.code not in _QUIET_EXITS:

@@ -1,26 +1,27 @@
-"""What is expected of services: that they are offered or used, with the right type, and answered."""
+"""Expectations of services: that they are offered or used, have the right type, and are answered."""
 
 from __future__ import annotations
 
 from course.errors import OurFault
-from course.evidence.events import Side
-from course.evidence.graph import Service
 from course.evidence.recording import Recording
 from course.evidence.service_view import ServiceCall
 from course.evidence.topic_view import seconds
-from course.feedback import Failure, Feedback, Location
-from course.grading.explain.names import listed, nearest
-from course.grading.explain.parameters import named
-from course.grading.explain.python_code import calls
-from course.grading.explain.services import no_response, sleeping, spin_in_callback
-from course.grading.explain.timers import Cause, called_callback
+from course.explain.callbacks import called_callback
+from course.explain.observed import unproven
+from course.explain.parameter_causes import named
+from course.explain.python_code import calls
+from course.explain.service_causes import no_response, sleeping, spin_in_callback
+from course.model.events import Side
+from course.model.feedback import Failure, Feedback, Location
+from course.model.graph import Service
+from course.spelling import listed, nearest
 
 _VERBS = {"server": "offers", "client": "calls"}
 _MAKERS = {"server": "create_service", "client": "create_client"}
 
 
 def expect_service(recording: Recording, side: Side, name: str, *, remedy: str) -> None:
-    """A node of the learner's offers (`server`) or uses (`client`) the service of this full name."""
+    """Check that one of the learner's nodes offers (`server`) or uses (`client`) this service (full name)."""
     every = _of_side(recording, side)
     if any(service.name == name for service in every):
         return
@@ -34,7 +35,7 @@ def expect_service(recording: Recording, side: Side, name: str, *, remedy: str) 
                 expected=name,
                 seen=close,
                 where=_name_places(recording, close) or makers,
-                advice=f"Spell the service's name `{name.lstrip('/')}`, letter by letter.",
+                advice=f"Spell the service's name exactly like this: `{name.lstrip('/')}`.",
             )
         )
     raise Failure(
@@ -49,7 +50,7 @@ def expect_service(recording: Recording, side: Side, name: str, *, remedy: str) 
 
 
 def expect_service_type(recording: Recording, side: Side, name: str, type_name: str) -> None:
-    """Every server (or client) of the service has this type."""
+    """Check that every server (or client) of the service has this type."""
     wrong = [s for s in _of_side(recording, side) if s.name == name and s.type != type_name]
     if not wrong:
         return
@@ -60,8 +61,9 @@ def expect_service_type(recording: Recording, side: Side, name: str, type_name: 
             expected=type_name,
             seen=wrong[0].type,
             where=_makers(recording, side),
-            advice=f"Import it with `from {package}.srv import {short}` and name it first in "
-            f"`{_MAKERS[side]}`.",
+            advice=(
+                f"Import it with `from {package}.srv import {short}`, and pass it first to `{_MAKERS[side]}`."
+            ),
         )
     )
 
@@ -69,25 +71,25 @@ def expect_service_type(recording: Recording, side: Side, name: str, type_name: 
 def expect_same_service(
     recording: Recording, name: str, type_name: str, hashes: tuple[str, str], *, advice: str
 ) -> None:
-    """The server was built from the definition that the course knows.
+    """Check that the server was built from the definition that the course uses.
 
-    hashes: of request and response. advice: says where the learner finds that definition.
+    hashes: of the request and the response. advice: tells the learner where to find that definition.
     """
     for service in _of_side(recording, "server"):
         known = (service.request_hash, service.response_hash)
         if (service.name, service.type) == (name, type_name) and known not in (hashes, ("", "")):
             raise Failure(
                 Feedback(
-                    summary=f"Your `{type_name}` has other fields than the exercise asks for.",
+                    summary=f"Your `{type_name}` does not have the fields that the exercise asks for.",
                     advice=advice,
                 )
             )
 
 
 def expect_answers(recording: Recording, name: str, *, within: float = 1.0) -> tuple[ServiceCall, ...]:
-    """Every call of the arena's was answered within so many seconds; gives the calls.
+    """Check that each of the arena's calls was answered within `within` seconds, and return the calls.
 
-    Raises OurFault when nothing was called: then nothing can be said of the server.
+    Raises OurFault if the arena made no call, because then the server cannot be judged.
     """
     made = recording.service(name).calls
     if not made:
@@ -105,8 +107,9 @@ def _silent(recording: Recording, name: str, made: tuple[ServiceCall, ...], sile
     sources = recording.sources
     cause = (
         called_callback(sources) or no_response(sources) or sleeping(sources) or spin_in_callback(sources)
-    ) or Cause(
-        "Check that `main()` comes to `rclpy.spin(node)`, and the callback to `return response`.",
+    ) or unproven(
+        recording,
+        "does `main()` reach `rclpy.spin(node)`, and the callback `return response`?",
         _makers(recording, "server"),
     )
     count = "The call" if len(made) == 1 else f"{silent} of {len(made)} calls"
@@ -122,16 +125,16 @@ def _silent(recording: Recording, name: str, made: tuple[ServiceCall, ...], sile
 def _late(recording: Recording, slowest: float, within: float) -> Feedback:
     cause = sleeping(recording.sources)
     return Feedback(
-        summary=f"An answer took {seconds(slowest)}; a client has to wait that long.",
+        summary=f"An answer took {seconds(slowest)}; a client must wait that long.",
         expected=f"an answer within {seconds(within)}",
         seen=seconds(slowest),
         where=cause.where if cause else (),
-        advice=cause.text if cause else "Let the callback return at once: does a long loop keep it?",
+        advice=cause.text if cause else "Let the callback return at once. Is there a long loop in it?",
     )
 
 
 def _of_side(recording: Recording, side: Side) -> list[Service]:
-    """What the learner's nodes offer or use."""
+    """What the learner's nodes offer (or use)."""
     services = recording.seen_graph().services
     if side == "client":
         return [service for service in services if service.clients]

@@ -1,47 +1,47 @@
-"""What is expected of an interactive bash that reads the learner's `.bashrc`."""
+"""Expectations of an interactive bash that reads the learner's `.bashrc`."""
 
 from __future__ import annotations
 
 import re
 
 from course.errors import OurFault
-from course.evidence.events import ShellRan, ShellStuck
 from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
+from course.model.events import ShellRan, ShellStuck
+from course.model.feedback import Failure, Feedback, Location
 
 BASHRC = ".bashrc"
 _COMPLAINT = re.compile(r"\.bashrc: line (?P<line>\d+): (?P<what>.*)")
 _LAST_LINES = 6
 _STUCK = {
     "ended": (
-        "bash ends while it reads `~/.bashrc`, so no terminal would stay open.",
-        "Look for `exit` in it, and take it out.",
+        "bash exits while it reads `~/.bashrc`, so no terminal stays open.",
+        "Look for `exit` in it, and remove it.",
     ),
     "replaced": (
         "`~/.bashrc` replaces bash with `{program}`, so its other lines are never read.",
-        "Look for `exec` in it, and take it out.",
+        "Look for `exec` in it, and remove it.",
     ),
     "running": (
-        "`~/.bashrc` does not come to an end: it runs `{program}`, and waits for that.",
-        "Take out the line that starts it. What stands in `.bashrc` runs each time a terminal opens.",
+        "`~/.bashrc` never ends: it runs `{program}` and waits for it.",
+        "Remove the line that starts it. Every line of `.bashrc` runs each time a terminal opens.",
     ),
     "waiting": (
-        "`~/.bashrc` does not come to an end: bash waits for somebody to type.",
-        "Look for `read` in it, or for a command that asks something, and take it out.",
+        "`~/.bashrc` never ends: bash waits for input.",
+        "Look for `read` in it, or for a command that asks a question, and remove it.",
     ),
     "busy": (
-        "`~/.bashrc` does not come to an end: bash is busy with it forever.",
-        "Look for a loop in it, or for a line that reads `.bashrc` itself, and take it out.",
+        "`~/.bashrc` never ends: bash is busy with it forever.",
+        "Look for a loop in it, or for a line that reads `.bashrc` itself, and remove it.",
     ),
     "flood": (
-        "`~/.bashrc` prints without end.",
-        "Take out the line that prints. What stands in `.bashrc` runs each time a terminal opens.",
+        "`~/.bashrc` prints forever.",
+        "Remove the line that prints. Every line of `.bashrc` runs each time a terminal opens.",
     ),
 }
 
 
 def expect_shell(recording: Recording, name: str = "bash") -> None:
-    """bash read `~/.bashrc` without complaint about its syntax, and showed a prompt."""
+    """Check that bash read `~/.bashrc` without syntax errors and showed a prompt."""
     shell = recording.shell(name)
     if shell.ready is None and shell.stuck is None:
         raise OurFault(f"the scenario opened no shell named {name}")
@@ -54,7 +54,7 @@ def expect_shell(recording: Recording, name: str = "bash") -> None:
 
 
 def expect_ran(recording: Recording, command: str, name: str = "bash") -> ShellRan:
-    """The shell came back to its prompt after this command; returns what it printed, and its code."""
+    """Check that the shell returned to its prompt after this command. Returns its output and exit code."""
     expect_shell(recording, name)
     shell = recording.shell(name)
     ran = shell.command(command)
@@ -66,7 +66,7 @@ def expect_ran(recording: Recording, command: str, name: str = "bash") -> ShellR
 
 
 def complaints(recording: Recording, name: str = "bash") -> tuple[tuple[Location | None, str], ...]:
-    """What bash said while it read `.bashrc`: the line there, where it names one, and the words."""
+    """Return what bash printed while reading `.bashrc`: for each message its line, if known, and its text."""
     ready = recording.shell(name).ready
     return tuple(_complaint(line) for line in (ready.printed if ready else ()))
 
@@ -97,8 +97,7 @@ def _broken(line: str) -> Feedback:
     return Feedback(
         summary=f"bash cannot read all of `~/.bashrc`. It says: {what}.",
         where=(where or Location(BASHRC),),
-        advice="Look at this line and those before it: is the second one of two quotation marks or "
-        "brackets missing?",
+        advice="Check this line and the lines before it: is a closing quotation mark or bracket missing?",
     )
 
 
@@ -112,8 +111,8 @@ def _no_return(command: str, stuck: ShellStuck | None) -> Feedback:
         )
     doing = f" `{stuck.program}` still runs." if stuck and stuck.program else ""
     return Feedback(
-        summary=f"`{command}` does not come to an end.{doing}",
+        summary=f"`{command}` never ends.{doing}",
         where=(Location(BASHRC),),
-        advice="Does it call itself, or wait for something to be typed?",
+        advice="Does it call itself, or wait for input?",
         details=stuck.printed[-_LAST_LINES:] if stuck else (),
     )

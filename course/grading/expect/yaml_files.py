@@ -1,4 +1,4 @@
-"""What is expected of YAML files in the course home: that they can be read, and stay within bounds."""
+"""Expectations of YAML files in the course home: that they are readable and not too large."""
 
 from __future__ import annotations
 
@@ -6,24 +6,25 @@ from pathlib import Path
 
 import yaml
 
-from course.content.document import Document, parse_document
+from course.content.document import NOT_YAML, Document, parse_document
 from course.errors import ContentError
 from course.evidence.home_files import HomeFile
 from course.evidence.recording import Recording
-from course.feedback import Failure, Feedback, Location
-from course.grading.expect.files import expect_text
+from course.grading.expect.text_files import expect_text
+from course.model.feedback import Failure, Feedback, Location
 
-# With every alias written out. A few lines of aliases can stand for more than fits into any memory.
+# With every alias expanded. A few lines of aliases can expand beyond any memory.
 MOST_NODES = 10_000
 _INDENT = (
-    "Count the blanks at the beginning of this line and the one before. What belongs together begins alike."
+    "Count the spaces at the beginning of this line and the line before. Entries of the same "
+    "level have the same indentation."
 )
 
 
 def expect_yaml(recording: Recording, path: str, *, advice: str) -> Document:
-    """A YAML file is at `path`, whose mappings have texts as keys, each once; aliases and merge keys may be.
+    """Check that `path` is a YAML file whose mapping keys are unique texts; aliases and merge keys are fine.
 
-    advice: what to do when nothing is there, or nothing in it.
+    advice: what to do if the file is missing or empty.
     """
     found = expect_text(recording, path, advice=advice)
     if not (found.text or "").strip():
@@ -34,7 +35,7 @@ def expect_yaml(recording: Recording, path: str, *, advice: str) -> Document:
         document = parse_document(Path(path), found.text or "")
     except yaml.MarkedYAMLError as error:
         raise Failure(_unreadable(found, error)) from None
-    except (ContentError, yaml.YAMLError, ValueError, RecursionError) as error:
+    except (ContentError, *NOT_YAML) as error:
         line = getattr(error, "line", None)
         raise Failure(
             Feedback(
@@ -56,7 +57,7 @@ def _expect_no_tab(file: HomeFile) -> None:
                 Feedback(
                     summary=f"Line {number} begins with a tab, which YAML does not allow.",
                     where=(Location(file.path, number),),
-                    advice="Put blanks in its place, two for each step.",
+                    advice="Replace it with spaces, two for each level.",
                 )
             )
 
@@ -78,13 +79,13 @@ def _repeated(path: str, error: ContentError) -> Feedback:
     return Feedback(
         summary=f"`{error.key}` is given twice in the same place.",
         where=(Location(path, error.line),),
-        advice="Keep one of the two: of what is given twice, only one can count.",
+        advice="Keep only one of the two.",
         details=(error.what,),
     )
 
 
 def _expect_bounds(root: yaml.Node | None, path: str) -> None:
-    """Before anything is made of it: no endless or enormous structure, and no key that is no text."""
+    """Check, before using the data, that it is finite and small enough, and that every key is a text."""
     sizes: dict[int, int] = {}
     open_nodes: set[int] = set()
     waiting = [(root, False)] if root is not None else []
@@ -94,7 +95,7 @@ def _expect_bounds(root: yaml.Node | None, path: str) -> None:
             open_nodes.discard(id(node))
             sizes[id(node)] = 1 + sum(sizes[id(child)] for child in _children(node))
             if sizes[id(node)] > MOST_NODES:
-                raise Failure(_too_much(node, path, "stands for far more than any file of this kind needs"))
+                raise Failure(_too_much(node, path, "expands to far more than any file of this kind needs"))
         elif id(node) in open_nodes:
             raise Failure(_too_much(node, path, "contains itself"))
         elif id(node) not in sizes:
@@ -114,13 +115,13 @@ def _expect_text_keys(node: yaml.Node, path: str) -> None:
     keys = [key for key, _ in node.value] if isinstance(node, yaml.MappingNode) else []
     for key in keys:
         if key.tag not in ("tag:yaml.org,2002:str", "tag:yaml.org,2002:merge"):
-            shown = f"`{key.value}`" if isinstance(key, yaml.ScalarNode) else "What stands before a `:` here"
+            shown = f"`{key.value}`" if isinstance(key, yaml.ScalarNode) else "The name before a `:` here"
             raise Failure(
                 Feedback(
-                    summary=f"{shown} is no name; it is read as something else.",
+                    summary=f"{shown} is not a name; YAML reads it as something else.",
                     expected="a name before the `:`",
                     where=(Location(path, key.start_mark.line + 1),),
-                    advice="Choose another name, or put quotation marks around it.",
+                    advice="Choose a different name, or put quotation marks around it.",
                 )
             )
 

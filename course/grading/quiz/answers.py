@@ -8,29 +8,33 @@ that is too large. Raises `Failure` with file and line for all of that.
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import stat
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from course.content import answers_file
-from course.content.names import nearest
-from course.feedback import Failure, Feedback, Location
+from course.content import Choice, Question, answers_file
+from course.model.feedback import Failure, Feedback, Location
+from course.spelling import close_names
 
 MAX_BYTES = 64 * 1024
 MAX_ITEMS = 100
+# `ID.first: ANSWER` keeps a learner's first answer to a question, if it was wrong.
+FIRST = ".first"
 _QUOTES = (
-    "Put answers in quotes that begin with one of `>|*&!%@#{}[]` or that hold a colon and a blank: "
-    '`redirect: ">>"`.'
+    "Put an answer in quotes if it begins with one of `>|*&!%@#{}[]` or contains a colon and "
+    'a space: `redirect: ">>"`.'
 )
 
 
 @dataclass(frozen=True)
 class Given:
-    """The answer to one question: its texts (none when left blank), and the line it stands in."""
+    """The answer to one question: its texts (none when left empty), and its line."""
 
     texts: tuple[str, ...]
     line: int = 0
@@ -44,13 +48,18 @@ class Answers:
     given: Mapping[str, Given] = field(default_factory=dict)
 
     def to(self, question: str) -> Given | None:
-        """The answer to a question; None when there is none or it was left blank."""
+        """The answer to a question; None when there is none or it was left empty."""
         given = self.given.get(question)
         return given if given and given.texts else None
 
+    def first(self, question: str) -> Given | None:
+        """The first answer to a question if it was wrong, as `check` has kept it."""
+        return self.to(question + FIRST)
+
     def unknown(self, known: frozenset[str]) -> tuple[tuple[str, Given], ...]:
-        """Entries under ids that are no questions, by line."""
-        return tuple((name, given) for name, given in self.given.items() if name not in known)
+        """Entries under ids that are not questions, by line."""
+        names = known | {name + FIRST for name in known}
+        return tuple((name, given) for name, given in self.given.items() if name not in names)
 
 
 def read_answers(home: Path, exercise: str) -> Answers | None:
@@ -73,7 +82,7 @@ def read_answers(home: Path, exercise: str) -> Answers | None:
 def missing(home: Path, exercise: str) -> Feedback:
     """What is said when there is no file of answers."""
     name = answers_file(exercise)
-    alike = nearest(Path(name).name, _names(home / "answers"), 1)
+    alike = close_names(Path(name).name, _names(home / "answers"), 1)
     return Feedback(
         summary=f"There is no `{name}` in your course home, so nothing is answered yet.",
         seen=f"a file `answers/{alike[0]}`: is it meant to be this one?" if alike else None,
@@ -97,21 +106,21 @@ def _read(home: Path, name: str) -> bytes | None:
     flags = os.O_RDONLY | os.O_NONBLOCK | os.O_NOFOLLOW | os.O_CLOEXEC
     try:
         if not path.parent.resolve().is_relative_to(home.resolve()):
-            raise _refused(name, "its folder is a link that leads out of the course home")
+            raise _refused(name, "its folder is a link to a place outside the course home")
         descriptor = os.open(path, flags)
     except FileNotFoundError:
         return None
     except (OSError, RuntimeError) as error:
         what = "it is a link" if path.is_symlink() else f"it cannot be read ({error})"
-        raise _refused(name, what, advice="Put a plain file in its place.") from None
+        raise _refused(name, what, advice="Replace it with a regular file.") from None
     try:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-            raise _refused(name, "it is not a plain file", advice="Put a plain text file in its place.")
+            raise _refused(name, "it is not a regular file", advice="Replace it with a text file.")
         data = os.read(descriptor, MAX_BYTES + 1)
     finally:
         os.close(descriptor)
     if len(data) > MAX_BYTES:
-        advice = "It should hold one short line for each question."
+        advice = "It should contain one short line for each question."
         raise _refused(name, f"it is larger than {MAX_BYTES // 1024} KiB", advice=advice)
     return data
 
@@ -127,7 +136,7 @@ def _parsed(name: str, text: str) -> dict[str, Given]:
         what = f"it is not valid YAML: {error.problem or error.context}"
         raise _refused(name, what, mark.line + 1 if mark else None, _QUOTES) from None
     except yaml.YAMLError:
-        raise _refused(name, "it holds characters that are not text", advice="Write it anew.") from None
+        raise _refused(name, "it contains characters that are not text", advice="Write it again.") from None
 
 
 class _Reading:
@@ -146,14 +155,14 @@ class _Reading:
         if isinstance(event, yaml.ScalarEvent) and not event.value:
             return {}
         if not isinstance(event, yaml.MappingStartEvent):
-            raise self._wrong(event, "it must hold one line `question: answer` for each question")
+            raise self._wrong(event, "it must contain one line `question: answer` for each question")
         found: dict[str, Given] = {}
         while not isinstance(event := self._next(), yaml.MappingEndEvent):
             key = self._scalar(event)
             if key in found:
                 raise self._wrong(event, f"`{key[:80]}` is answered twice")
             if len(found) >= MAX_ITEMS:
-                raise self._wrong(event, f"it holds more than {MAX_ITEMS} answers")
+                raise self._wrong(event, f"it contains more than {MAX_ITEMS} answers")
             found[key] = Given(self._value(), event.start_mark.line + 1)
         return found
 
@@ -168,14 +177,14 @@ class _Reading:
         while not isinstance(event := self._next(), yaml.SequenceEndEvent):
             items.append(self._scalar(event).strip())
             if len(items) > MAX_ITEMS:
-                raise self._wrong(event, f"a list holds more than {MAX_ITEMS} answers")
+                raise self._wrong(event, f"a list contains more than {MAX_ITEMS} answers")
         return tuple(item for item in items if item)
 
     def _scalar(self, event: Any) -> str:
         import yaml
 
         if not isinstance(event, yaml.ScalarEvent):
-            raise self._wrong(event, "an answer must be a text or a list of texts")
+            raise self._wrong(event, "an answer must be a string or a list of strings")
         if not event.value and event.style in (">", "|"):
             return str(event.style)  # `redirect: >` is meant as it looks
         return str(event.value)
@@ -195,3 +204,47 @@ def _refused(name: str, what: str, line: int | None = None, advice: str | None =
     return Failure(
         Feedback(summary=f"`{name}` cannot be used: {what}.", where=(Location(name, line),), advice=advice)
     )
+
+
+Texts = Sequence[str]
+_ODD = re.compile("[\x7f-\x9f\u2028\u2029\ufeff\ufffe\uffff]")
+_PLAIN = re.compile(r"[A-Za-z0-9_/][A-Za-z0-9_/ .,+()'-]*")
+
+
+def answers_text(exercise: str, questions: Iterable[Question], given: Mapping[str, Texts]) -> str:
+    """A file that `read_answers` reads back. Answers to unknown questions are kept at its end."""
+    asked = list(questions)
+    parts = [f"# Your answers to {exercise}. `ros2course check {exercise}` asks and judges them.\n"]
+    parts += [_entry(question, given) for question in asked]
+    others = given.keys() - {question.id + end for question in asked for end in ("", FIRST)}
+    if others:
+        lines = (f"{_scalar(name)}: {_value(given[name])}\n" for name in sorted(others))
+        parts.append("# There are no such questions:\n" + "".join(lines))
+    return "\n".join(parts)
+
+
+def _entry(question: Question, given: Mapping[str, Texts]) -> str:
+    lines = [*question.ask.splitlines(), *(f"  - {_described(choice)}" for choice in question.choices)]
+    comment = "".join(f"# {line}".rstrip() + "\n" for line in lines)
+    answer = f"{comment}{question.id}: {_value(given.get(question.id, ()))}".rstrip() + "\n"
+    first = given.get(question.id + FIRST, ())
+    return answer + (f"{question.id}{FIRST}: {_value(first)}  # wrong, so half the points\n" if first else "")
+
+
+def _described(choice: Choice) -> str:
+    return choice.text if choice.name == choice.text else f"{choice.name}: {choice.text}"
+
+
+def _value(texts: Texts) -> str:
+    if len(texts) == 1:
+        return _scalar(texts[0])
+    return f"[{', '.join(_quoted(text) for text in texts)}]" if texts else ""
+
+
+def _scalar(text: str) -> str:
+    return text if _PLAIN.fullmatch(text) and text == text.strip() else _quoted(text)
+
+
+def _quoted(text: str) -> str:
+    """JSON's strings are YAML's double-quoted ones, but for what YAML takes for a line end or refuses."""
+    return _ODD.sub(lambda odd: f"\\u{ord(odd[0]):04x}", json.dumps(text, ensure_ascii=False))

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from difflib import SequenceMatcher
+import math
+import re
+from collections.abc import Callable, Iterable, Mapping
 
 from course.content import Choice, Question
-from course.content.names import did_you_mean, nearest
-from course.feedback import Feedback, Location
 from course.grading.quiz.answers import Answers, Given
-from course.grading.quiz.matching import is_near, items, number, plain, same, tidy
-from course.grading.result import CheckResult, Outcome
+from course.model import replace
+from course.model.feedback import Feedback, Location
+from course.model.result import CheckResult, Outcome
+from course.spelling import close_names, did_you_mean
 
 _TITLE = 120
 _NEARLY = 0.85  # of its letters in their order: a slip of the keyboard
 _SHORT = 5  # shorter texts are soon alike without meaning the same
+LATER_SHARE = 0.5  # of the points, for a right answer after a wrong one
 _WRONG = "This is not the right answer. Look it up in the lesson, then try again."
 
 
@@ -32,12 +34,27 @@ def judge(question: Question, answers: Answers, known: frozenset[str]) -> CheckR
     complaint = _FORMS[question.form](question, given)
     if complaint is None:
         said = explanation(question, given)
-        return _check(question, Outcome.PASSED, Feedback(summary=said) if said else None)
+        right = _check(question, Outcome.PASSED, Feedback(summary=said) if said else None)
+        return replace(right, share=LATER_SHARE) if answers.first(question.id) else right
     return _check(question, Outcome.FAILED, _at(complaint, answers, given))
 
 
 def is_right(question: Question, given: Given) -> bool:
     return _FORMS[question.form](question, given) is None
+
+
+def is_a_try(question: Question, given: Given) -> bool:
+    """Whether it is a wrong answer, and not one that makes no sense here or is nearly spelled right."""
+    if is_right(question, given):
+        return False
+    if question.choices:
+        meant = [chosen_by(question, text) for text in _chosen(question, given)]
+        return all(meant) and (question.form == "choices" or len(meant) == 1)
+    if question.form == "number":
+        return number(" ".join(given.texts)) is not None
+    words = items(given.texts, question.texts) if question.form == "all_of" else (" ".join(given.texts),)
+    wrong = [word for word in words if same(word, question.texts, exact=question.exact) is None]
+    return not any(_is_nearly(word, question.texts) for word in wrong)
 
 
 def skipped(question: Question, because: str) -> CheckResult:
@@ -69,7 +86,7 @@ def _check(question: Question, outcome: Outcome, feedback: Feedback | None) -> C
 
 def _unanswered(question: Question, answers: Answers, known: frozenset[str]) -> Feedback:
     strangers: Mapping[str, Given] = dict(answers.unknown(known))
-    alike = nearest(question.id, strangers, 1)
+    alike = close_names(question.id, strangers, 1)
     if not alike:
         return Feedback(summary="It is not answered yet.")
     where = Location(answers.file, strangers[alike[0]].line)
@@ -88,7 +105,7 @@ def _at(complaint: Feedback, answers: Answers, given: Given) -> Feedback:
 
 def _one_choice(question: Question, given: Given) -> Feedback | None:
     if len(given.texts) > 1:
-        return Feedback(summary="Only one answer counts here, and your file gives several. Keep one.")
+        return Feedback(summary="Only one answer counts here, but your file contains several. Keep one.")
     choice = chosen_by(question, given.texts[0])
     if choice is None:
         return _no_choice(question, given.texts[0])
@@ -96,9 +113,7 @@ def _one_choice(question: Question, given: Given) -> Feedback | None:
 
 
 def _some_choices(question: Question, given: Given) -> Feedback | None:
-    one = chosen_by(question, given.texts[0]) if len(given.texts) == 1 else None
-    texts = given.texts if one else items(given.texts, ("several words",))
-    found = {text: chosen_by(question, text) for text in texts}
+    found = {text: chosen_by(question, text) for text in _chosen(question, given)}
     for text, choice in found.items():
         if choice is None:
             return _no_choice(question, text)
@@ -107,17 +122,25 @@ def _some_choices(question: Question, given: Given) -> Feedback | None:
         seen = ", ".join(choice.name for choice in wrong)
         return Feedback(summary=" ".join(choice.why or "" for choice in wrong), seen=seen)
     if any(choice.right and choice not in found.values() for choice in question.choices):
-        return Feedback(summary="What you chose is right, but it is not all: look at the others again.")
+        return Feedback(
+            summary=("Your choices are right, but something is missing: look at the others again.")
+        )
     return None
+
+
+def _chosen(question: Question, given: Given) -> tuple[str, ...]:
+    """Each choice that an answer names, also when several are written as one text."""
+    one = len(given.texts) == 1 and chosen_by(question, given.texts[0])
+    return given.texts if one or question.form == "choice" else items(given.texts, ("several words",))
 
 
 def _no_choice(question: Question, text: str) -> Feedback:
     names = [choice.name for choice in question.choices]
     alike = did_you_mean(plain(text), names)
-    advice = "Write one of the choices, in its own words."
+    advice = "Write one of the choices, word for word."
     if len(text) == 1 and text.isalnum():
-        advice += " A letter or number will not do: everybody sees the choices in another order."
-    summary = f"`{text}` is none of the choices{alike or '.'}"
+        advice += "A letter or number is not enough: every learner sees the choices in a different order."
+    summary = f"`{text}` is not one of the choices{alike or '.'}"
     return Feedback(summary=summary, advice=advice, details=tuple(sorted(names)))
 
 
@@ -138,7 +161,7 @@ def _all_of(question: Question, given: Given) -> Feedback | None:
         )
         return Feedback(told.summary, seen=strangers[0], advice=told.advice)
     if set(found.values()) != set(question.texts):
-        return Feedback(summary="That is right as far as it goes, but something is missing.")
+        return Feedback(summary="That is right so far, but something is missing.")
     return None
 
 
@@ -164,16 +187,13 @@ def _listed(question: Question, text: str) -> Feedback | None:
 
 
 def _any_other(question: Question, *, nearly: bool = False) -> Feedback:
-    advice = "You are close: look at the spelling." if nearly else None
+    advice = "You are close: check the spelling." if nearly else None
     return Feedback(summary=question.otherwise or question.explain or _WRONG, advice=advice)
 
 
 def _is_nearly(text: str, wanted: tuple[str, ...]) -> bool:
     seen = tidy(text)[:200]
-    return any(
-        len(right) >= _SHORT and SequenceMatcher(None, seen, tidy(right)).ratio() >= _NEARLY
-        for right in wanted
-    )
+    return any(len(right) >= _SHORT and close_names(tidy(right), [seen], cutoff=_NEARLY) for right in wanted)
 
 
 _FORMS: Mapping[str, Callable[[Question, Given], Feedback | None]] = {
@@ -183,3 +203,64 @@ _FORMS: Mapping[str, Callable[[Question, Given], Feedback | None]] = {
     "all_of": _all_of,
     "number": _number,
 }
+
+
+# A number, perhaps with its unit: `10`, `9,8 Hz`, `~ 2.5e3`.
+_NUMBER = re.compile(r"[~≈]?\s*([-+]?\d{1,30}(?:[.,]\d{1,30})?(?:[eE][-+]?\d{1,3})?)\s*([^\d\s.,].{0,40})?")
+_ROUNDING = 1e-9
+
+
+def plain(text: str) -> str:
+    """Without the backquotes of code and with single spaces."""
+    return " ".join(text.replace("`", "").split())
+
+
+def tidy(text: str, *, exact: bool = False) -> str:
+    """What is compared: by default without regard to capitals, spaces at the ends and a final period."""
+    return text.strip() if exact else plain(text).casefold().removesuffix(".").strip()
+
+
+def same(text: str, others: Iterable[str], *, exact: bool = False) -> str | None:
+    """The one of `others` that `text` means: to the letter if there is one, else loosely; or None."""
+    known = tuple(others)
+    for loose in (str.strip, plain, tidy):
+        fits = [other for other in known if loose(other) == loose(text)]
+        if fits or exact:
+            return fits[0] if fits else None
+    return None
+
+
+def number(text: str) -> float | None:
+    """The number that a learner wrote, with or without its unit; None when it is none."""
+    found = _NUMBER.fullmatch(text.strip())
+    value = float(found[1].replace(",", ".")) if found else math.nan
+    return value if math.isfinite(value) else None
+
+
+def is_near(seen: float, wanted: float, question: Question) -> bool:
+    """Within the question's tolerance, taken as the same share of `wanted` as of the right value."""
+    share = question.tolerance / abs(question.value) if question.value else 0.0
+    width = question.tolerance if wanted == question.value else share * abs(wanted)
+    return abs(seen - wanted) <= width + _ROUNDING * max(1.0, abs(wanted))
+
+
+def items(texts: tuple[str, ...], wanted: tuple[str, ...]) -> tuple[str, ...]:
+    """A list of answers, also when it was written as one text: `build, install and log`."""
+    if len(texts) != 1:
+        return texts
+    blanks = r"|\s+" if not any(" " in text for text in wanted) else ""
+    parts = re.split(rf"\s*[,;\n]\s*(?:and\s+)?|\s+and\s+{blanks}", texts[0].strip())
+    return tuple(part for part in parts if part)
+
+
+def right_answers(questions: tuple[Question, ...]) -> Mapping[str, tuple[str, ...]]:
+    """By question id, as they go into an answers file."""
+    return {question.id: right_answer(question) for question in questions}
+
+
+def right_answer(question: Question) -> tuple[str, ...]:
+    if question.choices:
+        return tuple(choice.name for choice in question.choices if choice.right)
+    if question.form == "number":
+        return (f"{question.value:.12g}",)
+    return question.texts if question.form == "all_of" else question.texts[:1]

@@ -1,21 +1,35 @@
-"""Writes an archive's members into a new folder: files first, links last, all or nothing."""
+"""Opens archives into new folders: files first, links last, all or nothing.
+
+A "download all" zip is opened part by part, so that one part that is refused harms no other.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import os
-import secrets
-import shutil
+import re
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import IO
 
-from course.home.opening.broken import reading
-from course.home.opening.finding import Finding, Notes
-from course.home.opening.limits import Meter
-from course.home.opening.member import Member
-from course.home.opening.names import LONGEST_PATH, Unsafe, safe_path
-from course.home.storage import PART
+from course.files import new_folder, wipe
+from course.home.opening.findings import (
+    BROKEN_UPLOAD,
+    LONGEST_PATH,
+    USUAL,
+    Limits,
+    Meter,
+    Notes,
+    Refused,
+    Remark,
+    Unsafe,
+    reading,
+    safe_path,
+)
+from course.home.opening.formats import OPENERS, Member, tar_members, zip_members
+from course.home.storage import storing
+from course.model import replace
 
 _STEP = 1 << 16
 
@@ -23,40 +37,21 @@ RENAMED = "Names with characters that cannot be printed were changed (to `_`)."
 TWICE = "The archive holds more than one file of this name; the last one was taken."
 BOTH = "A name stands for a file and a folder; the later one was left out."
 LINK_OUT = "Links that lead out of the submission, or nowhere, were left out."
-NO_FILE = "What is no ordinary file (a device, a pipe, a sparse file) was left out."
+NO_FILE = "It is not an ordinary file, but a device, a pipe or a sparse file: it was left out."
 
 
-def unpack(members: Iterable[Member], folder: Path, meter: Meter) -> tuple[Finding, ...]:
+def unpack(members: Iterable[Member], folder: Path, meter: Meter) -> tuple[Remark, ...]:
     """Make `folder` of the members; returns what was left out or changed.
 
     Raises Refused when it is too much or broken, and OSError when the disk does not take it or
     `folder` is there already and not empty; then nothing new is left behind.
     """
-    with made_whole(folder) as part:
+    with new_folder(folder) as part:
         unpacking = _Unpacking(Path(os.path.realpath(part)), meter)
         for member in members:
             unpacking.take(member)
         unpacking.make_links()
     return unpacking.notes.findings()
-
-
-@contextlib.contextmanager
-def made_whole(folder: Path) -> Iterator[Path]:
-    """A folder beside, which gets the name `folder` at the end, or is gone if there was an error."""
-    for left in folder.parent.glob(f".{_beside(folder)}*{PART}"):  # of a killed command
-        shutil.rmtree(left, ignore_errors=True)
-    part = folder.with_name(f".{_beside(folder)}{secrets.token_hex(4)}{PART}")
-    part.mkdir(parents=True)
-    try:
-        yield part
-        part.rename(folder)
-    except BaseException:
-        shutil.rmtree(part, ignore_errors=True)
-        raise
-
-
-def _beside(folder: Path) -> str:
-    return f"{folder.name[:60]}.".replace("[", "_").replace("*", "_").replace("?", "_")
 
 
 class _Unpacking:
@@ -148,8 +143,16 @@ class _Unpacking:
         link.symlink_to(target)
 
     def _stays_inside(self, link: Path) -> bool:
-        real = Path(os.path.realpath(link))
-        return real.is_relative_to(self._top) and real.exists() and not real.is_symlink()
+        return leads_inside(link, self._top) and not Path(os.path.realpath(link)).is_symlink()
+
+
+def leads_inside(link: Path, top: Path) -> bool:
+    """Whether it leads to something that is there, in the folder `top`, which has no link in its path."""
+    real = Path(os.path.realpath(link))
+    try:
+        return real.is_relative_to(top) and real.exists()
+    except OSError:  # a name that is too long for anything to be there
+        return False
 
 
 @contextlib.contextmanager
@@ -163,3 +166,119 @@ def _opened(member: Member) -> Iterator[IO[bytes]]:
 def _some(content: IO[bytes]) -> bytes:
     with reading():
         return content.read(_STEP)
+
+
+_ENDINGS = re.compile(r"\.(zip|tar|tgz|tbz2?|txz|tar\.(gz|bz2|xz))$", re.IGNORECASE)
+_NOT_OPENED = re.compile(r"\.(rar|7z|tar\.zst|tar\.lzma|cab|iso|dmg|gz|xz|bz2)$", re.IGNORECASE)
+
+
+def is_archive(name: str) -> bool:
+    """Whether a file of this name is an archive, of a kind that is opened here or not."""
+    return bool(_ENDINGS.search(name) or _NOT_OPENED.search(name))
+
+
+def archive_stem(name: str) -> str:
+    """`work` for `work.tar.gz`; other names as they are."""
+    return _ENDINGS.sub("", name) or name
+
+
+def open_archive(archive: Path, folder: Path, limits: Limits = USUAL) -> tuple[Remark, ...]:
+    """Open `archive` into `folder`, which is made; returns what was left out or changed.
+
+    Raises Refused for an archive that is too much, broken, encrypted or of another kind, and
+    StorageError when the disk does not take it (or `folder` is there already); then nothing is left.
+    """
+    with storing(f"{archive.name} cannot be opened"):
+        kind = _kind(archive)
+        meter = Meter(limits, archive.stat().st_size)
+        if kind == "zip":
+            with zip_members(archive, limits) as members:
+                return unpack(members, folder, meter)
+        with tar_members(archive, meter) as stream:
+            return unpack(stream, folder, meter)
+
+
+def _kind(archive: Path) -> str:
+    if not archive.is_file():
+        raise Refused("This is not an ordinary file.")
+    with archive.open("rb") as file:
+        start = file.read(262)
+    if any(start.startswith(magic) for magic in OPENERS) or start[257:] == b"ustar":
+        return "tar"
+    if start.startswith(b"PK"):
+        return "zip"
+    if not start:
+        raise Refused("The archive is empty.", BROKEN_UPLOAD)
+    raise Refused("This is not a zip or a tar.", "Ask for a zip, tar.gz, tar.bz2 or tar.xz.")
+
+
+_PEOPLE = 10  # times the files of one submission, at the most
+
+
+@dataclass(frozen=True)
+class Opened:
+    """One entry of the archive, at `path` (a file or a folder); None when it was refused.
+
+    The last one may have no name: it tells of what was nobody's.
+    """
+
+    name: str
+    path: Path | None
+    findings: tuple[Remark, ...]
+
+
+def zip_names(archive: Path, limits: Limits = USUAL) -> tuple[str, ...]:
+    """The safe ones among the names in a zip. Raises Refused."""
+    with storing(f"{archive.name} cannot be read"), zip_members(archive, _of_class(limits)) as members:
+        return tuple(path for member in members if (path := _path(member)))
+
+
+def open_parts(archive: Path, folder: Path, below: str = "", limits: Limits = USUAL) -> tuple[Opened, ...]:
+    """Open each entry of the zip (of its folder `below`) into a folder of its own in `folder`.
+
+    `limits` hold for each; what an earlier call left is replaced. Raises Refused when the zip as a
+    whole cannot be read, and StorageError when the disk does not take it.
+    """
+    with storing(f"{archive.name} cannot be opened"), zip_members(archive, _of_class(limits)) as members:
+        parts = _by_name(members, f"{below}/" if below else "")
+        unsafe = tuple(member.name for member in members if not _path(member) and member.name.strip("./"))
+        opened = (_open_part(own, parts[own], folder / str(n), limits) for n, own in enumerate(parts))
+        return (*opened, *_left_out(unsafe))
+
+
+def _of_class(limits: Limits) -> Limits:
+    return replace(limits, files=_PEOPLE * limits.files)
+
+
+def _by_name(members: Iterable[Member], prefix: str) -> dict[str, list[Member]]:
+    parts: dict[str, list[Member]] = {}
+    for member in members:
+        path = _path(member)
+        if path.startswith(prefix) and path != prefix:
+            own = path.removeprefix(prefix)
+            parts.setdefault(own.split("/")[0], []).append(replace(member, name=own))
+    return parts
+
+
+def _path(member: Member) -> str:
+    try:
+        return safe_path(member.name)
+    except Unsafe:
+        return ""
+
+
+def _left_out(names: tuple[str, ...]) -> Iterator[Opened]:
+    notes = Notes()
+    for name in names:
+        notes.add("Entries whose names lead out of the archive were left out.", name)
+    if names:
+        yield Opened("", None, notes.findings())
+
+
+def _open_part(name: str, members: list[Member], folder: Path, limits: Limits) -> Opened:
+    wipe(folder)
+    meter = Meter(limits, sum(member.packed for member in members))
+    try:
+        return Opened(name, folder / name, unpack(members, folder, meter))
+    except Refused as error:
+        return Opened(name, None, (error.finding,))

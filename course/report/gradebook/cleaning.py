@@ -1,7 +1,7 @@
 """What of a verdict may be handed out, and in which form: the one place that decides both.
 
 A report goes to learners, into CI logs and onto servers of others. So escape sequences and controls go
-(see `course.report.safe`), texts are cut, paths of the grading machine and secrets are replaced, and
+(see `course.report.sanitize`), texts are cut, paths of the grading machine and secrets are replaced, and
 three things never leave: what is known about a fault of ours (its traceback, its message), how the
 submission was contained, and the explanation of a right answer, which is the answer.
 """
@@ -11,18 +11,19 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
 import course
-from course.feedback import Feedback, Location
-from course.grading.result import CheckResult, Outcome, Result, Verdict
-from course.report import safe
-from course.report.terminal import PLACES
+from course.model import replace
+from course.model.feedback import Feedback, Location
+from course.model.result import CheckResult, Outcome, Result, Verdict
+from course.report import sanitize
+from course.report.verdict import PLACES
 
 NAME_LIMIT = 200
-# Below that of `safe.paragraph`: some words go through it again, and must not be cut twice.
+# Below that of `sanitize.paragraph`: some words go through it again, and must not be cut twice.
 PROSE_LIMIT = 900
 PLACE_LIMIT = 500
 REMARKS = 20
@@ -38,11 +39,11 @@ _NO_TEXT = re.compile("[\u200b\u2060-\u2064\ufeff\ufdd0-\ufdef\ufff9-\uffff\U000
 
 _OURS = Feedback(
     summary="The course itself has a fault here.",
-    advice="This is not the learner's failure, and it does not count. Whoever grades can run it again.",
+    advice="This is not the learner's failure, and it does not count. The instructor can run it again.",
 )
 _LACKING = Feedback(
     summary="The machine that graded lacks something that this exercise needs.",
-    advice="This is not the learner's failure, and it does not count. Whoever grades can run it elsewhere.",
+    advice="This is not the learner's failure, and it does not count. The instructor can run it elsewhere.",
 )
 _FAULTS = {Verdict.OUR_ERROR: _OURS, Verdict.NOT_AVAILABLE: _LACKING}
 
@@ -59,19 +60,19 @@ class Cleaner:
     places: Mapping[str, str] = field(default_factory=dict)
     secrets: tuple[str, ...] = ()
 
-    def line(self, text: str, limit: int = safe.LINE_LIMIT) -> str:
+    def line(self, text: str, limit: int = sanitize.LINE_LIMIT) -> str:
         r"""`text` on one line (a newline shows as \n), at most `limit` characters and a count."""
-        return safe.cut(self._plain(text).replace("\n", "\\n").strip(), limit, len(text))
+        return sanitize.cut(self._plain(text).replace("\n", "\\n").strip(), limit, len(text))
 
     def prose(self, text: str, limit: int = PROSE_LIMIT) -> str:
         """`text` as one flow of words, at most `limit` characters and a count."""
-        return safe.cut(" ".join(self._plain(text).split()), limit, len(text))
+        return sanitize.cut(" ".join(self._plain(text).split()), limit, len(text))
 
     def evidence(self, lines: Iterable[str]) -> tuple[str, ...]:
         """Lines of a log, each cut, and the middle left out of a long list."""
         every = (piece for line in lines for piece in line.replace("\r\n", "\n").rstrip("\n").split("\n"))
-        short = [safe.cut(self._plain(line), safe.LINE_LIMIT, len(line)) for line in every]
-        return tuple(safe.details(short, limit=safe.LINE_LIMIT + _COUNT_ROOM))
+        short = [sanitize.cut(self._plain(line), sanitize.LINE_LIMIT, len(line)) for line in every]
+        return tuple(sanitize.details(short, limit=sanitize.LINE_LIMIT + _COUNT_ROOM))
 
     def feedback(self, feedback: Feedback) -> Feedback:
         return Feedback(
@@ -119,14 +120,14 @@ class Cleaner:
 
     def _plain(self, text: str) -> str:
         """Cleaned first, so that an escape sequence inside a path does not hide it; cut only afterwards."""
-        shown = _NO_TEXT.sub(_visible, safe.clean(text[:_LOOKED_AT]))
+        shown = _NO_TEXT.sub(_visible, sanitize.clean(text[:_LOOKED_AT]))
         for secret in filter(None, self.secrets):
             shown = shown.replace(secret, _HIDDEN)
         return self._paths.sub(lambda found: self.places[found[0]], shown) if self.places else shown
 
     @cached_property
     def _paths(self) -> re.Pattern[str]:
-        """Each path as a whole: `/tmp/home` is no part of `/tmp/homes`, nor of `~/tmp/home`."""
+        """Each path as a whole: `/tmp/home` is not part of `/tmp/homes`, nor of `~/tmp/home`."""
         longest_first = sorted(self.places, key=len, reverse=True)
         paths = "|".join(re.escape(path) for path in longest_first)
         return re.compile(rf"(?:(?<![\w.~-])|(?<=-[IL]))(?:{paths})(?![\w-]|\.\w)")

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import io
 import json
-from collections.abc import Iterator
+import re
+import zipfile
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from importlib.resources import files
 from typing import Any
 
-from course.grading.result import CheckResult, Outcome
+from course.errors import UsageError
+from course.model.result import CheckResult, Outcome
+from course.report.gradebook.check_words import NOTHING, comments, headline, summary, text_of, total, why
 from course.report.gradebook.sheets import INCOMPLETE, Mark, Sheet, tidy
-from course.report.gradebook.words import NOTHING, headline, summary, text_of, total, why
 
 
 def as_text(sheet: Sheet) -> str:
@@ -25,7 +31,7 @@ def as_data(sheet: Sheet) -> dict[str, Any]:
     return {
         "score": sheet.judged_points,
         "execution_time": round(sheet.seconds, 3),
-        "output": "\n".join((_opening(sheet), *map(_line, sheet.marks), *sheet.remarks)),
+        "output": "\n".join((_opening(sheet), *map(_line, sheet.marks), *comments(sheet), *sheet.remarks)),
         "output_format": "text",
         "test_output_format": "text",
         "test_name_format": "text",
@@ -52,6 +58,9 @@ def _line(mark: Mark) -> str:
 
 def _tests(mark: Mark, place: int) -> Iterator[dict[str, Any]]:
     result = mark.result
+    if result is None and not mark.counts:
+        yield {**_named(mark, str(place)), "output": f"{headline(mark)}."}
+        return
     if result is None:
         scored = {"score": 0, "max_score": 0 if mark.exercise.bonus else tidy(mark.exercise.max_points)}
         yield {**_named(mark, str(place)), **scored, "status": "failed", "output": NOTHING}
@@ -81,3 +90,60 @@ def _scored(mark: Mark, check: CheckResult) -> dict[str, Any]:
     is_bonus = check.bonus or mark.exercise.bonus
     status = "passed" if check.outcome is Outcome.PASSED else "failed"
     return {"score": tidy(check.earned), "max_score": 0 if is_bonus else tidy(check.points), "status": status}
+
+
+_SCRIPTS = ("setup.sh", "run_autograder")
+_WHEEL = re.compile(r"ros2course-[0-9][A-Za-z0-9._+]*-py3-none-any\.whl")
+
+
+@dataclass(frozen=True)
+class Packed:
+    """One file of a zip, or with a slash at the end of its path, a folder."""
+
+    path: str
+    content: bytes
+    executable: bool = False
+
+
+def bundle(
+    wheel_name: str,
+    wheel: bytes,
+    exercises: Iterable[str],
+    course: Mapping[str, bytes] | None = None,
+    *,
+    contained: bool = True,
+) -> tuple[Packed, ...]:
+    """What the zip holds.
+
+    wheel_name, wheel: ros2course as `pip wheel --no-deps` makes it. exercises: ids, or chapters'
+    numbers, as `grade --exercises` takes them. course: another course's files by their relative paths.
+    contained: refuse to grade where submissions cannot be contained.
+    Raises UsageError when the wheel is not one of ours.
+    """
+    if not _WHEEL.fullmatch(wheel_name) or not zipfile.is_zipfile(io.BytesIO(wheel)):
+        advice = "Make it with: pip wheel --no-deps -w wheels ."
+        raise UsageError("This is not a wheel of ros2course.", advice)
+    own = (Packed(name, _script(name), executable=True) for name in _SCRIPTS)
+    chosen = Packed("exercises.txt", ",".join(exercises).encode("utf-8"))
+    others = (Packed(f"course/{path}", content) for path, content in sorted((course or {}).items()))
+    trusting = () if contained else (Packed("no-sandbox", b""),)
+    return (*own, Packed(wheel_name, wheel), chosen, *trusting, *others)
+
+
+def zipped(packed: Iterable[Packed]) -> bytes:
+    """The zip itself, the same bytes for the same files."""
+    target = io.BytesIO()
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for file in packed:
+            entry = zipfile.ZipInfo(file.path)  # its date is 1980, always
+            entry.create_system = 3  # Unix, so that the mode counts
+            folder = file.path.endswith("/")
+            mode = 0o40755 if folder else 0o100755 if file.executable else 0o100644
+            entry.external_attr = mode << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, file.content)
+    return target.getvalue()
+
+
+def _script(name: str) -> bytes:
+    return (files("course.report.gradebook") / "scripts" / name).read_bytes()

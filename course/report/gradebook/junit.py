@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import datetime, timezone
 
-from course.grading.result import CheckResult, Feedback, Outcome, Result
+from course.model import replace
+from course.model.result import CheckResult, Feedback, Outcome, Result
 from course.report.console import number
-from course.report.gradebook.sheets import Mark, Sheet
-from course.report.gradebook.unique import Names
-from course.report.gradebook.words import NOTHING, text_of, why
+from course.report.gradebook.check_words import NOTHING, comments, text_of, why
+from course.report.gradebook.sheets import Mark, Names, Sheet
 
 _KINDS = {
     Outcome.FAILED: "failure",
@@ -143,6 +143,7 @@ def _properties(sheet: Sheet) -> Iterator[tuple[str, str]]:
     points = (("points", sheet.points), ("max_points", sheet.max_points))
     yield from ((key, value) for key, value in told if value)
     yield from ((key, number(value)) for key, value in points if value is not None)
+    yield from (("by_hand", said) for said in comments(sheet))
     yield from (("remark", remark) for remark in sheet.remarks)
 
 

@@ -2,15 +2,88 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 
-from course.grading.result import CheckResult, Feedback
-from course.report.gradebook.markup import code, fenced, plain, prose
+from course.model.result import CheckResult, Feedback
+from course.report.gradebook.check_words import (
+    NOTHING,
+    decisions,
+    decisions_on_all,
+    headline,
+    labeled,
+    mark_of,
+    summary,
+    total,
+    why,
+)
 from course.report.gradebook.sheets import INCOMPLETE, NOT_HANDED_IN, Mark, Sheet
-from course.report.gradebook.words import NOTHING, headline, labelled, mark_of, points_of, summary, total, why
+from course.report.verdict import earned_of
+
+# Invisible, and no word goes on across it: after it, no renderer sees an address or a mention.
+_BREAK = "\u2060"
+_ENTITIES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
+# An underscore inside a word is not markup, and names of ROS are full of them.
+_MARKS = re.compile(r"[\\`*\[\]|~$]|(?<![^\W_])_|_(?![^\W_])")
+_AUTOMATIC = re.compile(
+    r"(?<=@)(?=\w)|(?<=:)(?=//)|(?<=www)(?=\.)|(?<=#)(?=\d)|(?<=GH)(?=-\d)", re.IGNORECASE
+)
+# What would begin a list, a heading or a quotation.
+_BEGINNING = re.compile(r"^(?:\d+(?=[.)])|(?=[-+#=]))")
+# A tag that stands by itself is shown as code, which reads well as plain text, too.
+_TAG = re.compile(r"(?<=[\s(])(<[^\s`<>]+>(?:[^\s`<>]*</[^\s`<>]+>)?)(?=[\s).,:;])")
+_QUOTES = re.compile(r"`+")
+
+
+def plain(text: str) -> str:
+    """One line of text in which nothing means anything."""
+    return _BEGINNING.sub(r"\g<0>\\", _inert(text))
+
+
+def prose(text: str) -> str:
+    """One line of text; what is in `backquotes` is code, nothing else means anything."""
+    parts = text.split("`")
+    if len(parts) % 2 == 0 or any(not part.strip() for part in parts[1::2]):
+        return plain(text)
+    shown = (code(part) if odd % 2 else _inert(part) or _gap(odd, parts) for odd, part in enumerate(parts))
+    return _BEGINNING.sub(r"\g<0>\\", "".join(shown))
+
+
+def code(text: str) -> str:
+    """One line of text as code."""
+    fence = "`" * (_longest(text) + 1)
+    pad = " " if text.startswith("`") or text.endswith("`") else ""
+    return f"{fence}{pad}{text}{pad}{fence}".replace("\n", " ")
+
+
+def fenced(lines: Iterable[str], indent: str = "") -> str:
+    """Lines as a block of code that none of them can end."""
+    every = [piece for line in lines for piece in line.split("\n")]
+    fence = "`" * max(3, max(map(_longest, every), default=0) + 1)
+    return "\n".join(f"{indent}{line}".rstrip() for line in (f"{fence}text", *every, fence))
+
+
+def _inert(text: str) -> str:
+    return "".join(code(part) if odd % 2 else _harmless(part) for odd, part in enumerate(_TAG.split(text)))
+
+
+def _harmless(text: str) -> str:
+    named = re.sub(r"[&<>]", lambda match: _ENTITIES[match[0]], text.replace("\n", " "))
+    return _AUTOMATIC.sub(_BREAK, _MARKS.sub(r"\\\g<0>", named))
+
+
+def _longest(text: str) -> int:
+    return max((len(run) for run in _QUOTES.findall(text)), default=0)
+
+
+def _gap(index: int, parts: list[str]) -> str:
+    """Two codes side by side would be one."""
+    return " " if 0 < index < len(parts) - 1 else ""
+
 
 _INDENT = "  "
 NOTHING_AT_ALL = "Nothing of yours was found. If you did hand something in, tell your instructor."
+NOTHING_IN_IT = "Nothing that can be graded was found in what you handed in. The note says why."
 OWED = (
     "Something could not be checked, through no fault of yours: see below. "
     "Your points are final when that has been done."
@@ -31,6 +104,7 @@ def section(mark: Mark, heading: str) -> Iterator[str]:
     points = total(mark)
     bonus = " It is a bonus." if mark.exercise.bonus else ""
     yield f"**{headline(mark)}**{f': {points}' if points else ''}.{bonus}"
+    yield from map(prose, decisions(mark))
     if mark.result is None:
         yield NOTHING
         return
@@ -46,14 +120,15 @@ def _opening(sheet: Sheet, course: str) -> Iterator[str]:
     if sheet.source:
         yield f"Handed in: {code(sheet.source)}"
     if sheet.state == NOT_HANDED_IN:
-        yield NOTHING_AT_ALL
+        yield NOTHING_IN_IT if sheet.source and sheet.remarks else NOTHING_AT_ALL
     if sheet.state == INCOMPLETE:
         yield OWED
+    yield from map(prose, decisions_on_all(sheet))
     yield from (f"Note: {prose(remark)}" for remark in sheet.remarks)
 
 
 def _check(check: CheckResult) -> Iterator[str]:
-    points = points_of(check)
+    points = earned_of(check)
     yield f"- **{mark_of(check)}** {prose(check.title)}{f' ({points})' if points else ''}"
     feedback = why(check)
     if feedback:
@@ -62,7 +137,7 @@ def _check(check: CheckResult) -> Iterator[str]:
 
 def _feedback(feedback: Feedback, indent: str) -> Iterator[str]:
     yield f"{indent}{prose(feedback.summary)}"
-    parts = [f"{indent}- {label}: {_part(label, text)}" for label, text in labelled(feedback)]
+    parts = [f"{indent}- {label}: {_part(label, text)}" for label, text in labeled(feedback)]
     if parts:
         yield "\n".join(parts)
     if feedback.details:

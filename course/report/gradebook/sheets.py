@@ -7,32 +7,45 @@ for a mark.
 
 from __future__ import annotations
 
+import hashlib
+import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from course.grading.result import Result, Verdict
+from course.model import replace
+from course.model.gradebook import Delay, Gradebook, GradedExercise, GradedSubmission, HandMark, Person
+from course.model.result import Result, Verdict
 from course.report.gradebook.cleaning import NAME_LIMIT, Cleaner
-from course.report.gradebook.model import Gradebook, Graded, GradedExercise, Person
 
 NOT_HANDED_IN = "not handed in"
+EXCUSED = "excused"
+MARKED = "marked by hand"
 COMPLETE = "complete"
 INCOMPLETE = "incomplete"
 _OPEN = (Verdict.OUR_ERROR.value, Verdict.NOT_AVAILABLE.value)
-_NO_POINTS = (*_OPEN, Verdict.NOT_APPLICABLE.value)
+_NO_POINTS = (*_OPEN, Verdict.NOT_APPLICABLE.value, EXCUSED)
 
 
 @dataclass(frozen=True)
 class Mark:
-    """How one exercise ended for one person; `result` is None when it was not handed in."""
+    """How one exercise ended for one person; `result` is None when it was not handed in.
+
+    by_hand: people's decisions about it. penalty: the share of its points that lateness costs.
+    """
 
     exercise: GradedExercise
     result: Result | None = None
+    by_hand: tuple[HandMark, ...] = ()
+    penalty: float = 0.0
 
     @property
     def verdict(self) -> str:
-        """A `Verdict`'s value, or NOT_HANDED_IN."""
-        return self.result.verdict.value if self.result else NOT_HANDED_IN
+        """A `Verdict`'s value, NOT_HANDED_IN, EXCUSED; MARKED where only a person gave points."""
+        if any(each.excused for each in self.by_hand):
+            return EXCUSED
+        verdict = self.result.verdict.value if self.result else NOT_HANDED_IN
+        return MARKED if verdict in _NO_POINTS and self._set_points is not None else verdict
 
     @property
     def is_open(self) -> bool:
@@ -46,42 +59,78 @@ class Mark:
 
     @property
     def points(self) -> float | None:
+        """What counts in the end."""
+        return None if self.raw_points is None else tidy(self.raw_points * (1 - self.penalty))
+
+    @property
+    def raw_points(self) -> float | None:
+        """With what people decided, before lateness costs any; never below zero."""
         if not self.counts:
             return None
-        return tidy(self.result.points) if self.result else 0
+        earned = self._earned if self._set_points is None else self._set_points
+        return tidy(max(0, earned + sum(each.bonus for each in self.by_hand)))
 
     @property
     def max_points(self) -> float | None:
         """What could be had without bonus checks."""
         if not self.counts:
             return None
-        return tidy(self.result.max_points if self.result else self.exercise.max_points)
+        judged = self.result and self.verdict != MARKED
+        return tidy(self.result.max_points if self.result and judged else self.exercise.max_points)
 
     @property
     def seconds(self) -> float:
         return self.result.timing.total if self.result else 0.0
 
+    @property
+    def _set_points(self) -> float | None:
+        """Points that a person gave for the exercise as a whole; the last word counts."""
+        given = [each.points for each in self.by_hand if not each.check and each.points is not None]
+        return given[-1] if given else None
+
+    @property
+    def _earned(self) -> float:
+        by_check = {check.id: check.earned for check in (self.result.checks if self.result else ())}
+        by_check.update({each.check: each.points for each in self.by_hand if each.points is not None})
+        return sum(by_check.values())
+
 
 @dataclass(frozen=True)
 class Sheet:
-    """All marks of one person, in the order of the gradebook's exercises. Every text is clean."""
+    """All marks of one person, in the order of the gradebook's exercises. Every text is clean.
+
+    by_hand: people's decisions about the submission as a whole. lateness: None where there is no deadline.
+    """
 
     person: Person
     source: str
     remarks: tuple[str, ...]
     marks: tuple[Mark, ...]
+    by_hand: tuple[HandMark, ...] = ()
+    lateness: Delay | None = None
 
     @property
     def state(self) -> str:
-        """COMPLETE; INCOMPLETE when a verdict is missing through our fault; or NOT_HANDED_IN: nothing was."""
+        """COMPLETE; EXCUSED when nothing counts because of that; INCOMPLETE when a verdict is missing
+
+        through our fault; or NOT_HANDED_IN: nothing was.
+        """
         if any(mark.is_open for mark in self.marks):
             return INCOMPLETE
-        return COMPLETE if any(mark.result for mark in self.marks) else NOT_HANDED_IN
+        verdicts = {mark.verdict for mark in self.marks}
+        if verdicts == {EXCUSED}:
+            return EXCUSED
+        return NOT_HANDED_IN if verdicts <= {EXCUSED, NOT_HANDED_IN} and not self._bonus else COMPLETE
 
     @property
     def judged_points(self) -> float:
-        """Points of all that was judged, bonus included."""
-        return tidy(sum(mark.points or 0 for mark in self.marks))
+        """Points of all that was judged, bonus included, after what lateness costs."""
+        return tidy(max(0, sum(mark.points or 0 for mark in self.marks) + self._bonus))
+
+    @property
+    def raw_points(self) -> float:
+        """As `judged_points`, as if everything had been in time."""
+        return tidy(max(0, sum(mark.raw_points or 0 for mark in self.marks) + self._bonus))
 
     @property
     def judged_max(self) -> float:
@@ -90,15 +139,24 @@ class Sheet:
 
     @property
     def points(self) -> float | None:
-        return None if self.state == INCOMPLETE else self.judged_points
+        return None if self.state in (INCOMPLETE, EXCUSED) else self.judged_points
 
     @property
     def max_points(self) -> float | None:
-        return None if self.state == INCOMPLETE else self.judged_max
+        return None if self.state in (INCOMPLETE, EXCUSED) else self.judged_max
+
+    @property
+    def late(self) -> str:
+        """`2 days late`; empty when in time, or where there is no deadline."""
+        return self.lateness.words if self.lateness else ""
 
     @property
     def seconds(self) -> float:
         return sum(mark.seconds for mark in self.marks)
+
+    @property
+    def _bonus(self) -> float:
+        return sum(each.bonus for each in self.by_hand)
 
 
 def sheets(gradebook: Gradebook, cleaner: Cleaner) -> Iterator[Sheet]:
@@ -121,17 +179,60 @@ def tidy(points: float) -> float:
     return int(rounded) if rounded == int(rounded) else rounded
 
 
-def _sheet(graded: Graded, exercises: tuple[GradedExercise, ...], cleaner: Cleaner) -> Sheet:
+def _sheet(graded: GradedSubmission, exercises: tuple[GradedExercise, ...], cleaner: Cleaner) -> Sheet:
     found = {result.exercise: result for result in map(cleaner.result, graded.results)}
     person = Person(cleaner.line(graded.person.id, NAME_LIMIT), cleaner.line(graded.person.name, NAME_LIMIT))
+    by_hand = tuple(replace(each, comment=cleaner.prose(each.comment)) for each in graded.by_hand)
+    penalty = graded.lateness.penalty if graded.lateness else 0.0
     return Sheet(
         person=person,
         source=cleaner.line(_inside(graded.source), NAME_LIMIT),
         remarks=cleaner.remarks(graded.remarks),
-        marks=tuple(Mark(exercise, found.get(exercise.id)) for exercise in exercises),
+        marks=tuple(
+            Mark(exercise, found.get(exercise.id), _about(exercise, by_hand), penalty)
+            for exercise in exercises
+        ),
+        by_hand=tuple(each for each in by_hand if not each.exercise),
+        lateness=graded.lateness,
     )
+
+
+def _about(exercise: GradedExercise, by_hand: tuple[HandMark, ...]) -> tuple[HandMark, ...]:
+    """Who is excused from everything is excused from each exercise."""
+    whole = (HandMark(excused=True),) if any(each.excused and not each.exercise for each in by_hand) else ()
+    return (*whole, *(each for each in by_hand if each.exercise == exercise.id))
 
 
 def _inside(source: str) -> str:
     """Where on the machine a submission lies is nobody's business."""
     return PurePosixPath(source).name if source.startswith("/") else source
+
+
+class Names:
+    """Hands out names: the second `ada` is `ada (2)`."""
+
+    def __init__(self) -> None:
+        self._taken: set[str] = set()
+
+    def unique(self, name: str) -> str:
+        found, count = name, 1
+        while found in self._taken:
+            count += 1
+            found = f"{name} ({count})"
+        self._taken.add(found)
+        return found
+
+
+_PLAIN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,79}")
+_MADE_NAME = re.compile(r".*-[0-9a-f]{12}")
+
+
+def file_stem(person_id: str) -> str:
+    """A file's name for a person: the id itself where that is harmless, else its harmless part and a hash.
+
+    Different ids get different names.
+    """
+    if _PLAIN_NAME.fullmatch(person_id) and not _MADE_NAME.fullmatch(person_id):
+        return person_id
+    harmless = re.sub(r"[^A-Za-z0-9]+", "-", person_id).strip("-")[:40] or "person"
+    return f"{harmless}-{hashlib.sha256(person_id.encode('utf-8', 'surrogatepass')).hexdigest()[:12]}"

@@ -1,17 +1,59 @@
-"""The page's data as JSON types: the table of the class, and each submission with its feedback."""
+"""What the page is made of, and as JSON types its table, and each submission with its feedback."""
 
 from __future__ import annotations
 
 import base64
 import json
 import zlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
 from typing import Any
 
-from course.grading.result import CheckResult, Feedback
+from course.model import replace
+from course.model.gradebook import GradedExercise
+from course.model.result import CheckResult, Feedback
+from course.report.gradebook.check_words import (
+    NOTHING,
+    comments,
+    decisions,
+    decisions_on_all,
+    headline,
+    labeled,
+    mark_of,
+    summary,
+    total,
+    why,
+)
 from course.report.gradebook.letter import NOTHING_AT_ALL, OWED
 from course.report.gradebook.sheets import INCOMPLETE, NOT_HANDED_IN, Mark, Sheet
-from course.report.gradebook.words import NOTHING, headline, labelled, mark_of, points_of, summary, total, why
-from course.report.page.model import ClassPage
+from course.report.verdict import earned_of
+
+# A person's place in the class, from 0, and an exercise's id.
+Key = tuple[int, str]
+
+
+@dataclass(frozen=True)
+class ClassPage:
+    """A graded class. Every text is clean (see `course.report.gradebook.cleaning`).
+
+    sheets: in the order of the class. pictures: `<svg>` elements of some gradings. not_drawn: how many
+    recordings have none, since the page would become too large. ended: when this was read.
+    """
+
+    course: str
+    exercises: tuple[GradedExercise, ...]
+    sheets: tuple[Sheet, ...]
+    began: datetime
+    ended: datetime
+    pictures: Mapping[Key, tuple[str, ...]] = field(default_factory=dict)
+    not_drawn: int = 0
+
+    def marks(self, exercise: GradedExercise) -> Iterator[tuple[int, Mark]]:
+        """Of everybody, with their place in the class."""
+        at = self.exercises.index(exercise)
+        return ((place, sheet.marks[at]) for place, sheet in enumerate(self.sheets))
+
 
 _ESCAPED = {ord(char): f"\\u{ord(char):04x}" for char in "<>&\u2028\u2029"}
 
@@ -19,6 +61,8 @@ _ESCAPED = {ord(char): f"\\u{ord(char):04x}" for char in "<>&\u2028\u2029"}
 def class_data(page: ClassPage) -> dict[str, Any]:
     """What the table shows; a mark is [verdict, points, max_points, seconds]."""
     return {
+        "dated": any(sheet.lateness for sheet in page.sheets),
+        "remarked": any(_said(sheet) for sheet in page.sheets),
         "exercises": [
             {"id": one.id, "title": one.title, "max": one.max_points, "bonus": one.bonus}
             for one in page.exercises
@@ -35,7 +79,7 @@ def submission_data(page: ClassPage, place: int) -> dict[str, Any]:
         "name": sheet.person.name or sheet.person.id,
         "source": sheet.source,
         "summary": summary(sheet),
-        "says": [*_opening(sheet), *(f"Note: {remark}" for remark in sheet.remarks)],
+        "says": [*_opening(sheet), *decisions_on_all(sheet), *_notes(sheet)],
         "marks": [
             {**_mark(mark), "pictures": list(page.pictures.get((place, mark.exercise.id), ()))}
             for mark in sheet.marks
@@ -63,11 +107,24 @@ def _person(sheet: Sheet) -> dict[str, Any]:
         "state": sheet.state,
         "points": sheet.points,
         "max": sheet.max_points,
+        "raw": sheet.raw_points,
+        "late": sheet.late,
+        "lateness": sheet.lateness.seconds if sheet.lateness else 0,
+        "said": " ".join(_said(sheet)),
         "seconds": round(sheet.seconds, 1),
         "marks": [
             [mark.verdict, mark.points, mark.max_points, round(mark.seconds, 1)] for mark in sheet.marks
         ],
     }
+
+
+def _said(sheet: Sheet) -> list[str]:
+    """In the table, beside the points: people's comments and remarks. Lateness has a column of its own."""
+    return [*comments(replace(sheet, lateness=None)), *sheet.remarks]
+
+
+def _notes(sheet: Sheet) -> list[str]:
+    return [f"Note: {remark}" for remark in sheet.remarks]
 
 
 def _opening(sheet: Sheet) -> list[str]:
@@ -85,6 +142,7 @@ def _mark(mark: Mark) -> dict[str, Any]:
         "verdict": mark.verdict,
         "headline": headline(mark),
         "total": total(mark),
+        "byHand": list(decisions(mark)),
         "seconds": round(mark.seconds, 1),
         "fault": _feedback(result.fault) if result and result.fault else None,
         "notes": list(result.notes) if result else [NOTHING],
@@ -98,11 +156,11 @@ def _check(check: CheckResult) -> dict[str, Any]:
         "mark": mark_of(check),
         "outcome": check.outcome.value,
         "title": check.title,
-        "points": points_of(check),
+        "points": earned_of(check),
         "why": _feedback(cause) if cause else None,
     }
 
 
 def _feedback(feedback: Feedback) -> dict[str, Any]:
-    parts = [[label, text] for label, text in labelled(feedback)]
+    parts = [[label, text] for label, text in labeled(feedback)]
     return {"summary": feedback.summary, "parts": parts, "details": list(feedback.details)}

@@ -11,11 +11,10 @@ from importlib.resources import files
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
+from course.report.gradebook.check_words import score
 from course.report.gradebook.letter import letter
-from course.report.gradebook.words import score
 from course.report.page import views
-from course.report.page.data import as_json, class_data, packed, submission_data
-from course.report.page.model import ClassPage
+from course.report.page.data import ClassPage, as_json, class_data, packed, submission_data
 
 MOST_MISTAKES = 100
 _ROOM = "course.report.page"
@@ -122,7 +121,7 @@ def _environment() -> Environment:
 
 
 def _prose(text: str) -> Markup:
-    """What stands in `backquotes` is code, as in the letters."""
+    """What is in `backquotes` is code, as in the letters."""
     parts = [escape(part) for part in text.split("`")]
     if len(parts) % 2 == 0:
         return escape(text)

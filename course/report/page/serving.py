@@ -24,7 +24,7 @@ _HTML, _JSON = "text/html; charset=utf-8", "application/json; charset=utf-8"
 _QUIET_SECONDS = 10.0
 
 
-class Source(Protocol):
+class PageSource(Protocol):
     """What is shown. May be asked from many threads at once."""
 
     def page(self) -> str: ...
@@ -36,13 +36,13 @@ class Source(Protocol):
     def submission(self, place: int) -> str | None: ...
 
 
-class Server(ThreadingHTTPServer):
+class PageServer(ThreadingHTTPServer):
     """address: what a browser has to open."""
 
-    daemon_threads = True  # whoever is still reading must not keep Ctrl+C waiting
+    daemon_threads = True  # readers that are left must not keep Ctrl+C waiting
     block_on_close = False
 
-    def __init__(self, source: Source, port: int) -> None:
+    def __init__(self, source: PageSource, port: int) -> None:
         super().__init__((HERE, port), _Handler)
         self.source = source
         self.hosts = {f"{HERE}:{self.server_port}", f"localhost:{self.server_port}"}
@@ -54,10 +54,10 @@ class Server(ThreadingHTTPServer):
 
 
 @contextmanager
-def serving(source: Source, port: int) -> Iterator[Server]:
+def serving(source: PageSource, port: int) -> Iterator[PageServer]:
     """A server on this port, or on a free one for 0; its caller lets it serve. Raises UsageError."""
     try:
-        server = Server(source, port)
+        server = PageServer(source, port)
     except OSError as error:
         step = "Name another --port, or leave it out."
         raise UsageError(f"Port {port} cannot be used: {error.strerror}.", step) from error
@@ -66,7 +66,7 @@ def serving(source: Source, port: int) -> Iterator[Server]:
 
 
 class _Handler(BaseHTTPRequestHandler):
-    server: Server
+    server: PageServer
     timeout = _QUIET_SECONDS
 
     def do_GET(self) -> None:

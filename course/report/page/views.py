@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
 
-from course.grading.result import CheckResult, Outcome, Verdict
-from course.report.gradebook.model import GradedExercise
+from course.model.gradebook import GradedExercise
+from course.model.result import CheckResult, Outcome, Verdict
 from course.report.gradebook.sheets import COMPLETE, INCOMPLETE, NOT_HANDED_IN, Mark, Sheet
-from course.report.page.model import ClassPage
+from course.report.page.data import ClassPage
 
 BARS = 10
 _JUDGED = (Outcome.PASSED, Outcome.FAILED, Outcome.SKIPPED)
@@ -26,7 +26,11 @@ class Bar:
 
 @dataclass(frozen=True)
 class CheckView:
-    """judged: for how many it counts. not_reached: of these, for how many an earlier check had failed."""
+    """judged: for how many it counts. not_reached: of these, for how many an earlier check had failed.
+
+    tells_apart: how passing it goes with the other points of the exercise, from -1 to 1; None where
+    everybody ended alike. Near 0 or below, it does not tell who knows more.
+    """
 
     title: str
     bonus: bool
@@ -34,6 +38,7 @@ class CheckView:
     passed: int
     failed: int
     not_reached: int
+    tells_apart: float | None
 
     @property
     def percent(self) -> int | None:
@@ -62,7 +67,7 @@ class ExerciseView:
 
 
 @dataclass(frozen=True)
-class Mistake:
+class CommonMistake:
     """Words that failed checks ended with. people: places in the class of those who read them."""
 
     exercise: str
@@ -72,7 +77,7 @@ class Mistake:
 
 
 @dataclass(frozen=True)
-class Trouble:
+class NotJudged:
     """What could not be judged through no fault of the learner's."""
 
     exercise: str
@@ -81,7 +86,7 @@ class Trouble:
 
 
 @dataclass(frozen=True)
-class Totals:
+class ClassTotals:
     """states: how many submissions are in which state. seconds: what all gradings took together."""
 
     people: int
@@ -94,14 +99,14 @@ class Totals:
     seconds: float
 
 
-def totals(page: ClassPage) -> Totals:
+def totals(page: ClassPage) -> ClassTotals:
     marks = [mark for sheet in page.sheets for mark in sheet.marks]
     verdicts = Counter(mark.verdict for mark in marks)
     states = Counter(sheet.state for sheet in page.sheets)
     shares = [share for sheet in page.sheets if (share := _share(sheet)) is not None]
     passed, not_passed = verdicts[Verdict.PASSED.value], verdicts[Verdict.NOT_PASSED.value]
     gradings = sum(mark.result is not None for mark in marks)
-    return Totals(
+    return ClassTotals(
         people=len(page.sheets),
         gradings=gradings,
         passed=passed,
@@ -129,7 +134,7 @@ def exercises(page: ClassPage) -> tuple[ExerciseView, ...]:
     return tuple(_exercise(one, [mark for _, mark in page.marks(one)]) for one in page.exercises)
 
 
-def mistakes(page: ClassPage) -> list[Mistake]:
+def mistakes(page: ClassPage) -> list[CommonMistake]:
     """The commonest first."""
     people: defaultdict[tuple[str, str, str], list[int]] = defaultdict(list)
     for one in page.exercises:
@@ -139,17 +144,17 @@ def mistakes(page: ClassPage) -> list[Mistake]:
                     found = people[one.id, check.title, check.feedback.summary]
                     if place not in found[-1:]:  # the same words twice are one person's mistake
                         found.append(place)
-    every = [Mistake(*words, tuple(places)) for words, places in people.items()]
+    every = [CommonMistake(*words, tuple(places)) for words, places in people.items()]
     return sorted(every, key=lambda mistake: -len(mistake.people))
 
 
-def troubles(page: ClassPage) -> tuple[Trouble, ...]:
+def troubles(page: ClassPage) -> tuple[NotJudged, ...]:
     found: defaultdict[tuple[str, str], list[int]] = defaultdict(list)
     for one in page.exercises:
         for place, mark in page.marks(one):
             if mark.is_open:
                 found[one.id, mark.verdict].append(place)
-    return tuple(Trouble(*what, tuple(people)) for what, people in found.items())
+    return tuple(NotJudged(*what, tuple(people)) for what, people in found.items())
 
 
 def _exercise(exercise: GradedExercise, marks: Sequence[Mark]) -> ExerciseView:
@@ -170,23 +175,37 @@ def _exercise(exercise: GradedExercise, marks: Sequence[Mark]) -> ExerciseView:
     )
 
 
-def _check_views(marks: Iterable[Mark]) -> list[CheckView]:
-    outcomes: defaultdict[tuple[str, str, bool], Counter[Outcome]] = defaultdict(Counter)
+def _check_views(marks: Sequence[Mark]) -> list[CheckView]:
+    found: defaultdict[tuple[str, str, bool], list[tuple[CheckResult, float]]] = defaultdict(list)
     for mark in marks:
+        total = sum(check.earned for check in _checks(mark))
         for check in _checks(mark):
-            outcomes[check.id, check.title, check.bonus][check.outcome] += 1
-    return [_check_view(title, bonus, counts) for (_, title, bonus), counts in outcomes.items()]
+            found[check.id, check.title, check.bonus].append((check, total - check.earned))
+    return [_check_view(title, bonus, each) for (_, title, bonus), each in found.items()]
 
 
-def _check_view(title: str, bonus: bool, counts: Counter[Outcome]) -> CheckView:
+def _check_view(title: str, bonus: bool, each: Sequence[tuple[CheckResult, float]]) -> CheckView:
+    counts = Counter(check.outcome for check, _ in each)
+    judged = [(check.outcome is Outcome.PASSED, rest) for check, rest in each if check.outcome in _JUDGED]
     return CheckView(
         title=title,
         bonus=bonus,
-        judged=sum(counts[outcome] for outcome in _JUDGED),
+        judged=len(judged),
         passed=counts[Outcome.PASSED],
         failed=counts[Outcome.FAILED],
         not_reached=counts[Outcome.SKIPPED],
+        tells_apart=_correlation(judged),
     )
+
+
+def _correlation(pairs: Sequence[tuple[float, float]]) -> float | None:
+    """Pearson's; None where one side is the same for all."""
+    if len(pairs) < 2:
+        return None
+    means = [sum(side) / len(pairs) for side in zip(*pairs, strict=True)]
+    apart = [(one - means[0], other - means[1]) for one, other in pairs]
+    spread = sum(one * one for one, _ in apart) * sum(other * other for _, other in apart)
+    return sum(one * other for one, other in apart) / spread**0.5 if spread > 1e-12 else None
 
 
 def _checks(mark: Mark) -> tuple[CheckResult, ...]:

@@ -6,13 +6,16 @@ drawn from, what was asked of it, the contents of messages and files.
 
 from __future__ import annotations
 
+import re
 import signal
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import islice
 
-from course.evidence.events import (
+from course.evidence.recording import ROSOUT, Recording
+from course.model import replace
+from course.model.events import (
     GraphSeen,
     Joined,
     LimitReached,
@@ -26,7 +29,8 @@ from course.evidence.events import (
     ShellRan,
     SignalSent,
 )
-from course.evidence.recording import ROSOUT, Recording
+from course.model.feedback import Pace
+from course.model.result import CheckResult, Outcome, Result
 from course.report.pictures.svg import Clean, seconds
 
 # More than these of a kind are counted, not drawn.
@@ -211,3 +215,38 @@ def _from_to(at: Sequence[float]) -> str:
 
 def _counted(count: int, noun: str) -> str:
     return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+_TOPIC_NAME = re.compile(r"/\w[\w/]*")
+
+
+@dataclass(frozen=True)
+class Told:
+    """What a result says of its recording: checks that did not pass, and how often messages were to come."""
+
+    failed: tuple[CheckResult, ...] = ()
+    paces: tuple[Pace, ...] = ()
+
+    @classmethod
+    def by(cls, result: Result | None) -> Told:
+        checks = result.checks if result else ()
+        failed = tuple(check for check in checks if check.outcome is Outcome.FAILED and check.feedback)
+        return cls(failed, tuple(check.pace for check in checks if check.pace))
+
+    def pace(self, topic: str) -> Pace | None:
+        return next((pace for pace in self.paces if pace.topic == topic), None)
+
+    def of(self, lane: Lane) -> tuple[CheckResult, ...]:
+        """Checks that name this lane's topic, service or node in what they expected or saw."""
+        return tuple(check for check in self.failed if lane.label in _names(check))
+
+    def names(self) -> tuple[str, ...]:
+        """Names that were expected and are not what was seen."""
+        expected = (check.feedback.expected or "" for check in self.failed if check.feedback)
+        return tuple(dict.fromkeys(name for text in expected for name in _TOPIC_NAME.findall(text)))
+
+
+def _names(check: CheckResult) -> Iterator[str]:
+    if check.feedback:
+        for text in (check.feedback.expected, check.feedback.seen):
+            yield from _TOPIC_NAME.findall(text or "")

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from itertools import chain
 from statistics import median
 
+from course.model import replace
 from course.report.pictures.signals import Curve, Points, Signal, window_of
 from course.report.pictures.svg import (
     LEFT,
@@ -25,8 +25,8 @@ from course.report.pictures.svg import (
 
 _TOP, _HEIGHT, _FOOT = 24, 130, 22
 _LABEL = 28
-COLOURS = ("#1d4ed8", "#b45309", "#0f766e", "#be185d", "#7c3aed", "#334155")
-# So that curves are told apart without colours.
+COLORS = ("#1d4ed8", "#b45309", "#0f766e", "#be185d", "#7c3aed", "#334155")
+# So that curves are told apart without colors.
 _DASHES = ("", "6 3", "2 2", "8 2 2 2", "1 3", "12 4")
 _POINTS = (320, 240, 160, 120, 80, 60, 40, 20)  # of a curve, less until the picture is small enough
 _STRAIGHT = 0.4  # how far a point may be off a straight line and be left out, in pixels
@@ -94,7 +94,7 @@ def _line(points: Sequence[tuple[float, float]], place: int) -> str:
     if 2 < len(points) <= _DOTS:
         dots = "".join(f"M{number(x)} {number(y)}h0" for x, y in points)
         line += f'<path d="{dots}" stroke-width="5" stroke-linecap="round"/>'
-    return f'<g class="c{place}" stroke="{COLOURS[place]}" fill="none">{line}</g>'
+    return f'<g class="c{place}" stroke="{COLORS[place]}" fill="none">{line}</g>'
 
 
 def _legend(curves: Sequence[Curve], top: float) -> Iterator[str]:

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from itertools import islice, pairwise
 from typing import Any
 
-from course.evidence.events import MessageSeen, ServiceAnswered, ServiceCalled
 from course.evidence.messages import Undecodable, UnknownType
 from course.evidence.recording import ROSOUT, Recording
+from course.model.events import MessageSeen, ServiceAnswered, ServiceCalled
 
 FEWEST = 5  # messages, for a plot to tell something
 CURVES = 6

@@ -1,6 +1,6 @@
 """What all pictures in SVG share: how numbers, texts and times are written, and how large one may become.
 
-Every picture is one `<svg>` element without script, style or link. Its colours are attributes, so that it
+Every picture is one `<svg>` element without script, style or link. Its colors are attributes, so that it
 can be looked at alone; a page may set others by the classes. What it shows is told in `<title>` and `<desc>`.
 """
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from course.evidence.recording import Recording
-from course.report.pictures.lanes import Lane, Lanes, lanes_of
+from course.report.pictures.lanes import Lane, Lanes, duration_of, lanes_of
+from course.report.pictures.signal_svg import plot
+from course.report.pictures.signals import signals_of
 from course.report.pictures.svg import (
     LEFT,
     RIGHT,
@@ -27,8 +29,8 @@ NAMES = {
     "service": "calls of",
     "log": "log",
 }
-# Not too alike for those who see colours otherwise; each lane has its kind as a word, too.
-COLOURS = {
+# Not too alike for those who see colors otherwise; each lane has its kind as a word, too.
+COLORS = {
     "program": "#64748b",
     "node": "#0f766e",
     "topic": "#1d4ed8",
@@ -78,15 +80,15 @@ def named(lane: Lane) -> str:
 
 def not_drawn(lanes: Lanes) -> str:
     """How many lanes of each kind are left out; empty where none is."""
-    parts = [f"{count} more of «{NAMES[kind]}»" for kind, count in lanes.more.items()]
+    parts = [f'{count} more of "{NAMES[kind]}"' for kind, count in lanes.more.items()]
     return f"Not drawn: {', '.join(parts)}." if parts else ""
 
 
 def _lane(lane: Lane, top: float, duration: float, columns: int) -> Iterator[str]:
-    colour = COLOURS[lane.kind]
+    color = COLORS[lane.kind]
     count = f" ({len(lane.ticks)})" if lane.kind in ("topic", "sent", "service", "log") else ""
     yield text(LEFT, top + 13, f"{NAMES[lane.kind]} {lane.label}{count}")
-    yield f'<g class="{lane.kind}" stroke="{colour}" fill="{colour}">'
+    yield f'<g class="{lane.kind}" stroke="{color}" fill="{color}">'
     y = top + _TRACK
     if lane.spans:
         yield _bars(_merged(lane.spans, duration, columns), y)
@@ -103,7 +105,7 @@ def _bars(runs: Iterable[tuple[float, float]], y: float) -> str:
 
 
 def _ticks(ticks: Sequence[float], duration: float, columns: int, y: float, *, inside: bool) -> str:
-    """Moments that fall into neighbouring columns become one stroke."""
+    """Moments that fall into neighboring columns become one stroke."""
     width = _ROOM / columns
     x = scale(duration)
     filled = sorted({min(int((x(t) - LEFT) / width), columns - 1) for t in ticks})
@@ -111,8 +113,8 @@ def _ticks(ticks: Sequence[float], duration: float, columns: int, y: float, *, i
         f"M{number(LEFT + first * width)} {number(y)}h{number((last - first) * width + 1.6)}"
         for first, last in _runs(filled)
     )
-    colour = ' class="in" stroke="#0f172a"' if inside else ""
-    return f'<path d="{path}" stroke-width="{_THICK - 6 if inside else _THICK}" fill="none"{colour}/>'
+    color = ' class="in" stroke="#0f172a"' if inside else ""
+    return f'<path d="{path}" stroke-width="{_THICK - 6 if inside else _THICK}" fill="none"{color}/>'
 
 
 def _runs(filled: Sequence[int]) -> Iterator[tuple[int, int]]:
@@ -156,3 +158,22 @@ def _flags(lane: Lane, duration: float, y: float) -> Iterator[str]:
     while len(words) > 1 and len(", ".join(words)) > room:
         words.pop(0)
     yield text(WIDTH - RIGHT, y - _TRACK + 13, ", ".join(words), cls="axis flags", anchor="end")
+
+
+def pictures(recording: Recording, *, key: str, clean: Clean) -> tuple[str, ...]:
+    """The time line and at most two signals, each an `<svg>` element.
+
+    None of a mystery: the names that are to be found out stand in its recording. key: unique on the page,
+    a word of letters and digits. clean: makes a text of a submission fit to be shown.
+    """
+    if recording.seed is not None or recording.acts:
+        return ()
+    line = timeline(recording, key=f"{key}l", clean=clean)
+    if line is None:
+        return ()
+    duration = duration_of(recording)
+    plots = (
+        plot(signal, duration, key=f"{key}s{place}", clean=clean)
+        for place, signal in enumerate(signals_of(recording))
+    )
+    return (line, *plots)

@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from course.batch.intake import Found, Person, Source, look
-from course.batch.intake.model import Part
+from course.batch.intake import Found, Upload, look
+from course.batch.intake.submission import Part
 from course.content import Exercise, open_course
+from course.model.gradebook import Person
 
 
 @pytest.fixture(scope="session")
@@ -23,6 +24,6 @@ def looked(tmp_path: Path, exercises: tuple[Exercise, ...]) -> Callable[..., Fou
 
     def of(*paths: Path) -> Found:
         parts = tuple(Part(path.name, path) for path in paths)
-        return look(Source(Person("jane", "Jane"), "jane", parts), tmp_path / "opened", exercises)
+        return look(Upload(Person("jane", "Jane"), "jane", parts), tmp_path / "opened", exercises)
 
     return of

@@ -7,10 +7,13 @@ import os
 import stat
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from course.batch.intake import Found, lay_out
+from course.batch.intake.packed import NOT_READ
+from course.batch.intake.tree import Tree, read_tree
 from course.build import Workspace
 from course.errors import StorageError
 from tests.batch.intake.trees import INTERFACES, MESSAGES, lay, manifest, package
@@ -18,6 +21,7 @@ from tests.home.opening.archives import contents, make_zip
 
 Looked = Callable[..., Found]
 WS = "ros2_tutorial_workspace"
+HAND_IN = ".ros2course/hand-in.json"
 
 
 def test_a_home(tmp_path: Path, looked: Looked) -> None:
@@ -38,7 +42,7 @@ def test_a_workspace_an_archive_and_packages(tmp_path: Path, looked: Looked) -> 
     expected += [f"{WS}/src/b/package.xml", f"{WS}/src/b/b.py"]
     assert set(contents(tmp_path / "home")) == set(expected)
     found = Workspace.scan(tmp_path / "home" / WS)
-    assert [package.name for package in found.packages] == ["a", "b"]
+    assert sorted(package.name for package in found.packages) == ["a", "b", INTERFACES]
 
 
 def test_a_package_comes_before_a_single_file(tmp_path: Path, looked: Looked) -> None:
@@ -100,7 +104,7 @@ def test_a_file_that_turned_into_a_pipe_or_grew_does_no_harm(
         return real(path, *arguments)
 
     with monkeypatch.context() as patched:
-        patched.setattr("course.batch.intake.laying.os.open", change_first)
+        patched.setattr("course.batch.intake.tree.os.open", change_first)
         findings = lay_out(found, tmp_path / "home")
     laid = contents(tmp_path / "home")
     assert laid[f"{WS}/src/a/y"] == "yyy"
@@ -116,7 +120,7 @@ def test_a_full_disk_leaves_nothing(tmp_path: Path, looked: Looked, monkeypatch:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     with monkeypatch.context() as patched:
-        patched.setattr("course.batch.intake.laying._copy", full)
+        patched.setattr("course.batch.intake.contents.read_into", full)
         with pytest.raises(StorageError, match="submission of jane cannot be laid out"):
             lay_out(found, tmp_path / "home")
     assert {path.name for path in tmp_path.iterdir()} <= {"in", "opened"}
@@ -127,3 +131,38 @@ def test_a_home_that_is_there_is_left_alone(tmp_path: Path, looked: Looked) -> N
     with pytest.raises(StorageError):
         lay_out(looked(tmp_path / "in"), tmp_path / "home")
     assert contents(tmp_path / "home") == {"mine": "home/mine"}
+
+
+def test_what_is_no_file_in_the_place_of_a_manifest_is_no_manifest(tmp_path: Path, looked: Looked) -> None:
+    lay(tmp_path / "in", *package("a", "src/"), "src/b/package.xml/", "src/b/setup.py")
+    assert "a" in looked(tmp_path / "in").packages
+
+
+@pytest.mark.parametrize("name", ["package.xml", HAND_IN])
+@pytest.mark.parametrize("turn", ["folder", "closed", "pipe", "link"])
+def test_a_manifest_that_turns_into_something_else_is_not_read(
+    tmp_path: Path, looked: Looked, monkeypatch: pytest.MonkeyPatch, name: str, turn: str
+) -> None:
+    lay(tmp_path / "in", *package("a", f"{WS}/src/"), "answers/a.yaml", ".ros2course/home.json")
+    file = tmp_path / "in" / (name if name == HAND_IN else f"{WS}/src/a/package.xml")
+    lay(tmp_path, "secret")
+    file.write_text("<package/>")
+    lay_out(looked(tmp_path / "in"), tmp_path / "home")
+    real = read_tree
+
+    def then(*arguments: Any) -> Tree:
+        tree = real(*arguments)
+        if file.is_file() and not file.is_symlink():
+            file.unlink()
+            {
+                "folder": lambda: file.mkdir(),
+                "closed": lambda: file.symlink_to(file.name),  # cannot be opened, even by root
+                "pipe": lambda: os.mkfifo(file),
+                "link": lambda: file.symlink_to(tmp_path / "secret"),
+            }[turn]()
+        return tree
+
+    monkeypatch.setattr("course.batch.intake.contents.read_tree", then)
+    found = looked(tmp_path / "in")
+    assert found.kind.value == "course home" and found.packed is None
+    assert (NOT_READ in [one.what for one in found.findings]) is (name == HAND_IN)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from course.batch.intake.model import Person
 from course.batch.intake.people import assignment, labels, safe_id
+from course.model.gradebook import Person
 
 
 @pytest.mark.parametrize(
@@ -16,10 +16,13 @@ from course.batch.intake.people import assignment, labels, safe_id
         ("Jane Doe_1234567_assignsubmission_file_my_work.zip", Person("1234567", "Jane Doe"), "my_work.zip"),
         ("Jane_Ann Doe_99_assignsubmission_onlinetext_", Person("99", "Jane_Ann Doe"), ""),
         ("Zoë\x1b[2J O'Neil_7_assignsubmission_file_", Person("7", "Zoë\\x1b[2J O'Neil"), ""),
-        ("doejane_12345_67890_file.zip", Person("12345", "doejane"), "file.zip"),
+        ("doejane_12345_67890_file.zip", Person("12345", "doejane", False), "file.zip"),
         ("doejane_LATE_12345_67890_file-1.zip", Person("12345", "doejane", True), "file-1.zip"),
-        ("doejane_12345_67890_my_node_2.py", Person("12345", "doejane"), "my_node_2.py"),
-        ("doejane_12345_text.html", Person("12345", "doejane"), "text.html"),
+        ("doejane_12345_67890_my_node_2.py", Person("12345", "doejane", False), "my_node_2.py"),
+        ("doejane_12345_text.html", Person("12345", "doejane", False), "text.html"),
+        ("doejane_LATE_12345_link.html", Person("12345", "doejane", True), "link.html"),
+        ("anon_k3Xp9_67890_LATE_work.zip", Person("k3Xp9", "k3Xp9", False), "LATE_work.zip"),
+        ("LATE_anon_k3Xp9_67890_work.zip", Person("k3Xp9", "k3Xp9", True), "work.zip"),
         ("jane.tar.gz", Person("jane", "jane"), ""),
         ("jane doe", Person("jane_doe", "jane doe"), ""),
         ("lab_1_final.zip", Person("lab_1_final", "lab_1_final"), ""),

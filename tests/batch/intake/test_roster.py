@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from course.batch.intake import find_sources
-from course.batch.intake.roster import read_roster
+from course.batch.intake.uploads import read_roster
 from course.errors import UsageError
 from tests.batch.intake.trees import lay
 
@@ -73,5 +73,17 @@ def test_one_id_for_two_people(tmp_path: Path) -> None:
     "text", ["", "name,file\na,b\n", b"\xff\xfe\x00", "id,path\n" + "x" * 200_000 + ",y\n"]
 )
 def test_what_is_no_roster(tmp_path: Path, text: str | bytes) -> None:
-    with pytest.raises(UsageError, match="is no roster"):
+    with pytest.raises(UsageError, match="is not a roster"):
         read_roster(roster(tmp_path, text))
+
+
+def test_a_path_that_no_system_takes(tmp_path: Path) -> None:
+    (source,), _ = read_roster(roster(tmp_path, f"id,name,path\n1,Jane,{'x' * 300}\n"))
+    assert source.parts == ()
+    assert "nothing at the path" in source.findings[0].what
+
+
+def test_a_path_that_was_written_on_windows(tmp_path: Path) -> None:
+    lay(tmp_path, "handed in/jane/x")
+    ((source,), _) = read_roster(roster(tmp_path, "id,path\njane,handed in\\jane\n"))
+    assert (len(source.parts), source.findings) == (1, ())

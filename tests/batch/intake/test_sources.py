@@ -3,32 +3,32 @@
 from __future__ import annotations
 
 import tarfile
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from course.batch.intake import Kind, Source, find_sources, look, one_source
-from course.batch.intake.grouping import grouped
-from course.batch.intake.model import Sources
+from course.batch.intake import SubmissionKind, Upload, find_sources, look, one_source
+from course.batch.intake.people import grouped
+from course.batch.intake.submission import Uploads
 from course.content import Exercise
 from course.errors import UsageError
 from course.home.opening import USUAL, Opened
+from course.model import replace
 from tests.batch.intake.trees import lay, manifest, package
 from tests.home.opening.archives import entry, make_tar, make_zip
 
 MOODLE = "_assignsubmission_file_"
 
 
-def sources(path: Path) -> Sources:
+def sources(path: Path) -> Uploads:
     return find_sources(path, path.parent / "opened")
 
 
-def ids(found: Sources) -> list[str]:
+def ids(found: Uploads) -> list[str]:
     return [source.person.id for source in found.each]
 
 
-def files(source: Source) -> list[str]:
+def files(source: Upload) -> list[str]:
     return [part.name for part in source.parts]
 
 
@@ -57,6 +57,14 @@ def test_canvas(tmp_path: Path) -> None:
     assert ids(found) == ["12", "13"]
     assert files(found.each[0]) == ["notes.txt", "work-1.zip"]
     assert [source.person.late for source in found.each] == [True, False]
+
+
+def test_whoever_handed_in_a_link_has_a_row_and_every_other_file_is_named(tmp_path: Path) -> None:
+    others = [f"notes-{number}.txt" for number in range(5)]
+    found = sources(lay(tmp_path / "class", "raybob_13_link.html", *others))
+    assert ids(found) == ["13"]
+    assert "link" in found.each[0].findings[0].what
+    assert [finding.where for finding in found.findings] == [", ".join(others)]
 
 
 def test_github_classroom(tmp_path: Path) -> None:
@@ -117,7 +125,7 @@ def test_one_bomb_in_a_class_harms_nobody_else(tmp_path: Path, exercises: tuple[
     found = find_sources(archive, tmp_path / "opened", limits)
     assert sorted(ids(found)) == ["11", "22", "33", "66"]
     (eve,) = (source for source in found.each if source.person.id == "66")
-    assert look(eve, tmp_path / "eve", exercises).kind is Kind.NOTHING
+    assert look(eve, tmp_path / "eve", exercises).kind is SubmissionKind.NOTHING
     assert "200 times as large" in look(eve, tmp_path / "eve", exercises).findings[0].what
     assert [finding.where for finding in found.findings] == ["../evil"]
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 import socket
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from course.batch.intake.model import Part
+from course.batch.intake.submission import Part
 from course.batch.intake.tree import Tree, read_tree
 from course.home.opening import USUAL, Limits, Refused
+from course.model import replace
 from tests.batch.intake.trees import lay
 
 

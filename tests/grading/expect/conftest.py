@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from struct import pack
 from typing import Any
 
-from course.evidence.events import Event, MessageSeen, MessageSent, ProcessStarted
 from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.evidence.recording import ROSOUT, ROSOUT_TYPE, Recording
 from course.evidence.sources import Sources
-from course.feedback import Failure, Feedback
+from course.model.events import Event, MessageSeen, MessageSent, ProcessStarted
+from course.model.feedback import Failure, Feedback
 
 FOLDER = "src/talk"
 FILE = f"{FOLDER}/talk/talker.py"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from struct import pack
 
-from course.evidence.events import Event, ServiceAnswered, ServiceCalled
-from course.evidence.parameter_types import ParameterData
+from course.evidence.parameter_view import ParameterData
+from course.model.events import Event, ServiceAnswered, ServiceCalled
 
 NODE = "/talker"
 VALUE = "uint8 type\nbool bool_value\nint64 integer_value\nfloat64 double_value\nstring string_value\n"

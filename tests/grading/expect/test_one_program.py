@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from course.evidence.events import OutputLine
 from course.evidence.recording import Recording
+from course.explain.languages import Cpp, Python, language_of
 from course.grading.expect.one_program import about
-from course.grading.explain.in_cpp import Cpp
-from course.grading.explain.in_python import Python
-from course.grading.explain.languages import language_of
+from course.model.events import OutputLine
 
 from .conftest import FOLDER, log, record
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import pytest
 
 from course.errors import OurFault
-from course.evidence.events import Event, OutputLine
-from course.evidence.parameter_types import ParameterData
+from course.evidence.parameter_view import ParameterData
 from course.evidence.recording import Recording
 from course.grading.expect.parameters import expect_declared, expect_parameter, expect_set
+from course.model.events import Event, OutputLine
+from tests.golden import golden
 
 from . import conftest
-from .conftest import record, said, told, where
+from .conftest import record, said, told
 from .parameter_calls import DEFINITIONS, NODE, Cdr, call, got, listed, set_to
 
 CODE = """\
@@ -39,44 +40,31 @@ def test_the_value_at_a_time() -> None:
     recording = seen(got(1.0, "quote", "a"), got(2.0, "quote", "b"))
     assert said(expect_parameter, recording, NODE, "quote", "b") is None
     assert said(expect_parameter, recording, NODE, "quote", "a", t=1.5) is None
-    found = told(expect_parameter, recording, NODE, "quote", "a")
-    assert found.summary == "The parameter `quote` is 'b', not 'a'."
+    golden(told(expect_parameter, recording, NODE, "quote", "a"))
 
 
 def test_a_misspelt_parameter() -> None:
     recording = seen(got(1.0, "quote", None), listed(1.1, "use_sim_time", "qoute", "period"))
-    found = told(expect_parameter, recording, NODE, "quote", "a")
-    assert found.summary == "The node declares the parameter `qoute`, not `quote`."
-    assert where(found) == ["talk/talker.py:2"]
+    golden(told(expect_parameter, recording, NODE, "quote", "a"))
 
 
 def test_an_undeclared_parameter() -> None:
     recording = seen(got(1.0, "topic_name", None), listed(1.1, "use_sim_time", "qoute", "period"))
-    found = told(expect_declared, recording, NODE, "topic_name", "talk")
-    assert found.summary == "The node does not declare the parameter `topic_name`."
-    assert "`self.declare_parameter('topic_name', 'talk')`" in str(found.advice)
-    assert "use_sim_time" not in str(found.seen)
+    golden(told(expect_declared, recording, NODE, "topic_name", "talk"))
 
 
 def test_the_exception_that_says_so_is_shown() -> None:
     error = "rclpy.exceptions.ParameterNotDeclaredException: Invalid access to undeclared parameter(s): x"
     line = (OutputLine(1.5, "talker", error),)
-    found = told(expect_declared, seen(got(1.0, "x", None), line), NODE, "x", 1)
-    assert "ParameterNotDeclaredException" in found.summary
-    assert found.details == (error,)
+    golden(told(expect_declared, seen(got(1.0, "x", None), line), NODE, "x", 1))
 
 
 def test_a_wrong_type() -> None:
-    found = told(expect_parameter, seen(got(1.0, "period", "0.5")), NODE, "period", 0.5)
-    assert found.summary == "The parameter `period` is of type string, not double."
-    assert (found.expected, found.seen) == ("double: 0.5", "string: '0.5'")
-    assert where(found) == ["talk/talker.py:1"]
-    assert "without quotes" in str(found.advice)
+    golden(told(expect_parameter, seen(got(1.0, "period", "0.5")), NODE, "period", 0.5))
 
 
 def test_an_integer_is_no_double() -> None:
-    found = told(expect_parameter, seen(got(1.0, "period", 1)), NODE, "period", 1.0)
-    assert found.summary == "The parameter `period` is of type integer, not double."
+    golden(told(expect_parameter, seen(got(1.0, "period", 1)), NODE, "period", 1.0))
 
 
 def test_a_node_that_does_not_answer() -> None:
@@ -92,21 +80,9 @@ def test_what_was_never_asked_is_our_fault(expect: object) -> None:
         expect_set(seen(got(1.0, "quote", "a")), NODE, "quote")
 
 
-@pytest.mark.parametrize(
-    ("answer", "words", "advice"),
-    [
-        (
-            "too short",
-            "refuses when `quote` is set to 'b': too short",
-            "SetParametersResult(successful=True)",
-        ),
-        (None, "does not answer when `quote`", "rclpy.spin"),
-    ],
-)
-def test_setting(answer: str | None, words: str, advice: str) -> None:
+@pytest.mark.parametrize("answer", ["too short", None])
+def test_setting(answer: str | None) -> None:
     recording = seen(got(0.5, "quote", "a"), set_to(1.0, "quote", "b", answer))
-    found = told(expect_set, recording, NODE, "quote")
-    assert words in found.summary
-    assert advice in str(found.advice)
+    golden(told(expect_set, recording, NODE, "quote"))
     taken = seen(set_to(1.0, "quote", "b", ""), set_to(2.0, "other", "b", "no"))
     assert said(expect_set, taken, NODE, "quote") is None

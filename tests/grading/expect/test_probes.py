@@ -8,13 +8,14 @@ from typing import Any
 import pytest
 
 from course.errors import OurFault
-from course.evidence.events import OutputLine, Probed, ProgramMissing
 from course.evidence.home_files import HomeEntry
 from course.evidence.recording import Recording
-from course.feedback import Location
 from course.grading.expect.probes import answered, expect_answer, expect_importable
+from course.model.events import OutputLine, Probed, ProgramMissing
+from course.model.feedback import Location
+from tests.golden import golden
 
-from .conftest import said, told, where
+from .conftest import said, told
 
 WHAT = "from theirs import f"
 
@@ -35,33 +36,26 @@ def test_answers_that_are_right() -> None:
     assert answered(recording, "sum", "f(1, 2)").type == "int"
 
 
-@pytest.mark.parametrize(
-    ("value", "shown", "wanted"), [(4, "4", 3), ("3", "'3'", 3), (True, "True", 1), (None, "None", 3)]
-)
-def test_a_wrong_value_is_shown(value: object, shown: str, wanted: object) -> None:
+@pytest.mark.parametrize(("value", "wanted"), [(4, 3), ("3", 3), (True, 1), (None, 3)])
+def test_a_wrong_value_is_shown(value: object, wanted: object) -> None:
     recording = probed({"question": "sum", "value": value, "type": type(value).__name__})
-    feedback = told(
-        expect_answer, recording, "sum", wanted, "f(1, 2)", advice="add", where=Location("p/a.py", 3)
+    golden(
+        told(expect_answer, recording, "sum", wanted, "f(1, 2)", advice="add", where=Location("p/a.py", 3))
     )
-    assert feedback.summary == f"`f(1, 2)` gives {shown}, not {wanted!r}."
-    assert (feedback.seen, feedback.advice, where(feedback)) == (shown, "add", ["p/a.py:3"])
 
 
 @pytest.mark.parametrize(
-    ("text", "advice"),
+    "text",
     [
-        ("SyntaxError: invalid syntax", "cannot read"),
-        ("TypeError: f() takes 0 positional arguments but 1 was given", "self"),
-        ("TypeError: f() got an unexpected keyword argument 'a'", "names"),
-        ("AttributeError: 'C' object has no attribute 'x'", "__init__"),
-        ("ValueError: no", "led to the error"),
+        "SyntaxError: invalid syntax",
+        "TypeError: f() takes 0 positional arguments but 1 was given",
+        "TypeError: f() got an unexpected keyword argument 'a'",
+        "AttributeError: 'C' object has no attribute 'x'",
+        "ValueError: no",
     ],
 )
-def test_an_exception_has_its_line_and_advice(text: str, advice: str) -> None:
-    feedback = told(answered, probed(error("sum", text)), "sum", "f(1, 2)")
-    assert feedback.summary == f"`f(1, 2)` fails: {text}"
-    assert advice in (feedback.advice or "")
-    assert where(feedback) == ["p/a.py:7"]
+def test_an_exception_has_its_line_and_advice(text: str) -> None:
+    golden(told(answered, probed(error("sum", text)), "sum", "f(1, 2)"))
 
 
 def test_what_cannot_be_imported() -> None:
@@ -71,12 +65,10 @@ def test_what_cannot_be_imported() -> None:
 
 
 def test_what_hangs() -> None:
-    at_import = told(expect_importable, probed(finished=False), WHAT)
-    assert "does not come to an end" in at_import.summary
-    assert at_import.details == ("last words",)
+    golden(told(expect_importable, probed(finished=False), WHAT))
     later = probed({"question": "a", "value": 1, "type": "int"}, finished=False)
     assert said(expect_importable, later, WHAT) is None
-    assert "`f(1, 2)` does not come" in told(answered, later, "sum", "f(1, 2)").summary
+    golden(told(answered, later, "sum", "f(1, 2)"))
 
 
 def test_a_folder_that_is_not_there() -> None:

@@ -9,17 +9,18 @@ from typing import Any
 import pytest
 
 from course.errors import OurFault
-from course.evidence.events import Event, ExecutableMissing, OutputLine, ProcessExited, SignalSent
 from course.evidence.recording import Recording
-from course.feedback import Spoilt
 from course.grading.expect.programs import (
     expect_clean_end,
     expect_clean_interrupt,
     expect_executable,
     expect_running,
 )
+from course.model.events import Event, ExecutableMissing, OutputLine, ProcessExited, SignalSent
+from course.model.feedback import Spoilt
+from tests.golden import golden
 
-from .conftest import STARTED, record, said, told, where
+from .conftest import STARTED, record, said, told
 
 MISSING = ExecutableMissing(0.1, "talker", "talk", "talker", ())
 INTERRUPTED = SignalSent(5.0, "talker", signal.SIGINT)
@@ -27,6 +28,13 @@ TRACEBACK = """\
 Traceback (most recent call last):
   File "/store/talk/lib/python3.12/site-packages/talk/talker.py", line 2, in main
     rclpy.spin(node)
+{}"""
+IN_RCLPY = """\
+Traceback (most recent call last):
+  File "/store/talk/lib/python3.12/site-packages/talk/talker.py", line 2, in main
+    rclpy.spin(node)
+  File "/opt/ros/jazzy/lib/python3.12/site-packages/rclpy/executors.py", line 709, in _wait
+    wait_set = _rclpy.WaitSet(
 {}"""
 CRASH = TRACEBACK.format("ValueError: x")
 BREAK = TRACEBACK.format("KeyboardInterrupt")
@@ -70,10 +78,7 @@ def test_running_until_we_ended_it() -> None:
 
 
 def test_ended_by_itself() -> None:
-    found = told(expect_running, ran(*printed(1.0, "one\ntwo"), end(1.6)), "talker")
-    assert found.summary.startswith("The program ended by itself after 1.50 s;")
-    assert (found.seen, found.details) == ("exit code 0", ("one", "two"))
-    assert where(found) == ["talk/talker.py:2"]
+    golden(told(expect_running, ran(*printed(1.0, "one\ntwo"), end(1.6)), "talker"))
 
 
 def test_ended_after_the_time_that_counts() -> None:
@@ -81,28 +86,26 @@ def test_ended_after_the_time_that_counts() -> None:
     assert said(expect_running, ran(end(1.9)), "talker", until=2.0) is not None
 
 
-@pytest.mark.parametrize(("number", "name"), [(9, "SIGKILL"), (11, "SIGSEGV"), (35, "35"), (63, "63")])
-def test_ended_by_a_signal(number: int, name: str) -> None:
-    assert told(expect_running, ran(end(1.0, None, number)), "talker").seen == f"ended by the signal {name}"
+@pytest.mark.parametrize("number", [9, 11, 35, 63])
+def test_ended_by_a_signal(number: int) -> None:
+    golden(told(expect_running, ran(end(1.0, None, number)), "talker"))
 
 
 def test_crashed() -> None:
-    found = told(expect_running, ran(*printed(1.0, CRASH), end(1.1, 1)), "talker")
-    assert found.summary == "The program stopped with an error: ValueError: x"
-    assert where(found) == ["talk/talker.py:2"]
+    golden(told(expect_running, ran(*printed(1.0, CRASH), end(1.1, 1)), "talker"))
 
 
 @pytest.mark.parametrize(
-    ("code", "words"),
+    "code",
     [
-        ("print('x')", "`main()` has to call `rclpy.init()`"),
-        ("rclpy.init()\nrclpy.spin(node)", "ends `rclpy.spin`"),
-        ("rclpy.init()\nrclpy.spin_once(node)", "`spin_once` handles one event"),
-        ("rclpy.init()\nnode = Node('x')", "Nothing keeps it running"),
+        "print('x')",
+        "rclpy.init()\nrclpy.spin(node)",
+        "rclpy.init()\nrclpy.spin_once(node)",
+        "rclpy.init()\nnode = Node('x')",
     ],
 )
-def test_advice_to_keep_it_running(code: str, words: str) -> None:
-    assert words in str(told(expect_running, ran(end(1.0), code=code), "talker").advice)
+def test_advice_to_keep_it_running(code: str) -> None:
+    golden(told(expect_running, ran(end(1.0), code=code), "talker"))
 
 
 # ending by itself
@@ -117,33 +120,32 @@ def test_an_error_that_was_caught_and_shown_is_no_crash() -> None:
 
 
 @pytest.mark.parametrize(
-    ("events", "seen"),
+    "events",
     [
-        ([end(1.0, 3)], "exit code 3"),
-        ([end(1.0, None, 15)], "ended by the signal SIGTERM"),
-        ([INTERRUPTED, end(5.1)], "it still ran"),
-        ([SignalSent(5.0, "talker", 9), end(5.1, None, 9)], "it still ran"),
-        ([], "it still ran"),
+        [end(1.0, 3)],
+        [end(1.0, None, 15)],
+        [INTERRUPTED, end(5.1)],
+        [SignalSent(5.0, "talker", 9), end(5.1, None, 9)],
+        [],
     ],
 )
-def test_another_end(events: list[Event], seen: str) -> None:
-    found = told(expect_clean_end, ran(*printed(0.5, "hello"), *events), "talker")
-    assert found.summary == "`talker` should end by itself with exit code 0."
-    assert (found.seen, found.details) == (seen, ("hello",))
+def test_another_end(events: list[Event]) -> None:
+    golden(told(expect_clean_end, ran(*printed(0.5, "hello"), *events), "talker"))
 
 
 def test_why_there_was_no_clean_end() -> None:
-    assert "exit code" in (told(expect_clean_end, ran(end(1.0, 1)), "talker").advice or "")
-    endless = told(
-        expect_clean_end, ran(*printed(1.0, "round"), INTERRUPTED, *printed(5.1, "^C"), end(5.2)), "talker"
+    golden(told(expect_clean_end, ran(end(1.0, 1)), "talker"))
+    golden(
+        told(
+            expect_clean_end,
+            ran(*printed(1.0, "round"), INTERRUPTED, *printed(5.1, "^C"), end(5.2)),
+            "talker",
+        )
     )
-    assert "loop that never ends" in (endless.advice or "")
-    assert endless.details == ("round",)  # what it says when we end it is no evidence
 
 
 def test_a_crash_in_place_of_an_end() -> None:
-    found = told(expect_clean_end, ran(*printed(1.0, CRASH), end(1.1, 1)), "talker")
-    assert "ValueError: x" in found.summary
+    golden(told(expect_clean_end, ran(*printed(1.0, CRASH), end(1.1, 1)), "talker"))
 
 
 # Ctrl+C
@@ -163,36 +165,33 @@ def test_a_traceback_before_ctrl_c_is_no_matter_of_it() -> None:
     [
         "rclpy._rclpy_pybind11.RCLError: failed to initialize wait set: the given context is not valid, "
         "either rcl_init() was not called or rcl_shutdown() was called., at /src/rcl/wait.c:130",
+        "SystemError: <built-in method take_response of pybind11_builtins.pybind11_detail_function_record_v1 "
+        "object at 0x7f9398ce9cb0> returned a result with an exception set",
         "RuntimeError: Unable to convert call argument '0' to Python object (#define "
         "PYBIND11_DETAILED_ERROR_MESSAGES or compile in debug mode for details)",
     ],
 )
 def test_what_rclpy_stumbles_over_is_nobody_s_failure(error: str) -> None:
-    lines = printed(5.1, TRACEBACK.format(error))
+    lines = printed(5.1, IN_RCLPY.format(error))
     with pytest.raises(Spoilt, match="its own shutdown"):
         expect_clean_interrupt(ran(INTERRUPTED, *lines, end(5.2, 1)), "talker")
+    lines = printed(5.1, TRACEBACK.format(error))  # raised in the learner's own file
+    golden(told(expect_clean_interrupt, ran(INTERRUPTED, *lines, end(5.2, 1)), "talker"))
 
 
 def test_a_traceback_after_ctrl_c() -> None:
-    found = told(expect_clean_interrupt, ran(INTERRUPTED, *printed(5.1, BREAK), end(5.2, 1)), "talker")
-    assert found.summary == "Ctrl+C ends the program with a traceback: KeyboardInterrupt"
-    assert "except KeyboardInterrupt:" in str(found.advice)
-    assert where(found) == ["talk/talker.py:2"]
+    golden(told(expect_clean_interrupt, ran(INTERRUPTED, *printed(5.1, BREAK), end(5.2, 1)), "talker"))
 
 
 @pytest.mark.parametrize("events", [[], [SignalSent(8.0, "talker", 9), end(8.1, None, 9)]])
 def test_deaf(events: list[Event]) -> None:
     recording = ran(INTERRUPTED, *events, code="\nsignal.signal(signal.SIGINT, signal.SIG_IGN)")
-    found = told(expect_clean_interrupt, recording, "talker")
-    assert "still ran 3 s later" in found.summary
-    assert where(found) == ["talk/talker.py:2"]
+    golden(told(expect_clean_interrupt, recording, "talker"))
 
 
 def test_another_exit_code() -> None:
-    found = told(expect_clean_interrupt, ran(INTERRUPTED, end(5.1, 7)), "talker")
-    assert (found.expected, found.seen) == ("exit code 0", "exit code 7")
+    golden(told(expect_clean_interrupt, ran(INTERRUPTED, end(5.1, 7)), "talker"))
 
 
 def test_ended_before_it_could_be_tried() -> None:
-    found = told(expect_clean_interrupt, ran(end(1.0)), "talker")
-    assert found.summary == "The program ended before Ctrl+C could be tried."
+    golden(told(expect_clean_interrupt, ran(end(1.0)), "talker"))

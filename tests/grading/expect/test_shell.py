@@ -5,13 +5,14 @@ from __future__ import annotations
 import pytest
 
 from course.errors import OurFault
-from course.evidence.events import Event, ShellRan, ShellReady, ShellStuck
 from course.evidence.home_files import HomeEntry
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
 from course.grading.expect.shell import complaints, expect_ran, expect_shell
+from course.model.events import Event, ShellRan, ShellReady, ShellStuck
+from tests.golden import golden
 
-from .conftest import said, told, where
+from .conftest import said, told
 
 READY = ShellReady(0.1, "bash", ())
 
@@ -29,25 +30,19 @@ def test_a_shell_that_is_well() -> None:
 
 
 @pytest.mark.parametrize(
-    ("reason", "program", "bashrc", "words", "place"),
+    ("reason", "program", "bashrc"),
     [
-        ("ended", "", "x=1\nexit\n", "exit", ".bashrc:2"),
-        ("replaced", "zsh", "exec zsh\n", "`zsh`", ".bashrc:1"),
-        ("running", "sleep 100", "\nsleep 100\n", "`sleep 100`", ".bashrc:2"),
-        ("waiting", "", "# read this\nread name\n", "somebody to type", ".bashrc:2"),
-        ("busy", "", "while :; do :; done\n", "busy", ".bashrc"),
-        ("flood", "", "yes\n", "without end", ".bashrc"),
+        ("ended", "", "x=1\nexit\n"),
+        ("replaced", "zsh", "exec zsh\n"),
+        ("running", "sleep 100", "\nsleep 100\n"),
+        ("waiting", "", "# read this\nread name\n"),
+        ("busy", "", "while :; do :; done\n"),
+        ("flood", "", "yes\n"),
     ],
 )
-def test_each_reason_has_words_and_a_line(
-    reason: str, program: str, bashrc: str, words: str, place: str
-) -> None:
+def test_each_reason_has_words_and_a_line(reason: str, program: str, bashrc: str) -> None:
     stuck = ShellStuck(1.0, "bash", reason, program, ("its last words",))
-    feedback = told(expect_shell, shell(stuck, bashrc=bashrc))
-    assert words in f"{feedback.summary} {feedback.advice}"
-    assert where(feedback) == [place]
-    assert feedback.details == ("its last words",)
-    assert "{" not in feedback.summary
+    golden(told(expect_shell, shell(stuck, bashrc=bashrc)))
 
 
 @pytest.mark.parametrize(
@@ -59,18 +54,15 @@ def test_each_reason_has_words_and_a_line(
 )
 def test_a_bashrc_that_bash_cannot_read(line: str) -> None:
     recording = shell(ShellReady(0.1, "bash", ("hello", line)))
-    feedback = told(expect_shell, recording)
-    assert where(feedback) == [".bashrc:12"]
-    assert "/tmp" not in feedback.summary
+    golden(told(expect_shell, recording))
     assert complaints(recording)[0] == (None, "hello")
 
 
 def test_a_command_that_closes_or_blocks_the_shell() -> None:
     none = ShellRan(0.2, "bash", "say_hello", (), None, 0.1)
-    closed = told(expect_ran, shell(READY, none, ShellStuck(0.3, "bash", "ended", "", ())), "say_hello")
-    assert "closes at once" in closed.summary and "set -e" in (closed.advice or "")
+    golden(told(expect_ran, shell(READY, none, ShellStuck(0.3, "bash", "ended", "", ())), "say_hello"))
     stuck = ShellStuck(0.3, "bash", "running", "sleep 9", ())
-    assert "`sleep 9` still runs" in told(expect_ran, shell(READY, none, stuck), "say_hello").summary
+    golden(told(expect_ran, shell(READY, none, stuck), "say_hello"))
 
 
 def test_what_was_never_typed_is_our_fault() -> None:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from course.build import Store
 from course.content import Exercise, open_course
-from course.grading.check import check_exercise
-from course.grading.result import Outcome, Verdict
+from course.grading.check import Request, check_exercise
 from course.grading.trial_answers import SEED, lay_answers
+from course.model import replace
+from course.model.result import Outcome, Verdict
 from course.rosenv import find_ros
 
 pytestmark = pytest.mark.slow
@@ -22,10 +22,10 @@ SCENARIO = """
 @grader.scenario
 def greet(arena):
     plan = mystery.plan(arena)
-    lamp = arena.subscribe(plan.topic, "std_msgs/msg/Int32")
-    mouth = arena.subscribe(plan.mouth, "std_msgs/msg/String")
+    lamp = arena.ros.subscribe(plan.topic, "std_msgs/msg/Int32")
+    mouth = arena.ros.subscribe(plan.mouth, "std_msgs/msg/String")
     arena.play(mystery.file)
-    voice = arena.publisher(plan.ears, "std_msgs/msg/String")
+    voice = arena.ros.publisher(plan.ears, "std_msgs/msg/String")
     arena.until(lambda: voice.matched, timeout=8)
     voice.publish(data="good evening")
     arena.until(lambda: lamp.count >= 3 and mouth.count, timeout=8)
@@ -36,7 +36,7 @@ def plays(recording):
     plan = mystery.plan(recording)
     assert len(recording.messages(plan.topic)) >= 3
     assert len(recording.messages(plan.mouth)) == 1
-    expect_act(recording, "greeted", "not greeted")
+    mystery.expect_act(recording, "greeted", "not greeted")
 """
 
 
@@ -57,6 +57,7 @@ def test_it_is_played_and_recorded(keepers: Exercise, tmp_path: Path, namespaces
     lay_answers(keepers, home)
     (home / ".ros2course/acts/05-keepers.json").unlink()
     store = Store(tmp_path / "store")
-    result = check_exercise(keepers, home, ros=find_ros(), store=store, seed=SEED, namespaces=namespaces)
+    request = Request(keepers, home, ros=find_ros(), store=store, seed=SEED, namespaces=namespaces)
+    result = check_exercise(request)
     assert [check for check in result.checks if check.outcome is not Outcome.PASSED] == [], result
     assert result.verdict is Verdict.PASSED

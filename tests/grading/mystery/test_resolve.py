@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from course.content import Exercise, Question, open_course
 from course.errors import OurFault
-from course.grading.mystery import AllOf, Mystery, Number, OneOf, Text
-from course.grading.mystery.load import mystery_of, questions_for
-from course.grading.mystery.resolve import fill, resolved
+from course.grading.load import mystery_of, questions_for
+from course.grading.mystery import AllOf, Mystery, Number, OneOf, Text, fill, resolved
+from course.model import replace
 
 FIXTURE = Path(__file__).parents[2] / "fixtures/quiz_course"
 BLANK = Question("q", "?", "text", computed=True, explain="So it is.")

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from course.feedback import Failure
 from course.grading.quiz.answers import MAX_BYTES, Answers, missing, read_answers
+from course.model.feedback import Failure
 
 
 def read(home: Path, content: str | bytes) -> Answers:
@@ -80,10 +80,10 @@ REFUSED = [
     ("a: *b\n", 1, "not valid YAML|`&`, `*` or `!`"),
     (BOMB, 1, "`&`, `*` or `!`"),
     ("a: 1\nb: !!python/object/apply:os.system [ls]\n", 2, "`&`, `*` or `!`"),
-    ("a: 1\nb: {c: d}\n", 2, "must be a text or a list of texts"),
-    ("a: [[1]]\n", 1, "must be a text or a list of texts"),
-    ("a: " + "[" * 3000, 1, "must be a text or a list of texts"),
-    ("? [a]\n: b\n", 1, "must be a text or a list of texts"),
+    ("a: 1\nb: {c: d}\n", 2, "must be a string or a list of strings"),
+    ("a: [[1]]\n", 1, "must be a string or a list of strings"),
+    ("a: " + "[" * 3000, 1, "must be a string or a list of strings"),
+    ("? [a]\n: b\n", 1, "must be a string or a list of strings"),
     ("- a\n- b\n", 1, "one line `question: answer`"),
     ("just words\n", 1, "one line `question: answer`"),
     ("a: 1\nb: 2\na: 3\n", 3, "`a` is answered twice"),
@@ -127,20 +127,20 @@ def test_a_folder_that_leads_elsewhere_is_not_followed(tmp_path: Path) -> None:
     other.mkdir()
     (other / "05-quiz.yaml").write_text("a: b\n")
     (home / "answers").symlink_to(other)
-    with pytest.raises(Failure, match="leads out of the course home"):
+    with pytest.raises(Failure, match="to a place outside the course home"):
         read_answers(home, "05-quiz")
 
 
 def test_a_pipe_is_not_waited_for(tmp_path: Path) -> None:
     (tmp_path / "answers").mkdir()
     os.mkfifo(tmp_path / "answers/05-quiz.yaml")
-    with pytest.raises(Failure, match="not a plain file"):
+    with pytest.raises(Failure, match="not a regular file"):
         read_answers(tmp_path, "05-quiz")
 
 
 def test_a_folder_in_its_place(tmp_path: Path) -> None:
     (tmp_path / "answers/05-quiz.yaml").mkdir(parents=True)
-    with pytest.raises(Failure, match="not a plain file"):
+    with pytest.raises(Failure, match="not a regular file"):
         read_answers(tmp_path, "05-quiz")
 
 

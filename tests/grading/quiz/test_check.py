@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from course.content import Exercise, open_course
-from course.grading.check import check_exercise
+from course.grading.check import Request, check_exercise
 from course.grading.load import runs_programs
-from course.grading.quiz.check import check_quiz, with_questions
-from course.grading.result import CheckResult, Outcome, Result, Verdict, from_json, to_json
+from course.grading.quiz.questions import check_quiz, with_questions
+from course.model import replace
+from course.model.result import CheckResult, Outcome, Result, Verdict, from_json, to_json
 
 FIXTURE = Path(__file__).parents[2] / "fixtures/quiz_course"
 RIGHT = FIXTURE / "solutions/05-lighthouses"
@@ -37,13 +37,13 @@ def outcomes(result: Result) -> list[str]:
 def test_all_right(quiz: Exercise) -> None:
     result = check_quiz(quiz, RIGHT)
     assert (result.verdict, result.points, result.max_points) == (Verdict.PASSED, 6, 6)
-    assert [check.id for check in result.checks] == ["why", "seen", "keeper", "period", "colours"]
+    assert [check.id for check in result.checks] == ["why", "seen", "keeper", "period", "colors"]
     assert from_json(to_json(result)) == result
 
 
 def test_no_ros_is_needed(quiz: Exercise) -> None:
     assert not runs_programs(quiz)
-    assert check_exercise(quiz, RIGHT, ros=None) == check_quiz(quiz, RIGHT)
+    assert check_exercise(Request(quiz, RIGHT, ros=None)) == check_quiz(quiz, RIGHT)
 
 
 def test_without_a_file_the_first_question_says_so(quiz: Exercise, tmp_path: Path) -> None:
@@ -87,7 +87,7 @@ def test_a_question_named_like_a_check_is_our_error(quiz: Exercise) -> None:
 def test_it_imports_no_ros() -> None:
     code = (
         "import sys; from pathlib import Path; from course.content import open_course;"
-        "from course.grading.quiz.check import check_quiz;"
+        "from course.grading.quiz.questions import check_quiz;"
         f"quiz = open_course(Path({str(FIXTURE)!r})).exercise('05-quiz');"
         f"print(check_quiz(quiz, Path({str(RIGHT)!r})).verdict.value);"
         "assert not {'rclpy', 'pytest'} & set(sys.modules)"

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from course.content import Choice, Known, Question
-from course.feedback import Feedback
+from course.content import Choice, KnownAnswer, Question
 from course.grading.quiz.answers import Answers, Given
-from course.grading.quiz.judge import judge, title
-from course.grading.result import CheckResult, Outcome
+from course.grading.quiz.judge import is_a_try, judge, title
+from course.model.feedback import Feedback
+from course.model.result import CheckResult, Outcome
 
 FILE = "answers/05-quiz.yaml"
 LIGHTS = (
     Choice("rhythm", "Its `rhythm`", True, "Charts give it."),
-    Choice("Its colour", "Its colour", True),
+    Choice("Its color", "Its color", True),
     Choice("Its smell", "Its smell", False, "Nobody smells it."),
     Choice("-r", "-r", False, "That is the small one."),
     Choice("-R", "-R", False, "That is the large one."),
@@ -25,7 +25,7 @@ TEXT = Question(
     "What builds?",
     "text",
     texts=("colcon build", "colcon"),
-    wrong=(Known("catkin_make", "That is of ROS 1."),),
+    wrong=(KnownAnswer("catkin_make", "That is of ROS 1."),),
     explain="It builds a workspace.",
 )
 EXACT = Question("exact", "Which?", "text", texts=("ROS_DISTRO",), exact=True, explain="It is a variable.")
@@ -34,7 +34,7 @@ ALL = Question(
     "What does it make?",
     "all_of",
     texts=("build", "install", "log"),
-    wrong=(Known("src", "That is yours."),),
+    wrong=(KnownAnswer("src", "That is yours."),),
     explain="Three folders.",
 )
 NUMBER = Question(
@@ -43,7 +43,7 @@ NUMBER = Question(
     "number",
     value=10.0,
     tolerance=1.0,
-    wrong=(Known("0.1", "The period."),),
+    wrong=(KnownAnswer("0.1", "The period."),),
     explain="Hz.",
 )
 
@@ -66,9 +66,9 @@ def said(question: Question, *texts: str) -> Feedback:
         (ONE, ["rhythm"]),
         (ONE, ["its Rhythm."]),
         (ONE, ["  its   `rhythm` "]),
-        (SOME, ["its colour", "rhythm"]),
-        (SOME, ["rhythm, its colour"]),
-        (SOME, ["Its rhythm and its colour"]),
+        (SOME, ["its color", "rhythm"]),
+        (SOME, ["rhythm, its color"]),
+        (SOME, ["Its rhythm and its color"]),
         (TEXT, ["Colcon  Build"]),
         (TEXT, ["`colcon`"]),
         (EXACT, ["ROS_DISTRO "]),
@@ -93,10 +93,10 @@ def test_right_answers(question: Question, texts: list[str]) -> None:
         (ONE, ["-R"], "That is the large one."),
         (ONE, ["-r"], "That is the small one."),
         (ONE, ["rhythm", "Its smell"], "Only one answer"),
-        (ONE, ["its smel"], "`its smel` is none of the choices; did you mean `Its smell`?"),
-        (SOME, ["rhythm"], "not all"),
-        (SOME, ["rhythm", "Its colour", "Its smell"], "Nobody smells it."),
-        (SOME, ["rhythm", "noise"], "`noise` is none of the choices"),
+        (ONE, ["its smel"], "`its smel` is not one of the choices; did you mean `Its smell`?"),
+        (SOME, ["rhythm"], "something is missing"),
+        (SOME, ["rhythm", "Its color", "Its smell"], "Nobody smells it."),
+        (SOME, ["rhythm", "noise"], "`noise` is not one of the choices"),
         (TEXT, ["catkin_make"], "That is of ROS 1."),
         (TEXT, ["make"], "It builds a workspace."),
         (EXACT, ["ros_distro"], "It is a variable."),
@@ -132,14 +132,14 @@ def test_a_slip_of_the_keyboard_is_told() -> None:
 
 
 def test_a_letter_is_no_choice() -> None:
-    assert "another order" in (said(ONE, "b").advice or "")
+    assert "a different order" in (said(ONE, "b").advice or "")
 
 
 @pytest.mark.parametrize(
     ("question", "texts", "why"),
     [
         (ONE, ["rhythm"], "Charts give it."),
-        (SOME, ["Its colour", "rhythm"], "Charts give it."),
+        (SOME, ["Its color", "rhythm"], "Charts give it."),
         (TEXT, ["colcon"], "It builds a workspace."),
     ],
 )
@@ -163,3 +163,33 @@ def test_a_misspelt_question_is_named() -> None:
 def test_the_title_is_the_first_line() -> None:
     assert title(Question("a", "# What is **this**?\n\n```\ncode\n```", "text")) == "What is this?"
     assert len(title(Question("a", "long " * 100, "text"))) < 130
+
+
+@pytest.mark.parametrize(
+    ("question", "texts", "counts"),
+    [
+        (ONE, ("Its smell",), True),
+        (ONE, ("rhythm",), False),
+        (ONE, ("b",), False),
+        (ONE, ("-r", "-R"), False),
+        (SOME, ("rhythm",), True),
+        (SOME, ("Its smell, Its color",), True),
+        (SOME, ("Its smell, Its nothing",), False),
+        (TEXT, ("catkin_make",), True),
+        (TEXT, ("colcon buidl",), False),
+        (ALL, ("build", "install", "src"), True),
+        (NUMBER, ("0.1",), True),
+        (NUMBER, ("many",), False),
+    ],
+)
+def test_only_a_wrong_answer_that_makes_sense_is_a_try(
+    question: Question, texts: tuple[str, ...], counts: bool
+) -> None:
+    assert is_a_try(question, Given(texts)) is counts
+
+
+def test_after_a_wrong_answer_the_right_one_earns_half() -> None:
+    given = {"one": Given(("rhythm",), 7), "one.first": Given(("Its smell",), 8)}
+    result = judge(ONE, Answers(FILE, given), frozenset({"one"}))
+    assert (result.outcome, result.points, result.earned) == (Outcome.PASSED, 1, 0.5)
+    assert Answers(FILE, given).unknown(frozenset({"one"})) == ()

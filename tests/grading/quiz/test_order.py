@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from course.content import Choice, Question
-from course.grading.quiz.order import as_seen
+from course.grading.quiz.questions import as_seen
+from course.model import replace
 
 CHOICES = tuple(Choice(name, name, name == "a") for name in "abcd")
 QUESTION = Question("q", "?", "choice", CHOICES)

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from course.content import Choice, Question
-from course.grading.quiz.answers import read_answers
-from course.grading.quiz.writing import answers_text
+from course.grading.quiz.answers import answers_text, read_answers
 
 QUESTIONS = (
     Question("why", "Why?\n\nThink: `a` # b.", "choice", (Choice("dark", "It is dark", True),)),
@@ -46,6 +45,12 @@ def back(home: Path, given: dict[str, tuple[str, ...]]) -> dict[str, tuple[str, 
 )
 def test_what_is_written_is_read_back(tmp_path: Path, texts: tuple[str, ...]) -> None:
     assert back(tmp_path, {"why": texts, "how-many": ("3",)}) == {"why": texts, "how-many": ("3",)}
+
+
+def test_a_first_answer_is_kept_beside_the_later_one(tmp_path: Path) -> None:
+    given = {"why": ("dark",), "why.first": ("a: b", "c"), "how-many.first": ("3",)}
+    assert back(tmp_path, given) == given
+    assert "no such questions" not in answers_text("05-quiz", QUESTIONS, given)
 
 
 def test_a_blank_answer_and_one_to_no_question(tmp_path: Path) -> None:

@@ -106,13 +106,13 @@ def test_an_interrupted_opening_leaves_nothing_and_what_was_killed_is_swept(
     tmp_path: Path, out: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     archive = make_zip(tmp_path / "w.zip", {"a": "a"})
-    (tmp_path / ".out.1234.ros2course-part/b").mkdir(parents=True)
+    (tmp_path / ".out.99999999-77aa.ros2course-part/b").mkdir(parents=True)
 
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr("course.home.opening.limits.Meter.data", interrupt)
+        patched.setattr("course.home.opening.findings.Meter.data", interrupt)
         with pytest.raises(KeyboardInterrupt):
             open_archive(archive, out)
     assert [path.name for path in tmp_path.iterdir()] == ["w.zip"]
@@ -120,7 +120,7 @@ def test_an_interrupted_opening_leaves_nothing_and_what_was_killed_is_swept(
 
 @pytest.mark.parametrize(
     ("content", "says"),
-    [(b"", "empty"), (b"Rar!\x1a\x07", "no zip and no tar"), (b"PK\3\4 and nonsense", "broken")],
+    [(b"", "empty"), (b"Rar!\x1a\x07", "not a zip or a tar"), (b"PK\3\4 and nonsense", "broken")],
 )
 def test_what_is_no_archive(tmp_path: Path, out: Path, content: bytes, says: str) -> None:
     (tmp_path / "w.zip").write_bytes(content)

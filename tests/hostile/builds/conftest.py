@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from course.arena.sandbox.once import once_obstacle
 from course.build import BuildFailure, BuildOutcome, Store, Workspace, build
+from course.isolation.bubblewrap import build_obstacle
 from course.rosenv import Ros, find_ros, prepare
 from tests.hostile import world
 from tests.hostile.world import SRC, World, lay_world
@@ -139,7 +139,7 @@ def build_it(
         time_limit: float = 60.0,
         prepare: Callable[[World], None] = lambda world: None,
     ) -> Built:
-        if obstacle := once_obstacle():
+        if obstacle := build_obstacle():
             pytest.skip(f"not exercised here: {guarantee} ({obstacle})")
         folder = Path(tempfile.mkdtemp(dir=open_place))
         here = lay_world(folder, course_copy, own_store, "01-files", files)

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import contextlib
 import select
 import socket
+import threading
+import time
 from pathlib import Path
 
+import psutil
 import pytest
 
 from course.build import BuildFailure
 from tests.hostile.builds.conftest import BuildIt, Package, attack, cmake_package, python_package
 from tests.hostile.world import SECRET
+from tests.processes import ours_below, words_of
 
 pytestmark = pytest.mark.slow
 KINDS = pytest.mark.parametrize("package", [python_package, cmake_package])
@@ -109,8 +114,36 @@ def test_a_build_has_no_rights(build_it: BuildIt, package: Package) -> None:
     built = build_it(package(attack("build_rights")), guarantee="builds have no rights")
     assert not built.breaches
     names = ("rights", "first process", "ptrace", "user namespace", "chroot", "root", "device", "strangers")
-    assert built.held >= {*names, "raw socket", "terminal"}
+    assert built.held >= {*names, "raw socket", "terminal", "pseudo-terminal"}
     assert built.outcome.failure is None, built.words
+
+
+WAITING = "import time\ntime.sleep(4)"
+
+
+@pytest.mark.parametrize("kind", ["build's bubblewrap", "build's first process"])
+def test_a_build_whose_surroundings_were_killed_is_run_again(build_it: BuildIt, kind: str) -> None:
+    struck: list[str] = []
+
+    def strike() -> None:
+        deadline = time.monotonic() + 60
+        while not struck and time.monotonic() < deadline:
+            ours = dict(ours_below(psutil.Process()))
+            if kind in ours and any("setup.py" in word for word in _words_below(ours[kind])):
+                ours[kind].kill()
+                struck.append(kind)
+
+    thread = threading.Thread(target=strike)
+    files, guarantee = python_package(WAITING), "a kill is no failure"
+    built = build_it(files, guarantee=guarantee, prepare=lambda _: thread.start())
+    thread.join()
+    assert struck and built.outcome.failure is None, built.words
+
+
+def _words_below(process: psutil.Process) -> list[str]:
+    with contextlib.suppress(psutil.Error):
+        return [word for child in process.children(recursive=True) for word in words_of(child)]
+    return []
 
 
 @KINDS

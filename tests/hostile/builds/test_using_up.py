@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-import dataclasses
 import time
 
 import pytest
 
-from course.arena.sandbox.limits import BUILD
-from course.build import confined, process, stopped, usage
+from course.build import outputs, package_build, runner
+from course.build.budget import SUBMISSION
+from course.grading import check
+from course.grading.check import attempt_exercise as attempt
+from course.isolation.isolation_plan import BUILD
+from course.model import replace
+from course.model.result import Verdict
 from tests.hostile.builds.conftest import BuildIt, cmake_package, python_package
+from tests.hostile.world import SRC, Grade
 from tests.processes import none_stays
 
 pytestmark = pytest.mark.slow
@@ -97,10 +102,10 @@ LIMITED = (
 @pytest.fixture(autouse=True)
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """As ever, but with less to use up until a limit is reached, for this machine's sake."""
-    less = dataclasses.replace(BUILD, memory=300 * MB, scratch=150 * MB)
-    monkeypatch.setattr(confined, "BUILD", less)
-    monkeypatch.setattr(process, "MOST_OUTPUT", 4 * MB)
-    monkeypatch.setattr(usage, "MOST_FILES", 20_000)
+    less = replace(BUILD, memory=300 * MB, scratch=150 * MB)
+    monkeypatch.setattr(package_build, "BUILD", less)
+    monkeypatch.setattr(runner, "MOST_OUTPUT", 4 * MB)
+    monkeypatch.setattr(outputs, "MOST_FILES", 20_000)
 
 
 @pytest.mark.parametrize(("program", "kind", "words"), LIMITED, ids=[kind for _, kind, _ in LIMITED])
@@ -162,4 +167,22 @@ if os.fork() == 0:
 
 
 def test_all_limits_have_words() -> None:
-    assert {kind.removesuffix("-limit") for _, kind, _ in LIMITED} <= {*stopped._LIMITS, "time", "output"}
+    known = {*package_build._LIMITS, "time", "output"}
+    assert {kind.removesuffix("-limit") for _, kind, _ in LIMITED} <= known
+
+
+def test_builds_beyond_the_budget_are_a_failure_and_not_run_again(
+    grade: Grade, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A rerun would take the same time again, and others wait."""
+    attempts = []
+    monkeypatch.setattr(check, "SUBMISSION", replace(SUBMISSION, seconds=3.0))
+    monkeypatch.setattr(
+        check, "attempt_exercise", lambda *given, **more: (attempts.append(1), attempt(*given, **more))[1]
+    )
+    setup = f"{SRC}/the_simplest_python_package/setup.py"
+    graded = grade({setup: LOOP}, "07-simplest-package", guarantee="a build without end is a failure")
+    assert graded.result.verdict is Verdict.NOT_PASSED, graded.result
+    assert graded.failed[:1] == ("builds",)
+    assert "together took longer than 3 s" in graded.words("builds")
+    assert attempts == [1]

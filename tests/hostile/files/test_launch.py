@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from course.content import open_course
-from course.grading.result import Verdict
+from course.model.result import Verdict
 from tests.hostile.builds.conftest import attack
 from tests.hostile.files.conftest import GradeHome
 from tests.hostile.world import NODE, SECRET, SRC

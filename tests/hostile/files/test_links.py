@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from course.grading.result import Verdict, to_json
+from course.model.result import Verdict, to_json
 from tests.hostile.files.conftest import GradeHome
 from tests.hostile.world import NODE, PACKAGE, SECRET, SRC, Graded, World
 

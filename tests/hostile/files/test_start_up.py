@@ -8,7 +8,7 @@ import pytest
 
 from course.build import Store, Workspace, build
 from course.content import open_course
-from course.grading.result import Verdict
+from course.model.result import Verdict
 from course.rosenv import find_ros
 from tests.hostile.builds.conftest import python_package
 from tests.hostile.files.conftest import GradeHome

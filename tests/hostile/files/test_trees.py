@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from course.build import Workspace
-from course.build.manifest import Manifest, ManifestFault, read_manifest, strict_fault
-from course.build.plan import Unbuildable, plan
-from course.build.sources import TooMuch, source_files
+from course.build.builder import Unbuildable, build_order
+from course.build.package_sources import TooMuch, source_files
 from course.evidence.home_files import read_entries
 from course.evidence.sources import read_sources
+from course.explain.package_xml import Manifest, ManifestFault, read_manifest, strict_fault
 from tests.build.packages import make_package
 
 SRC = "ros2_tutorial_workspace/src"
@@ -95,7 +95,7 @@ def test_links_are_followed_in_a_home_that_is_trusted(home: Path, tmp_path: Path
     assert names == ["mine", "strange"]
     assert [package.name for package in scan(home).packages] == ["strange"]
     with pytest.raises(Unbuildable) as caught:
-        plan(scan(home), ["mine"])
+        build_order(scan(home), ["mine"])
     told = caught.value.failure.feedback
     assert told.advice == f"{SRC}/mine is a link out of the course home: put the folder in its place."
 
@@ -115,7 +115,7 @@ def test_a_package_xml_that_is_none(home: Path, kind: str) -> None:
         targets = {"zero": "/dev/zero", "environ": "/proc/self/environ", "loop": "package.xml"}
         file.symlink_to(targets[kind])
     with pytest.raises(Unbuildable) as caught:
-        plan(scan(home), ["strange"])
+        build_order(scan(home), ["strange"])
     words = {
         "folder": "There is no package",
         "huge": "it has more than 256 KiB",
@@ -152,7 +152,7 @@ def test_bombs_are_refused(home: Path, name: str) -> None:
     assert "root:" not in found.what
     (home / SRC / "strange/package.xml").write_text(BOMBS[name])
     with pytest.raises(Unbuildable):
-        plan(scan(home), ["strange"])
+        build_order(scan(home), ["strange"])
 
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-32", "utf-7", "latin-1", "cp037"])

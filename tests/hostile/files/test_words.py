@@ -11,17 +11,17 @@ import pytest
 from rich.console import Console
 
 from course.content import Exercise, open_course
-from course.feedback import Feedback, Location
-from course.grading.quiz.check import check_quiz
-from course.grading.result import CheckResult, Outcome, Result, Timing, Verdict, from_json, to_json
+from course.grading.quiz.questions import check_quiz
 from course.grading.trial_answers import SEED
+from course.model.feedback import Feedback, Location
+from course.model.result import CheckResult, Outcome, Result, Timing, Verdict, from_json, to_json
 from course.report.console import open_console
 from course.report.problem import render_problem
-from course.report.terminal import render_result
+from course.report.verdict import render_result
 from tests.hostile.world import SECRET
 
 ATTACKS = {
-    "colour": "\x1b[31mred\x1b[0m",
+    "color": "\x1b[31mred\x1b[0m",
     "clear": "\x1b[2J\x1b[H\x1bc",
     "title": "\x1b]0;evil\x07",
     "link": "\x1b]8;;http://evil/\x1b\\click\x1b]8;;\x1b\\",

@@ -8,16 +8,14 @@ def attempt(name, act):
     try:
         found = act()
     except BaseException as error:
-        print(f'HELD {name}: {type(error).__name__} {str(error)[:100]!r}', flush=True)
+        print(f"HELD {name}: {type(error).__name__} {str(error)[:100]!r}", flush=True)
         return
     if found is None:
-        print(f'HELD {name}: nothing', flush=True)
+        print(f"HELD {name}: nothing", flush=True)
     else:
-        print(f'BREACH {name}: {str(found)[:200]!r}', flush=True)
+        print(f"BREACH {name}: {str(found)[:200]!r}", flush=True)
 
 
 def aside(act):
     """Let it go on while the node does what is right."""
     threading.Thread(target=act, daemon=True).start()
-
-

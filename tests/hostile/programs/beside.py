@@ -20,5 +20,3 @@ def beside(act):
 
     Node.__init__ = remember
     aside(wait)
-
-

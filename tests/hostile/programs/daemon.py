@@ -9,7 +9,7 @@ if os.fork() == 0:
     if os.fork():
         os._exit(0)
     os.closerange(0, 1024)
-    os.chdir('/')
+    os.chdir("/")
     for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
         signal.signal(number, signal.SIG_IGN)
     while True:

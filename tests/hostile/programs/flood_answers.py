@@ -6,7 +6,7 @@ def flood(node):
 
     while True:
         for name, types in node.get_service_names_and_types():
-            if types == ['rcl_interfaces/srv/ListParameters']:
+            if types == ["rcl_interfaces/srv/ListParameters"]:
                 node.create_client(ListParameters, name).call_async(ListParameters.Request())
 
 

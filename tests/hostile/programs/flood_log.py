@@ -3,7 +3,7 @@
 
 def flood(node):
     while True:
-        node.get_logger().info('flood ' * SIZE)
+        node.get_logger().info("flood " * SIZE)
 
 
 beside(flood)

@@ -5,8 +5,8 @@ def flood(node):
     from package_with_interfaces.srv import WhatIsThePoint
 
     request = WhatIsThePoint.Request()
-    request.quote.quote = 'life ' * SIZE
-    asking = node.create_client(WhatIsThePoint, '/what_is_the_point')
+    request.quote.quote = "life " * SIZE
+    asking = node.create_client(WhatIsThePoint, "/what_is_the_point")
     while True:
         if asking.service_is_ready():
             asking.call_async(request)

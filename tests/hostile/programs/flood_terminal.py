@@ -5,7 +5,7 @@ import os
 
 def flood():
     while True:
-        os.write(1, b'flood ' * 10_000 + b'\n')
+        os.write(1, b"flood " * 10_000 + b"\n")
 
 
 aside(flood)

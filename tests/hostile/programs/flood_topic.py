@@ -4,7 +4,7 @@
 def flood(node):
     from package_with_interfaces.msg import AmazingQuote
 
-    message = AmazingQuote(id=7, quote='x' * SIZE, philosopher_name='x')
+    message = AmazingQuote(id=7, quote="x" * SIZE, philosopher_name="x")
     while True:
         node.publisher.publish(message)
 

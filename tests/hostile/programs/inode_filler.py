@@ -6,7 +6,7 @@ import tempfile
 number = 0
 while True:
     try:
-        os.close(os.open(os.path.join(tempfile.gettempdir(), f'breach-{number}'), os.O_CREAT))
+        os.close(os.open(os.path.join(tempfile.gettempdir(), f"breach-{number}"), os.O_CREAT))
     except OSError:
         pass
     number += 1

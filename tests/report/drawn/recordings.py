@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from course.evidence import events as kinds
-from course.evidence.graph import Endpoint, Graph, Kind, Qos, Service
 from course.evidence.recording import Recording
-from course.feedback import Feedback, Pace
-from course.grading.result import CheckResult, Outcome, Result, Timing, Verdict
+from course.model import events as kinds
+from course.model.feedback import Feedback, Pace
+from course.model.graph import Endpoint, Graph, Kind, Qos, Service
+from course.model.result import CheckResult, Outcome, Result, Timing, Verdict
 from tests.report.pictures.recordings import ADD, NUMBER, number, recording
 
 

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
-from course.evidence import events as kinds
-from course.report.drawn.album import belongs, is_secret, render_pictures, render_recording
-from course.report.drawn.summary import bytes_of, render_summary
+from course.model import events as kinds
+from course.model import replace
+from course.report.pictures.recording_text import (
+    belongs,
+    bytes_of,
+    is_secret,
+    render_pictures,
+    render_recording,
+    render_summary,
+)
 from tests.report.conftest import Page
 from tests.report.drawn.recordings import PACE, judged, steady
 from tests.report.pictures.recordings import ADD, COUNTER, call, recording

@@ -7,11 +7,10 @@ from collections.abc import Callable
 import pytest
 from rich.cells import cell_len
 
-from course.evidence import events as kinds
 from course.evidence.recording import Recording
-from course.report.drawn.connections import Connection, slips, topics_of
-from course.report.drawn.graph import render_graph
-from course.report.drawn.told import Told
+from course.model import events as kinds
+from course.report.pictures.graph_text import Connection, render_graph, slips, topics_of
+from course.report.pictures.lanes import Told
 from tests.report.conftest import Page
 from tests.report.drawn.recordings import CALLS, TYPO, end, failed, graph, judged
 from tests.report.gradebook.hostile import TEXTS
@@ -53,7 +52,7 @@ def test_a_name_that_a_check_expected_is_drawn_too(page: Page) -> None:
         (("/quote", ("/a",), ()), ("/quotes", (), ("/b",)), True),
         (("/quote", ("/a",), ()), ("/quotes", ("/b",), ()), False),  # both publish only
         (("/quote", ("/a",), ("/b",)), ("/quotes", (), ("/b",)), False),  # one is whole
-        (("/quote", ("/a",), ()), ("/colour", (), ("/b",)), False),  # not alike
+        (("/quote", ("/a",), ()), ("/color", (), ("/b",)), False),  # not alike
         (("/quote", ("/a",), ()), ("/quotes", (), ()), True),
         (("/quote", ("/a",), ("/b",)), ("/quotes", (), ()), False),
         (("/quote", (), ()), ("/quotes", (), ()), False),

@@ -10,12 +10,12 @@ import pytest
 from rich.cells import cell_len
 from rich.console import Console
 
-from course.evidence import events as kinds
 from course.evidence.recording import Recording
-from course.grading.result import Result
+from course.model import events as kinds
+from course.model.result import Result
 from course.report.console import open_console
-from course.report.drawn.line import rate, render_line
-from course.report.drawn.told import Told
+from course.report.pictures.lanes import Told
+from course.report.pictures.timeline_text import rate, render_line
 from tests.report.conftest import Page
 from tests.report.drawn.recordings import PACE, TYPO, failed, judged, steady
 from tests.report.gradebook.hostile import TEXTS
@@ -110,10 +110,10 @@ def test_a_terminal_that_has_only_ascii() -> None:
 def test_colour_only_adds(page: Page) -> None:
     result = judged(failed("/counter", "/counted"))
     bright = Page(Console(file=io.StringIO(), force_terminal=True, width=80), io.StringIO())
-    with bright.console.capture() as coloured:
+    with bright.console.capture() as colored:
         render_line(bright.console, recording(*COUNTER), Told.by(result))
-    assert "\x1b[" in coloured.get()
-    plain = re.sub(r"\x1b\[[0-9;]*m", "", coloured.get()).splitlines()
+    assert "\x1b[" in colored.get()
+    plain = re.sub(r"\x1b\[[0-9;]*m", "", colored.get()).splitlines()
     assert [line.rstrip() for line in plain] == drawn(page, recording(*COUNTER), result)
 
 

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import pytest
 
-from course.evidence import events as kinds
-from course.report.drawn.plot import ROWS, render_plot
+from course.model import events as kinds
+from course.report.pictures.plot_text import ROWS, render_plot
 from course.report.pictures.signals import Curve, Signal, intervals_of, latencies_of, signals_of
 from tests.report.conftest import Page
 from tests.report.drawn.recordings import steady

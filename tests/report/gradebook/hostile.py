@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from course.feedback import Feedback, Location
-from course.grading.result import CheckResult, Outcome, Result, Timing, Verdict
+from course.model.feedback import Feedback, Location
+from course.model.gradebook import GradedSubmission, Person
+from course.model.result import CheckResult, Outcome, Result, Timing, Verdict
 from course.report.gradebook.cleaning import Cleaner
-from course.report.gradebook.model import Graded, Person
 from course.report.gradebook.sheets import Sheet
 from tests.report.gradebook.samples import sheet_of
 
@@ -54,7 +54,7 @@ TEXTS = (
 )
 
 
-def graded(text: str) -> Graded:
+def graded(text: str) -> GradedSubmission:
     """Everything that may come from a submission is `text`."""
     feedback = Feedback(
         text, expected=text, seen=text, where=(Location(text, 3),) * 9, advice=text, details=(text,) * 60
@@ -70,7 +70,7 @@ def graded(text: str) -> Graded:
     )
     verdict = Verdict.NOT_PASSED
     result = Result("18-publisher", verdict, checks, Timing(1, 2, 3.5), None, text, (text,) * 30)
-    return Graded(Person(text, text), text, (result,), (text,) * 30)
+    return GradedSubmission(Person(text, text), text, (result,), (text,) * 30)
 
 
 def sheet(text: str) -> Sheet:

@@ -15,14 +15,14 @@ from collections.abc import Callable
 from datetime import datetime, timezone
 from pathlib import Path
 
-from course.feedback import Feedback
-from course.grading.result import Result, Verdict, from_json
-from course.report.gradebook import annotations, classroom, document, gradescope, junit, spreadsheet
+from course.model.feedback import Feedback
+from course.model.gradebook import Gradebook, GradedExercise, GradedSubmission, Person
+from course.model.result import Result, Verdict, from_json
+from course.report.gradebook import class_files, github, gradescope, junit
 from course.report.gradebook.cleaning import Cleaner
+from course.report.gradebook.github import job_summary
 from course.report.gradebook.letter import letter
-from course.report.gradebook.model import Gradebook, Graded, GradedExercise, Person
 from course.report.gradebook.sheets import Sheet, sheets
-from course.report.gradebook.summary import job_summary
 
 DOCUMENT = Path(__file__).parents[3] / "docs" / "results.md"
 DATA = Path(__file__).parent / "data"
@@ -41,33 +41,33 @@ def our_error() -> Result:
     return Result("18-publisher", Verdict.OUR_ERROR, fault=fault)
 
 
-def gradebook(*graded: Graded) -> Gradebook:
+def gradebook(*graded: GradedSubmission) -> Gradebook:
     return Gradebook("ROS 2, step by step", (EXERCISE,), graded, BEGAN, ENDED, "namespaces")
 
 
-ADA = Graded(Person("ada", "Ada Okafor"), "ada.zip", (result("right"),))
-BAO = Graded(Person("bao", "Bảo Nguyễn"), "bao.zip", (result("plural"),))
-CARL = Graded(
+ADA = GradedSubmission(Person("ada", "Ada Okafor"), "ada.zip", (result("right"),))
+BAO = GradedSubmission(Person("bao", "Bảo Nguyễn"), "bao.zip", (result("plural"),))
+CARL = GradedSubmission(
     Person("carl", "Carl Lind"), "carl.tar.gz", (result("crash"),), ("Handed in twice; the last one counts.",)
 )
-DILARA = Graded(Person("dilara", "Dilara Aydın"), "dilara.zip", (our_error(),))
-EMRE = Graded(Person("emre", "Emre Kaya"), "")
+DILARA = GradedSubmission(Person("dilara", "Dilara Aydın"), "dilara.zip", (our_error(),))
+EMRE = GradedSubmission(Person("emre", "Emre Kaya"), "")
 CLASS = gradebook(ADA, BAO, CARL, DILARA, EMRE)
 CLEANER = Cleaner()
 
 
-def sheet_of(graded: Graded, cleaner: Cleaner = CLEANER) -> Sheet:
+def sheet_of(graded: GradedSubmission, cleaner: Cleaner = CLEANER) -> Sheet:
     (sheet,) = sheets(gradebook(graded), cleaner)
     return sheet
 
 
 def csv() -> str:
-    return _block("text", "".join(spreadsheet.rows((EXERCISE,), sheets(CLASS, CLEANER))).lstrip("\ufeff"))
+    return _block("text", "".join(class_files.rows((EXERCISE,), sheets(CLASS, CLEANER))).lstrip("\ufeff"))
 
 
 def results() -> str:
     only = gradebook(BAO)
-    text = "".join(document.pieces(only, CLEANER, sheets(only, CLEANER)))
+    text = "".join(class_files.pieces(only, CLEANER, sheets(only, CLEANER)))
     return _block("json", json.dumps(json.loads(text), indent=2, ensure_ascii=False))
 
 
@@ -82,7 +82,7 @@ def scope() -> str:
 
 
 def room() -> str:
-    return _block("json", json.dumps(classroom.as_data(sheet_of(BAO)), indent=2, ensure_ascii=False))
+    return _block("json", json.dumps(github.as_data(sheet_of(BAO)), indent=2, ensure_ascii=False))
 
 
 def page() -> str:
@@ -90,7 +90,7 @@ def page() -> str:
 
 
 def note() -> str:
-    return _block("text", "\n".join(annotations.commands(sheet_of(BAO))))
+    return _block("text", "\n".join(github.commands(sheet_of(BAO))))
 
 
 def mail() -> str:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
 import pytest
 
-from course.feedback import Feedback, Location
-from course.grading.result import CheckResult, Outcome, Result, Verdict
-from course.report.gradebook import annotations
-from course.report.gradebook.model import Graded
+from course.model import replace
+from course.model.feedback import Feedback, Location
+from course.model.gradebook import GradedSubmission
+from course.model.result import CheckResult, Outcome, Result, Verdict
+from course.report.gradebook import github
 from course.report.gradebook.sheets import Mark, Sheet
 from tests.report.gradebook import hostile, samples
 
@@ -30,11 +30,11 @@ def failed(name: str, *where: Location) -> CheckResult:
 
 
 def titles(made: Sheet) -> list[str]:
-    return [re.sub(r".*title=([^,:]*).*", r"\1", line) for line in annotations.commands(made)]
+    return [re.sub(r".*title=([^,:]*).*", r"\1", line) for line in github.commands(made)]
 
 
 def test_a_failure_stands_at_its_line() -> None:
-    (line,) = annotations.commands(samples.sheet_of(samples.BAO))
+    (line,) = github.commands(samples.sheet_of(samples.BAO))
     match = COMMAND.fullmatch(line)
     assert match is not None
     assert match[1] == "title=18-publisher%3A it has a publisher on /amazing_quote"
@@ -46,7 +46,7 @@ def test_the_most_useful_ten() -> None:
     vague = [failed(f"vague{n}") for n in range(9)]
     placed = [failed(f"placed{n}", Location("a.py", n + 1)) for n in range(4)]
     found = titles(sheet(*vague, *placed, failed("file", Location("b.py"))))
-    assert len(found) == annotations.MOST == 10
+    assert len(found) == github.MOST == 10
     assert found[:5] == [f"x%3A placed{n}" for n in range(4)] + ["x%3A file"]
 
 
@@ -65,26 +65,26 @@ def test_one_line_is_named_once() -> None:
 
 def test_places_can_be_moved_into_the_repository() -> None:
     made = sheet(failed("one", Location("home/a.py", 1)))
-    (line,) = annotations.commands(made, lambda file: file.removeprefix("home/"))
+    (line,) = github.commands(made, lambda file: file.removeprefix("home/"))
     assert ",file=a.py,line=1::" in line
 
 
 def test_who_passed_has_none_and_our_error_has_no_place() -> None:
-    assert annotations.commands(samples.sheet_of(samples.ADA)) == []
-    (line,) = annotations.commands(samples.sheet_of(samples.DILARA))
+    assert github.commands(samples.sheet_of(samples.ADA)) == []
+    (line,) = github.commands(samples.sheet_of(samples.DILARA))
     assert "file=" not in line and "The course itself has a fault here." in line
 
 
 def test_what_means_something_to_the_runner_is_escaped() -> None:
     check = replace(failed("a,b:c%", Location("a,b:c.py", 1)), feedback=Feedback("50% a:b,c\nd\re"))
-    (line,) = annotations.commands(sheet(check))
+    (line,) = github.commands(sheet(check))
     assert line == "::error title=x%3A a%2Cb%3Ac%25::50%25 a:b,c%0Ad%0De"
 
 
 @pytest.mark.parametrize("text", hostile.TEXTS, ids=lambda text: ascii(text[:20]))
 def test_hostile_texts_make_no_command_of_their_own(text: str) -> None:
-    graded: Graded = hostile.graded(text)
-    for line in annotations.commands(samples.sheet_of(graded, hostile.CLEANER)):
+    graded: GradedSubmission = hostile.graded(text)
+    for line in github.commands(samples.sheet_of(graded, hostile.CLEANER)):
         match = COMMAND.fullmatch(line)
         assert match, line
         assert not re.search(r"%(?!25|0D|0A|3A|2C)", line)

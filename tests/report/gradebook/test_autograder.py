@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from course.errors import UsageError
-from course.report.gradebook import autograder
+from course.report.gradebook import gradescope
 
 WHEEL = "ros2course-0.1.0-py3-none-any.whl"
 RECORDER = '#!/bin/sh\nprintf "%s\\n" "$(basename "$0")" "$@" >>"$CALLS"\n'
@@ -30,7 +30,7 @@ def small_wheel() -> bytes:
     return target.getvalue()
 
 
-def unpack(root: Path, packed: tuple[autograder.Packed, ...]) -> None:
+def unpack(root: Path, packed: tuple[gradescope.Packed, ...]) -> None:
     """As Gradescope does it."""
     for file in packed:
         target = root / "source" / file.path
@@ -65,14 +65,14 @@ def run(root: Path, script: str, **more: str) -> tuple[int, list[str]]:
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    unpack(tmp_path, autograder.bundle(WHEEL, small_wheel(), ["18-publisher", "20"]))
+    unpack(tmp_path, gradescope.bundle(WHEEL, small_wheel(), ["18-publisher", "20"]))
     assert run(tmp_path, "setup.sh")[0] == 0
     return tmp_path
 
 
 def test_the_zip_holds_all_with_modes_and_is_the_same_each_time() -> None:
-    packed = autograder.bundle(WHEEL, small_wheel(), ["18"], {"chapters/18-x/lesson.yaml": b"chapter: 18"})
-    archive = zipfile.ZipFile(io.BytesIO(autograder.zipped(packed)))
+    packed = gradescope.bundle(WHEEL, small_wheel(), ["18"], {"chapters/18-x/lesson.yaml": b"chapter: 18"})
+    archive = zipfile.ZipFile(io.BytesIO(gradescope.zipped(packed)))
     modes = {entry.filename: oct(entry.external_attr >> 16) for entry in archive.infolist()}
     assert modes == {
         "setup.sh": "0o100755",
@@ -83,7 +83,7 @@ def test_the_zip_holds_all_with_modes_and_is_the_same_each_time() -> None:
     }
     assert archive.read(WHEEL) == small_wheel() and archive.read("exercises.txt") == b"18"
     assert archive.read("setup.sh").startswith(b"#!/usr/bin/env bash\n")
-    assert autograder.zipped(packed) == autograder.zipped(packed)
+    assert gradescope.zipped(packed) == gradescope.zipped(packed)
 
 
 @pytest.mark.parametrize(
@@ -92,12 +92,12 @@ def test_the_zip_holds_all_with_modes_and_is_the_same_each_time() -> None:
 )
 def test_only_our_own_wheel_will_do(name: str, content: bytes) -> None:
     with pytest.raises(UsageError) as caught:
-        autograder.bundle(name, content, [])
+        gradescope.bundle(name, content, [])
     assert "pip wheel" in str(caught.value.next_step)
 
 
 def test_the_setup_installs_packages_then_the_wheel_then_looks(tmp_path: Path) -> None:
-    unpack(tmp_path, autograder.bundle(WHEEL, small_wheel(), []))
+    unpack(tmp_path, gradescope.bundle(WHEEL, small_wheel(), []))
     code, words = run(tmp_path, "setup.sh")
     assert code == 0
     assert words[:2] == ["apt-get", "update"] and "bubblewrap" in words and "python3-venv" in words
@@ -108,7 +108,7 @@ def test_the_setup_installs_packages_then_the_wheel_then_looks(tmp_path: Path) -
 
 
 def test_the_setup_fails_with_what_fails(tmp_path: Path) -> None:
-    unpack(tmp_path, autograder.bundle(WHEEL, small_wheel(), []))
+    unpack(tmp_path, gradescope.bundle(WHEEL, small_wheel(), []))
     assert run(tmp_path, "setup.sh", COURSE="#!/bin/sh\nexit 4\n")[0] == 4
     (tmp_path / "source" / WHEEL).unlink()
     assert run(tmp_path, "setup.sh")[0] == 4
@@ -139,7 +139,7 @@ def test_without_results_it_fails_and_leaves_no_old_ones(root: Path, status: str
 
 def test_all_exercises_and_another_course(tmp_path: Path) -> None:
     other: Mapping[str, bytes] = {"chapters/01-x/lesson.yaml": b""}
-    unpack(tmp_path, autograder.bundle(WHEEL, small_wheel(), [], other))
+    unpack(tmp_path, gradescope.bundle(WHEEL, small_wheel(), [], other))
     run(tmp_path, "setup.sh")
     _, words = run(tmp_path, "run_autograder", RESULT="{}")
     assert words[:4] == ["ros2course", "--course", f"{tmp_path}/source/course", "grade"]
@@ -147,6 +147,6 @@ def test_all_exercises_and_another_course(tmp_path: Path) -> None:
 
 
 def test_the_scripts_are_clean() -> None:
-    scripts = Path(autograder.__file__).parent / "scripts"
+    scripts = Path(gradescope.__file__).parent / "scripts"
     for script in ("setup.sh", "run_autograder"):
         subprocess.run(["bash", "-n", scripts / script], check=True)

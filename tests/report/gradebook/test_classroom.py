@@ -5,15 +5,15 @@ from __future__ import annotations
 import base64
 import json
 import re
-from dataclasses import replace
 from typing import Any
 
 import jsonschema
 import pytest
 
-from course.grading.result import Verdict
-from course.report.gradebook import classroom
-from course.report.gradebook.model import Graded
+from course.model import replace
+from course.model.gradebook import GradedSubmission
+from course.model.result import Verdict
+from course.report.gradebook import github
 from tests.report.gradebook import hostile, samples
 
 STATUS = {"enum": ["pass", "fail", "error"]}
@@ -49,8 +49,8 @@ SCHEMA = {
 }
 
 
-def read(graded: Graded) -> Any:
-    line = classroom.encoded(samples.sheet_of(graded, hostile.CLEANER))
+def read(graded: GradedSubmission) -> Any:
+    line = github.encoded(samples.sheet_of(graded, hostile.CLEANER))
     assert re.fullmatch(r"[A-Za-z0-9+/]+=*", line)
     data = json.loads(base64.b64decode(line, validate=True))
     jsonschema.Draft202012Validator(SCHEMA).validate(data)
@@ -89,7 +89,7 @@ def test_what_was_not_judged_as_a_whole_brings_nothing() -> None:
 
 def test_no_test_at_all_is_no_pass() -> None:
     empty = samples.sheet_of(samples.ADA)
-    assert classroom.as_data(type(empty)(empty.person, "", (), ()))["status"] == "fail"
+    assert github.as_data(type(empty)(empty.person, "", (), ()))["status"] == "fail"
 
 
 @pytest.mark.parametrize("text", hostile.TEXTS, ids=lambda text: ascii(text[:20]))

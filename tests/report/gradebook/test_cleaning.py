@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import asdict, replace
 
 import pytest
+from msgspec import to_builtins
 
-from course.feedback import Feedback
-from course.grading.result import CheckResult, Outcome, Result, Verdict
+from course.model import replace
+from course.model.feedback import Feedback
+from course.model.result import CheckResult, Outcome, Result, Verdict
 from course.report.gradebook.cleaning import Cleaner, places_here
 from tests.report.gradebook import hostile, samples
 
@@ -20,7 +21,7 @@ FAULT = Feedback("KeyError: 'the answer is 42' in /srv/grading", details=("Trace
 
 @pytest.mark.parametrize("text", hostile.TEXTS, ids=lambda text: ascii(text[:20]))
 def test_no_control_path_or_secret_is_left_anywhere(text: str) -> None:
-    told = str(asdict(hostile.sheet(text)))
+    told = str(to_builtins(hostile.sheet(text)))
     assert not FORBIDDEN.search(told)
     assert not re.search(r"/srv/grading(?!/machine-7/homes)", told), told
     assert hostile.SECRET not in told
@@ -84,7 +85,7 @@ def test_an_error_of_ours_tells_nothing_of_itself() -> None:
         Result("x", Verdict.OUR_ERROR, fault=FAULT),
         Result("x", Verdict.NOT_AVAILABLE, fault=FAULT),
     ):
-        told = str(asdict(Cleaner().result(result)))
+        told = str(to_builtins(Cleaner().result(result)))
         assert "42" not in told and "Traceback" not in told and "/srv" not in told
         assert "not the learner's failure" in told
 

@@ -9,21 +9,21 @@ from typing import Any
 import jsonschema
 import pytest
 
-from course.grading.result import Outcome, Verdict
-from course.report.gradebook import document
-from course.report.gradebook.model import Gradebook, Graded
-from course.report.gradebook.sheets import COMPLETE, INCOMPLETE, NOT_HANDED_IN, sheets
+from course.model.gradebook import Gradebook, GradedSubmission
+from course.model.result import Outcome, Verdict
+from course.report.gradebook import class_files
+from course.report.gradebook.sheets import COMPLETE, EXCUSED, INCOMPLETE, MARKED, NOT_HANDED_IN, sheets
 from tests.report.gradebook import hostile, samples
 
-SCHEMA = document.schema()
+SCHEMA = class_files.schema()
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 
 
 def text_of(book: Gradebook) -> str:
-    return "".join(document.pieces(book, hostile.CLEANER, sheets(book, hostile.CLEANER)))
+    return "".join(class_files.pieces(book, hostile.CLEANER, sheets(book, hostile.CLEANER)))
 
 
-def read(*graded: Graded) -> Any:
+def read(*graded: GradedSubmission) -> Any:
     data = json.loads(text_of(samples.gradebook(*graded)))
     VALIDATOR.validate(data)
     return data
@@ -31,7 +31,7 @@ def read(*graded: Graded) -> Any:
 
 def test_the_schema_is_one() -> None:
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
-    assert SCHEMA["properties"]["schema"]["const"] == document.VERSION
+    assert SCHEMA["properties"]["schema"]["const"] == class_files.VERSION
 
 
 def test_a_class_is_valid_and_whole() -> None:
@@ -75,10 +75,15 @@ def test_the_schema_refuses_what_must_not_be_there() -> None:
 
 def test_the_schema_knows_every_verdict_outcome_and_state() -> None:
     parts = SCHEMA["$defs"]
-    verdicts = {*(verdict.value for verdict in Verdict), NOT_HANDED_IN}
+    verdicts = {*(verdict.value for verdict in Verdict), NOT_HANDED_IN, EXCUSED, MARKED}
     assert set(parts["result"]["properties"]["verdict"]["enum"]) == verdicts
     assert set(parts["check"]["properties"]["outcome"]["enum"]) == {outcome.value for outcome in Outcome}
-    assert set(parts["graded"]["properties"]["state"]["enum"]) == {COMPLETE, INCOMPLETE, NOT_HANDED_IN}
+    assert set(parts["graded"]["properties"]["state"]["enum"]) == {
+        COMPLETE,
+        INCOMPLETE,
+        NOT_HANDED_IN,
+        EXCUSED,
+    }
 
 
 def test_every_field_is_required_and_described() -> None:
@@ -95,6 +100,6 @@ def test_a_piece_is_there_before_the_next_submission_is_read() -> None:
         yield samples.sheet_of(samples.ADA)
         raise AssertionError("read ahead")
 
-    made = document.pieces(samples.CLASS, samples.CLEANER, endless())
+    made = class_files.pieces(samples.CLASS, samples.CLEANER, endless())
     assert '"graded": [' in next(made)
     assert '"id": "ada"' in next(made)

@@ -8,9 +8,9 @@ import subprocess
 import sys
 from typing import Any
 
-from course.grading.result import Verdict
-from course.report.gradebook import classroom, document, gradescope
-from course.report.gradebook.sheets import COMPLETE, INCOMPLETE, NOT_HANDED_IN
+from course.model.result import Verdict
+from course.report.gradebook import class_files, github, gradescope
+from course.report.gradebook.sheets import COMPLETE, EXCUSED, INCOMPLETE, MARKED, NOT_HANDED_IN
 from tests.report.gradebook import samples
 
 TEXT = samples.DOCUMENT.read_text(encoding="utf-8")
@@ -30,10 +30,10 @@ def test_the_command_that_makes_them_says_so() -> None:
 
 
 def test_every_field_is_named() -> None:
-    fields = names(document.schema())
+    fields = names(class_files.schema())
     made = [
         gradescope.as_data(samples.sheet_of(samples.BAO)),
-        classroom.as_data(samples.sheet_of(samples.BAO)),
+        github.as_data(samples.sheet_of(samples.BAO)),
     ]
     for data in made:
         fields |= {*data, *(key for test in data["tests"] for key in test)}
@@ -42,7 +42,14 @@ def test_every_field_is_named() -> None:
 
 
 def test_every_verdict_and_state_is_named() -> None:
-    assert {*(verdict.value for verdict in Verdict), NOT_HANDED_IN, COMPLETE, INCOMPLETE} <= TOLD
+    assert {
+        *(verdict.value for verdict in Verdict),
+        NOT_HANDED_IN,
+        EXCUSED,
+        MARKED,
+        COMPLETE,
+        INCOMPLETE,
+    } <= TOLD
 
 
 def test_the_samples_hold_nothing_of_a_machine() -> None:

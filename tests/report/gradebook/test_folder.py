@@ -7,13 +7,14 @@ import json
 import tracemalloc
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
-from dataclasses import replace
+from hashlib import blake2b
 from pathlib import Path
 
 import pytest
 
-from course.report.gradebook.folder import write_reports
-from course.report.gradebook.model import Graded, Person
+from course.model import replace
+from course.model.gradebook import GradedSubmission, Person
+from course.report.gradebook.class_files import write_reports
 from tests.report.gradebook import hostile, samples
 
 
@@ -23,7 +24,7 @@ class Store:
     def __init__(self, size: int) -> None:
         self.size = size
 
-    def __iter__(self) -> Iterator[Graded]:
+    def __iter__(self) -> Iterator[GradedSubmission]:
         yield from (replace(samples.CARL, person=Person(f"p{number}")) for number in range(self.size))
 
 
@@ -34,7 +35,7 @@ def test_everything_is_there(tmp_path: Path) -> None:
     assert found == [
         *(f"feedback/{name}.md" for name in names),
         *(f"gradescope/{name}.json" for name in names),
-        *("junit.xml", "results.csv", "results.json"),
+        *("junit.xml", "letters.json", "results.csv", "results.json"),
     ]
     assert (tmp_path / "results.csv").read_bytes().startswith(b"\xef\xbb\xbfid,name")
     assert "Ada Okafor" in (tmp_path / "feedback/ada.md").read_text(encoding="utf-8")
@@ -74,3 +75,29 @@ def test_memory_is_flat(tmp_path: Path) -> None:
 
     peak(10)  # what is loaded once
     assert peak(300) < peak(30) + 500_000
+
+
+def test_letters_of_people_who_are_gone_go_too(tmp_path: Path) -> None:
+    write_reports(tmp_path, samples.gradebook(samples.ADA, samples.BAO), samples.CLEANER)
+    write_reports(tmp_path, samples.gradebook(samples.ADA), samples.CLEANER)
+    assert [file.name for file in sorted(tmp_path.glob("*/*"))] == ["ada.md", "ada.json"]
+
+
+def test_what_somebody_else_wrote_stays(tmp_path: Path) -> None:
+    write_reports(tmp_path, samples.gradebook(samples.ADA, samples.BAO), samples.CLEANER)
+    (tmp_path / "feedback/talk.md").write_text("Notes of my own.")
+    (tmp_path / "feedback/bao.md").write_text("I have added a line.")
+    write_reports(tmp_path, samples.gradebook(samples.ADA), samples.CLEANER)
+    assert sorted(file.name for file in tmp_path.glob("feedback/*")) == ["ada.md", "bao.md", "talk.md"]
+    assert not (tmp_path / "gradescope/bao.json").exists()
+
+
+@pytest.mark.parametrize("name", ["../x/y.md", "feedback/../../x/y.md", "gradescope/../x/y.md"])
+def test_a_list_that_is_not_ours_deletes_nothing(tmp_path: Path, name: str) -> None:
+    for place in ("x", "out/x"):
+        (tmp_path / place).mkdir(parents=True)
+        (tmp_path / place / "y.md").write_text("Mine.")
+    for text in ("[", "[1]", json.dumps({name: blake2b(b"Mine.", digest_size=16).hexdigest()})):
+        (tmp_path / "out/letters.json").write_text(text)
+        write_reports(tmp_path / "out", samples.gradebook(samples.ADA), samples.CLEANER)
+    assert (tmp_path / "x/y.md").exists() and (tmp_path / "out/x/y.md").exists()

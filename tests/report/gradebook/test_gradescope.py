@@ -8,8 +8,8 @@ from typing import Any
 import jsonschema
 import pytest
 
+from course.model.gradebook import GradedSubmission
 from course.report.gradebook import gradescope
-from course.report.gradebook.model import Graded
 from tests.report.gradebook import hostile, samples
 
 FORMATS = {"enum": ["text", "html", "simple_format", "md", "ansi"]}
@@ -52,7 +52,7 @@ SCHEMA = {
 }
 
 
-def read(graded: Graded) -> Any:
+def read(graded: GradedSubmission) -> Any:
     text = gradescope.as_text(samples.sheet_of(graded, hostile.CLEANER))
     text.encode("utf-8")
     data = json.loads(text)

@@ -5,26 +5,26 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
-from dataclasses import replace
 
 import pytest
 
+from course.model import replace
+from course.model.gradebook import GradedSubmission, Person
 from course.report.gradebook import junit
-from course.report.gradebook.model import Graded, Person
 from course.report.gradebook.sheets import Sheet, sheets
 from tests.report.gradebook import hostile, samples
 
 COUNTS = ("tests", "failures", "errors", "skipped")
 
 
-def text_of(*graded: Graded) -> str:
+def text_of(*graded: GradedSubmission) -> str:
     def walk() -> Iterator[Sheet]:
         return sheets(samples.gradebook(*graded), hostile.CLEANER)
 
     return "".join(junit.pieces("a <class>", samples.BEGAN, walk))
 
 
-def read(*graded: Graded) -> ET.Element:
+def read(*graded: GradedSubmission) -> ET.Element:
     """The root, after a look at everything that a reader relies on."""
     text = text_of(*graded)
     text.encode("utf-8")

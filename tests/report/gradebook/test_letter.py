@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from course.grading.result import not_applicable
-from course.report.gradebook.letter import letter
-from course.report.gradebook.model import Graded, Person
+from course.model import replace
+from course.model.gradebook import GradedSubmission, Person
+from course.model.result import not_applicable
+from course.report.gradebook.letter import letter, prose
 from tests.report.gradebook import hostile, reading, samples
 
 
-def lines(graded: Graded) -> list[str]:
+def lines(graded: GradedSubmission) -> list[str]:
     text = letter(samples.sheet_of(graded), "The course")
     assert reading.harm(text) == []
     return text.splitlines()
@@ -33,7 +34,7 @@ def test_a_failure_says_cause_comparison_place_and_advice() -> None:
     assert "  - seen: /amazing_quotes" in told
     assert "  - try: Spell the topic's name `amazing_quote`, letter by letter." in told
     assert any(line.startswith("  - in: `ros2_tutorial") and line.endswith(".py:21`") for line in told)
-    assert "  Not judged: needs «it has a publisher on /amazing_quote»" in told
+    assert '  Not judged: needs "it has a publisher on /amazing_quote"' in told
 
 
 def test_evidence_is_a_block_of_code() -> None:
@@ -57,7 +58,9 @@ def test_nothing_was_found() -> None:
 
 
 def test_what_does_not_apply_says_so() -> None:
-    told = lines(Graded(Person("a"), "a.zip", (not_applicable("18-publisher", "It is about a screen."),)))
+    told = lines(
+        GradedSubmission(Person("a"), "a.zip", (not_applicable("18-publisher", "It is about a screen."),))
+    )
     assert "**Does not apply here**." in told and "Note: It is about a screen." in told
 
 
@@ -70,3 +73,13 @@ def test_hostile_texts_stay_in_their_places(text: str) -> None:
     assert headings == ["h1", "h2"]
     fences = [token for token in reading.tokens(page) if token.type == "fence"]
     assert len(fences) == 1
+
+
+def test_a_tag_reads_well_as_plain_text() -> None:
+    assert prose("Add <depend>rclpy</depend> (or <name>).") == "Add `<depend>rclpy</depend>` (or `<name>`)."
+    assert prose("1 < 2 <b>bold") == "1 &lt; 2 &lt;b&gt;bold"
+
+
+def test_what_cannot_be_read_is_not_nothing() -> None:
+    told = lines(replace(samples.EMRE, source="emre.rar", remarks=("This is no zip and no tar.",)))
+    assert "Nothing that can be graded was found in what you handed in. The note says why." in told

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from course.grading.result import CheckResult, Outcome, Result, Verdict, not_applicable
+from course.model import replace
+from course.model.gradebook import Gradebook, GradedExercise, GradedSubmission, Person
+from course.model.result import CheckResult, Outcome, Result, Verdict, not_applicable
 from course.report.gradebook.cleaning import Cleaner
-from course.report.gradebook.model import Gradebook, Graded, GradedExercise, Person
 from course.report.gradebook.sheets import Sheet, sheets
 from tests.report.gradebook import samples
 
@@ -16,7 +15,7 @@ EXTRA = CheckResult("b", "B", 0.5, Outcome.PASSED, bonus=True)
 
 
 def sheet(*results: Result, source: str = "a.zip") -> Sheet:
-    graded = (Graded(Person("a"), source, results),)
+    graded = (GradedSubmission(Person("a"), source, results),)
     book = Gradebook("c", (ONE, TWO), graded, samples.BEGAN, samples.ENDED)
     return next(sheets(book, Cleaner()))
 
@@ -73,7 +72,7 @@ def test_a_class_is_read_one_submission_at_a_time() -> None:
         def __iter__(self):  # type: ignore[no-untyped-def]
             for number in range(1000):
                 read.append(number)
-                yield Graded(Person(str(number)), "")
+                yield GradedSubmission(Person(str(number)), "")
 
     book = Gradebook("c", (ONE,), Store(), samples.BEGAN, samples.ENDED)
     walk = sheets(book, Cleaner())

@@ -8,13 +8,13 @@ import unicodedata
 
 import pytest
 
-from course.report.gradebook import spreadsheet
+from course.report.gradebook import class_files
 from course.report.gradebook.sheets import sheets
 from tests.report.gradebook import hostile, samples
 
 
 def read(*graded: samples.Graded) -> list[dict[str, str]]:
-    text = "".join(spreadsheet.rows((samples.EXERCISE,), sheets(samples.gradebook(*graded), hostile.CLEANER)))
+    text = "".join(class_files.rows((samples.EXERCISE,), sheets(samples.gradebook(*graded), hostile.CLEANER)))
     assert text.startswith("\ufeffid,name,") and text.count("\ufeff") == 1
     assert text.endswith("\r\n")
     return list(csv.DictReader(io.StringIO(text.removeprefix("\ufeff"), newline="")))
@@ -41,12 +41,12 @@ def test_no_cell_is_a_formula_and_no_row_breaks(text: str) -> None:
 
 
 def test_a_name_that_begins_like_a_formula_stays_readable() -> None:
-    assert spreadsheet.guarded("=cmd()") == "'=cmd()"
-    assert spreadsheet.guarded("  @x") == "  '@x"
-    assert spreadsheet.guarded("a; =b") == "a; '=b"
+    assert class_files.guarded("=cmd()") == "'=cmd()"
+    assert class_files.guarded("  @x") == "  '@x"
+    assert class_files.guarded("a; =b") == "a; '=b"
     for sign in "=+-@\uff1d\uff0b\uff0d\uff20":
-        assert spreadsheet.guarded(f"{sign}1") == f"'{sign}1"
-    assert spreadsheet.guarded("Anne-Marie O'Neil (a=b)") == "Anne-Marie O'Neil (a=b)"
+        assert class_files.guarded(f"{sign}1") == f"'{sign}1"
+    assert class_files.guarded("Anne-Marie O'Neil (a=b)") == "Anne-Marie O'Neil (a=b)"
 
 
 def test_a_row_is_there_before_the_next_submission_is_read() -> None:
@@ -54,7 +54,7 @@ def test_a_row_is_there_before_the_next_submission_is_read() -> None:
         yield samples.sheet_of(samples.ADA)
         raise AssertionError("read ahead")
 
-    lines = spreadsheet.rows((samples.EXERCISE,), endless())
+    lines = class_files.rows((samples.EXERCISE,), endless())
     assert next(lines).startswith("\ufeffid")
     assert next(lines).startswith("ada,")
 

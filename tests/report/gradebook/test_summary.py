@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
-from course.report.gradebook.model import Person
+from course.model import replace
+from course.model.gradebook import Person
+from course.report.gradebook.github import LIMIT, job_summary
 from course.report.gradebook.sheets import Sheet, sheets
-from course.report.gradebook.summary import LIMIT, job_summary
 from tests.report.gradebook import hostile, reading, samples
 
 

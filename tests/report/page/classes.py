@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable
 
+from course.model import replace
+from course.model.gradebook import Gradebook, GradedSubmission
 from course.report.gradebook.cleaning import Cleaner
-from course.report.gradebook.model import Gradebook, Graded
 from course.report.gradebook.sheets import exercises_of, sheets
-from course.report.page.model import ClassPage, Key
-from course.report.pictures.album import pictures
+from course.report.page.data import ClassPage, Key
+from course.report.pictures.timeline_svg import pictures
 from tests.report.gradebook.hostile import CLEANER, TEXTS, graded
 from tests.report.gradebook.samples import BEGAN, CLASS, ENDED, gradebook
 from tests.report.pictures.recordings import COUNTER, flood, recording
@@ -28,7 +28,7 @@ def small() -> ClassPage:
 
 def hostile(texts: Iterable[str] = TEXTS) -> ClassPage:
     """One person for each text, everything of theirs being that text."""
-    every: list[Graded] = [graded(text) for text in texts]
+    every: list[GradedSubmission] = [graded(text) for text in texts]
     drawn: dict[Key, tuple[str, ...]] = {}
     for place, one in enumerate(texts):
         if place < 4:
@@ -42,7 +42,7 @@ def large(people: int) -> ClassPage:
     few = list(CLASS.graded)
     every = [few[place % len(few)] for place in range(people)]
     named = [
-        dataclasses.replace(one, person=dataclasses.replace(one.person, id=f"{one.person.id}{place:04}"))
+        replace(one, person=replace(one.person, id=f"{one.person.id}{place:04}"))
         for place, one in enumerate(every)
     ]
     return page_of(gradebook(*named), Cleaner())

@@ -8,8 +8,8 @@ import re
 
 import pytest
 
+from course.report.page.data import ClassPage
 from course.report.page.html import class_page, learner_page, live_page, news, policy
-from course.report.page.model import ClassPage
 from tests.report.gradebook.hostile import MACHINE, SECRET
 from tests.report.page.classes import hostile, large, small
 from tests.report.page.reading import Tree, data_of, submissions_of

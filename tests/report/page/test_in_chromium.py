@@ -9,9 +9,8 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Page, expect
 
-from course.report.page.data import as_json
+from course.report.page.data import ClassPage, as_json
 from course.report.page.html import class_page, learner_page, live_page, news
-from course.report.page.model import ClassPage
 from course.report.page.serving import serving
 from tests.report.page.classes import hostile, large, small
 
@@ -74,12 +73,12 @@ def test_those_who_made_a_mistake(open_page: Open) -> None:
     page = open_page(whole(small()))
     page.locator("#mistakes li", has_text="/amazing_quotes").get_by_role("button").press("Enter")
     assert names(page) == ["Bảo Nguyễn"]
-    expect(page.locator("#shown")).to_contain_text("1 of 5 shown, of those with «The node publishes")
+    expect(page.locator("#shown")).to_contain_text('1 of 5 shown, of those with "The node publishes')
 
 
 def test_a_submission_by_keyboard_and_back(open_page: Open) -> None:
     page = open_page(whole(small()))
-    page.get_by_role("button", name="Time").focus()
+    page.get_by_role("button", name="Remarks").focus()
     page.keyboard.press("Tab")
     page.keyboard.press("Tab")
     expect(page.get_by_role("link", name="Bảo Nguyễn")).to_be_focused()
@@ -95,6 +94,15 @@ def test_a_submission_by_keyboard_and_back(open_page: Open) -> None:
     expect(article.locator("figure details p").first).to_be_visible()
     page.go_back()
     expect(page.get_by_role("link", name="Bảo Nguyễn")).to_be_focused()
+
+
+def test_a_lasting_link_leads_to_a_person(open_page: Open) -> None:
+    page = open_page(whole(small()))
+    page.evaluate("location.hash = '#person-bao'")
+    expect(page.locator("#submission-name")).to_have_text("Bảo Nguyễn")
+    expect(page.get_by_role("link", name="lasting link")).to_have_attribute("href", "#person-bao")
+    page.evaluate("location.hash = '#person-nobody'")
+    expect(page.locator("#submission")).to_be_hidden()
 
 
 def test_the_first_tab_skips_to_the_content(open_page: Open) -> None:

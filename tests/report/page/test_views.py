@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from course.report.page import views
-from course.report.page.model import ClassPage
+from course.report.page.data import ClassPage
 from tests.report.page.classes import large, small
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import struct
 
-from course.evidence import events as kinds
-from course.evidence.events import Event
-from course.evidence.graph import Graph
 from course.evidence.recording import Recording
+from course.model import events as kinds
+from course.model.events import Event
+from course.model.graph import Graph
 
 NUMBER = "std_msgs/msg/Int32"
 JOINTS = "sensor_msgs/msg/JointState"

@@ -7,11 +7,11 @@ from xml.etree import ElementTree
 
 import pytest
 
-from course.evidence import events as kinds
-from course.report.pictures.album import pictures
+from course.model import events as kinds
 from course.report.pictures.signal_svg import plot
 from course.report.pictures.signals import Curve, Signal, signals_of, window_of
 from course.report.pictures.svg import MOST_BYTES
+from course.report.pictures.timeline_svg import pictures
 from tests.report.pictures.recordings import COUNTER, DEFINITIONS, JOINTS, NUMBER, joints, number, recording
 
 

@@ -7,8 +7,8 @@ from xml.etree import ElementTree
 
 import pytest
 
-from course.evidence import events as kinds
 from course.evidence.recording import Recording
+from course.model import events as kinds
 from course.report.gradebook.cleaning import Cleaner
 from course.report.pictures.svg import MOST_BYTES
 from course.report.pictures.timeline_svg import timeline

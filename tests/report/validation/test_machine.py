@@ -5,9 +5,8 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 from datetime import datetime, timezone
 
-from course.report.gradebook.annotations import MOST
-from course.report.validation.machine import annotated, as_junit
-from course.report.validation.model import Case, Note
+from course.report.gradebook.github import MOST
+from course.report.validation import Note, ProofCase, annotated, as_junit
 from tests.report.gradebook.test_junit import assert_counts, assert_suite
 
 BEGAN = datetime(2026, 1, 2, tzinfo=timezone.utc)
@@ -16,9 +15,9 @@ NOTE = Note("chapters/a.yaml", 7, "It is not caught: 50%", "correct it", "04-lig
 
 def test_a_suite_for_each_exercise_and_one_for_the_files() -> None:
     cases = [
-        Case("04-light", "mistake dark", 2.0, [NOTE]),
-        Case("04-dim", "solution", 1.0),
-        Case("04-light", "solution", 3.0, skipped="There is no ROS."),
+        ProofCase("04-light", "mistake dark", 2.0, [NOTE]),
+        ProofCase("04-dim", "solution", 1.0),
+        ProofCase("04-light", "solution", 3.0, skipped="There is no ROS."),
     ]
     root = ET.fromstring("".join(as_junit("proofs", BEGAN, cases, [NOTE])))
     assert_counts(root)

@@ -7,13 +7,14 @@ import io
 import pytest
 from rich.console import Console
 
-from course.report.validation.model import Count, Note, Row
-from course.report.validation.table import render_end, render_notes, render_table
+from course.report.validation import Count, Note, ProofRow, render_end, render_notes, render_table
 
 ONE = Count(1, 1, 1)
-SOUND = Row("04-light", ONE, Count(2, 2, 2), ONE, Count(9, 9, 9), 4, 4, 12, 83.25)
-BROKEN = Row("04-dim", Count(0, 1, 1), Count(), Count(0, 0, 1), Count(7, 8, 9), 3, 4, 2.5, 10)
-LACKING = Row("04-far", Count(0, 0, 1), Count(), Count(0, 0, 1), Count(), 0, 0, None, 0, "There is no ROS.")
+SOUND = ProofRow("04-light", ONE, Count(2, 2, 2), ONE, Count(9, 9, 9), 4, 4, 12, 83.25)
+BROKEN = ProofRow("04-dim", Count(0, 1, 1), Count(), Count(0, 0, 1), Count(7, 8, 9), 3, 4, 2.5, 10)
+LACKING = ProofRow(
+    "04-far", Count(0, 0, 1), Count(), Count(0, 0, 1), Count(), 0, 0, None, 0, "There is no ROS."
+)
 HOSTILE = "a\x1b[2J\nb\u202ec"
 
 
@@ -38,7 +39,7 @@ def test_a_row_for_each_exercise_and_their_sum(console: Console) -> None:
 
 
 def test_nothing_is_cut_at_80_columns(console: Console) -> None:
-    long = Row("24-inspect-parameters", ONE, ONE, ONE, Count(40, 40, 40), 12, 12, 12, 1234.5)
+    long = ProofRow("24-inspect-parameters", ONE, ONE, ONE, Count(40, 40, 40), 12, 12, 12, 1234.5)
     render_table(console, [long, long])
     assert lines(console)[0].split()[-1] == "seconds" and "1234.5" in lines(console)[1]
     assert lines(console)[1].startswith("24-inspect-parameters ")
@@ -71,7 +72,7 @@ def test_findings_stand_below_their_file_in_the_order_of_lines(console: Console)
 
 def test_texts_of_a_course_are_harmless(console: Console) -> None:
     render_notes(console, [Note(HOSTILE, 1, HOSTILE, HOSTILE)])
-    render_end(console, 1, [Row(HOSTILE, *[ONE] * 4, 1, 1, 1, 1, HOSTILE)])
+    render_end(console, 1, [ProofRow(HOSTILE, *[ONE] * 4, 1, 1, 1, 1, HOSTILE)])
     assert not {"\x1b", "\u202e"} & set("".join(lines(console)))
 
 
@@ -88,7 +89,7 @@ def test_texts_of_a_course_are_harmless(console: Console) -> None:
     ],
 )
 def test_the_end_says_how_it_ended(
-    console: Console, found: int, rows: list[Row], stopped: bool, words: str
+    console: Console, found: int, rows: list[ProofRow], stopped: bool, words: str
 ) -> None:
     render_end(console, found, rows, stopped=stopped)
     assert words in lines(console)

@@ -1,4 +1,4 @@
-"""Runs inside of the enclosure: starts nodes, then one command after the other, and tells what each did.
+"""Runs in namespaces of its own: starts nodes, then one command after the other, and tells what each did.
 
 Reads {"nodes": [command line, ...], "cases": [...], "alone": bool}; a case is what `captured.Case.job` makes.
 """

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment
 from tests.underlay.cli.captured import Outcome
 
@@ -43,7 +43,7 @@ def among(nodes: Sequence[str], cases: Sequence[Mapping[str, Any]], workspace: P
     """The outcome of each command, run one after the other with the nodes present."""
     python = str(find_ros().python)
     lines = [[python, str(HERE / "nodes.py"), kind] for kind in nodes]
-    with enclosure() as around:
+    with isolated() as around:
         done = subprocess.run(
             [*around.prefix, python, str(HERE / "driver.py")],
             env={**environment(workspace), **around.environment},

@@ -14,7 +14,8 @@ from pathlib import Path
 import psutil
 import pytest
 
-from course.arena.enclosure import enclosure, namespace_obstacle
+from course.isolation import Level
+from course.isolation.levels import isolated, obstacle_to
 from course.rosenv import find_ros
 from tests.underlay.cli.place import environment
 
@@ -60,7 +61,7 @@ class Terminal:
 
 @pytest.fixture
 def terminal() -> Iterator[Terminal]:
-    with enclosure(namespaces=False) as around:
+    with isolated(namespaces=False) as around:
         place = Terminal({**environment(), **around.environment})
         try:
             yield place
@@ -131,7 +132,7 @@ def test_terminals_with_and_without_a_workspace_share_it(terminal: Terminal, tmp
 
 @pytest.mark.slow
 def test_it_does_not_outlive_its_network(terminal: Terminal) -> None:
-    if namespace_obstacle():
+    if obstacle_to(Level.NAMESPACES):
         pytest.skip("needs namespaces")
     inside = [
         "bwrap",

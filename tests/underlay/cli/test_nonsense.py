@@ -10,7 +10,7 @@ import subprocess
 
 import pytest
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from course.rosenv import find_ros
 from tests.underlay.cli.place import environment
 
@@ -77,7 +77,7 @@ def test_any_line_is_completed_or_not(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def _told(lines: list[list[str]]) -> list[tuple[list[str], object, str]]:
-    with enclosure() as around:
+    with isolated() as around:
         done = subprocess.run(
             [*around.prefix, str(find_ros().python), "-c", _RUN_ALL],
             env={**environment(), **around.environment, "ROS2COURSE_ARENA": "1"},

@@ -12,8 +12,8 @@ _VARYING = (
     (re.compile(r"\d{4}-\d\d-\d\d-\d\d-\d\d-\d\d-\d{6}-\S+-\d+"), "<log>"),
     (re.compile(r"<workspace>/install/\w+/"), "<prefix-of-a-package>/"),
     (re.compile(r"\bpid (\[)?\d+"), "pid <n>"),
+    (re.compile(r"\S+/launch_params_\w+"), "<params-file>"),  # before addresses: its name may hold `0x`
     (re.compile(r"0x[0-9a-f]+"), "<address>"),
-    (re.compile(r"\S+/launch_params_\w+"), "<params-file>"),
     (re.compile(r"\[\d{10}\.\d{9}\]"), "[<stamp>]"),
     (re.compile(r"searching: \[.*\]"), "searching: [...]"),
 )

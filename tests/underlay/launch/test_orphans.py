@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import shutil
 import signal
+from functools import partial
 from pathlib import Path
 
 import psutil
 import pytest
 
-from tests.underlay.launch.machine import Answer, Launcher, Running, comes_true, gone
+from tests.underlay.launch.machine import Answer, Launcher, Running, alive, comes_true, gone
 
 STUBBORN = "trap '' INT TERM HUP; echo ready >&2; while :; do sleep 0.05; done"
 PROCESSES = f"""
@@ -66,23 +68,22 @@ def test_a_killed_launch_leaves_nothing_behind(launcher: Launcher, path: str) ->
 
 @pytest.mark.slow
 def test_killed_while_processes_are_being_started(launcher: Launcher, path: str) -> None:
-    """Whatever is half started is not forgotten. How long they sleep tells them from those of others."""
-    seconds = f"{os.getpid()}.{launcher.cwd.stat().st_ino}"
-    entities = f"*[ExecuteProcess(cmd=['sleep', '{seconds}']) for _ in range(20)]"
+    """Whatever is half started is not forgotten: it is no `sleep` yet, but in the session of the launch."""
+    entities = "*[ExecuteProcess(cmd=['sleep', '100']) for _ in range(20)]"
     for number in range(1, 9):
         with launcher.started(launcher.description(entities), PATH=path) as running:
             running.wait_for(f"[sleep-{number}]: process started")
             running.process.kill()  # the launch alone
             running.process.wait(timeout=20)
-            assert comes_true(lambda: not _running("sleep", seconds)), _sleepers_and_guards()
+            assert comes_true(partial(_nobody_is_in, running.process.pid)), _sleepers_and_guards()
 
 
-def _running(*end: str) -> list[int]:
-    found = []
-    for process in psutil.process_iter(["cmdline"]):
-        if tuple((process.info["cmdline"] or [])[-len(end) :]) == end:
-            found.append(process.pid)
-    return found
+def _nobody_is_in(session: int) -> bool:
+    for pid in psutil.pids():
+        with contextlib.suppress(ProcessLookupError):
+            if os.getsid(pid) == session and alive(pid):
+                return False
+    return True
 
 
 def _sleepers_and_guards() -> list[dict[str, object]]:

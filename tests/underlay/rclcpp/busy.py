@@ -8,7 +8,7 @@ from pathlib import Path
 from course.build.builder import build
 from course.build.store import Store
 from course.build.workspace import Workspace
-from course.rosenv import find_ros, underlay_builds
+from course.rosenv import find_ros
 from tests.underlay.rclcpp.room import SOURCES, TIME_LIMIT
 
 SANITIZERS = {"address": "address,undefined", "thread": "thread"}
@@ -35,7 +35,6 @@ def busy(sanitizer: str, folder: Path) -> Path:
     chosen = f"set(PACKAGE {package})\nset(SANITIZE {SANITIZERS[sanitizer]})\n"
     (sources / "sanitizer.cmake").write_text(chosen)
     ros = find_ros()
-    workspace, store = Workspace.scan(folder), Store(underlay_builds(ros))
-    outcome = build(workspace, [package], ros, store, time_limit=TIME_LIMIT)
+    outcome = build(Workspace.scan(folder), [package], ros, Store(), time_limit=TIME_LIMIT)
     assert outcome.failure is None, outcome.failure
     return outcome.packages[-1].prefix / "lib" / package / "busy"

@@ -7,12 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from course.arena.enclosure import enclosure
 from course.build.builder import build
 from course.build.store import Store
+from course.build.underlay_build import provide
 from course.build.workspace import Workspace
-from course.rosenv import find_ros, node_environment, underlay_builds
-from tests.underlay.rclcpp.room import PROBES, SOURCES, TIME_LIMIT, Room
+from course.isolation.levels import isolated
+from course.rosenv import find_ros, node_environment, prepare
+from tests.underlay.rclcpp.room import PROBES, TIME_LIMIT, Room
 
 
 @pytest.fixture(scope="session")
@@ -20,12 +21,12 @@ def prefixes(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     """Where rclcpp and the programs are installed. What was built of the same sources before is not again."""
     root = tmp_path_factory.mktemp("rclcpp")
     (root / "src").mkdir()
-    for package in (SOURCES, PROBES):
-        (root / "src" / package.name).symlink_to(package)
+    (root / "src" / PROBES.name).symlink_to(PROBES)
     ros = find_ros()
+    prepare(ros)
     workspace = Workspace.scan(root, trusted=True)
-    store = Store(underlay_builds(ros))
-    outcome = build(workspace, ["rclcpp_probes"], ros, store, time_limit=TIME_LIMIT)
+    provide(workspace, ["rclcpp_probes"], ros)
+    outcome = build(workspace, ["rclcpp_probes"], ros, Store(), time_limit=TIME_LIMIT)
     assert outcome.failure is None, outcome.failure
     return [package.prefix for package in reversed(outcome.packages)]
 
@@ -33,6 +34,6 @@ def prefixes(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 @pytest.fixture
 def room(prefixes: list[Path], tmp_path: Path) -> Iterator[Room]:
     """Starts programs that hear each other and nobody else."""
-    with enclosure(namespaces=False) as place:
+    with isolated(namespaces=False) as place:
         environment = {**node_environment(find_ros(), prefixes), **place.environment}
         yield Room(environment, tmp_path, prefixes[0] / "lib" / "rclcpp_probes")

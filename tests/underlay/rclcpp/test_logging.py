@@ -15,8 +15,8 @@ SAID = [
 TIMES = {
     "once": [0], "stream once": [0], "skipfirst": [1, 2], "stream skipfirst": [1, 2], "expression": [1],
     "stream expression": [1], "function": [], "stream function": [0, 1, 2], "throttle": [0],
-    "stream throttle": [0], "skipfirst throttle": [1], "stream skipfirst throttle": [1],
-    "unthrottled": [0, 1, 2],
+    "stream throttle": [0], "skipfirst throttle": [], "stream skipfirst throttle": [],
+    "unthrottled": [0, 1, 2], "simulated": [1, 2], "simulated skipfirst": [2],
 }  # fmt: skip
 FORM = {"RCUTILS_CONSOLE_OUTPUT_FORMAT": "{severity} {name} {message}"}
 

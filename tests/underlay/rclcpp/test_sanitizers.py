@@ -1,4 +1,4 @@
-"""No leak, no use of what is gone, no undefined behaviour and no data race in a node that does everything."""
+"""No leak, no use of what is gone, no undefined behavior and no data race in a node that does everything."""
 
 from __future__ import annotations
 

@@ -43,9 +43,16 @@ def test_what_is_kept_reaches_those_who_come_late(room: Room) -> None:
 
 
 def test_incompatible_qos_is_warned_of(room: Room) -> None:
-    with room.program("talking", "quiet") as sayer, room.peer("hear", "/chatter"):
-        said = sayer.until("incompatible QoS")
+    with room.program("talking", "quiet") as sayer:
+        with room.peer("hear", "/chatter"):
+            said = sayer.until("incompatible QoS")
+        with room.program("talking", "hear") as hearer:
+            heard = hearer.until("incompatible QoS")
     assert (
-        "New subscription discovered on topic '/chatter', requesting incompatible QoS. "
+        "[sayer]: New subscription discovered on topic '/chatter', requesting incompatible QoS. "
         "No messages will be sent to it. Last incompatible policy: RELIABILITY_QOS_POLICY" in said
+    )
+    assert (
+        "[hearer]: New publisher discovered on topic '/chatter', offering incompatible QoS. "
+        "No messages will be sent to it. Last incompatible policy: RELIABILITY_QOS_POLICY" in heard
     )

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment
 from tests.underlay.runtime.captured import capture
 from tests.underlay.runtime.colcon import EXAMPLES, colcon_build, copy_interfaces, definitions
@@ -63,7 +63,7 @@ def ros2(built: Path, tmp_path: Path) -> Iterator[Ros2]:
     base = ros2_command(tmp_path, built)
     ros = find_ros()
     sourced = node_environment(ros, sorted((built / "install").glob("*/")))
-    with enclosure(namespaces=False) as place:
+    with isolated(namespaces=False) as place:
         variables = {"PYTHONPATH": f"{sourced['PYTHONPATH']}:{base.environment['PYTHONPATH']}"}
         yield replace(base, environment={**sourced, **variables, **place.environment, "COLUMNS": "80"})
 

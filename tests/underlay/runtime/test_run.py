@@ -15,7 +15,7 @@ import pexpect
 import psutil
 import pytest
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from tests.underlay.runtime.captured import CAPTURES, capture
 from tests.underlay.runtime.command import Ros2, ros2_command
 from tests.underlay.runtime.conftest import NODES, install, script
@@ -196,7 +196,7 @@ def test_under_nohup_the_node_ignores_sighup(tools: Ros2) -> None:
 @pytest.mark.parametrize("send", [os.kill, os.killpg], ids=["ros2 alone", "the group"])
 def test_a_node_of_rclpy_ends_cleanly(send: Callable[[int, int], None], ros2: Ros2) -> None:
     case = capture("run_ok_spins")
-    with enclosure(namespaces=False) as place:
+    with isolated(namespaces=False) as place:
         quiet = replace(ros2, environment={**ros2.environment, **place.environment})
         with quiet.started(*case.arguments) as process:
             printed = [_line(process) for _ in range(3)]

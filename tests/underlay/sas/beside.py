@@ -1,4 +1,4 @@
-"""Runs inside of the enclosure: starts a driver (JSON), then the program, and ends as that does."""
+"""Runs in namespaces of its own: starts a driver (JSON), then the program, and ends as that does."""
 
 from __future__ import annotations
 

@@ -7,8 +7,8 @@ from functools import cache
 from pathlib import Path
 
 from course.build import Store, Workspace, build
-from course.build.underlay import provide
-from course.rosenv import find_ros, node_environment, prepare, underlay_builds
+from course.build.underlay_build import provide
+from course.rosenv import find_ros, node_environment, prepare
 
 _WORKSPACE = Path(__file__).with_name("workspace")
 PACKAGE = "sas_probes"
@@ -21,7 +21,7 @@ def probes() -> Path:
     prepare(ros)
     workspace = Workspace.scan(_WORKSPACE)
     provide(workspace, [PACKAGE], ros)
-    outcome = build(workspace, [PACKAGE], ros, Store(underlay_builds(ros)))
+    outcome = build(workspace, [PACKAGE], ros, Store())
     assert outcome.failure is None, outcome.failure
     return outcome.prefixes[-1]
 

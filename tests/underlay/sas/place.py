@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment
 from tests.underlay.sas.built import environment, program
 
@@ -62,7 +62,7 @@ def _run(command: Sequence[str], variables: Mapping[str, str], text: str = "") -
 def _done(
     command: Sequence[str], variables: Mapping[str, str], text: str = ""
 ) -> subprocess.CompletedProcess[str]:
-    with enclosure() as around:
+    with isolated() as around:
         return subprocess.run(
             [*around.prefix, *command], env={**variables, **around.environment}, input=text,
             capture_output=True, text=True, timeout=_TIMEOUT, check=False,

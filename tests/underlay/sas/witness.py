@@ -1,4 +1,4 @@
-"""Runs inside of the enclosure: starts a driver, listens to it, commands it, and tells what it did.
+"""Runs in namespaces of its own: starts a driver, listens to it, commands it, and tells what it did.
 
 Reads {"driver": [command line], "steps": [[name, argument...], ...]} and writes a report; both are JSON.
 """

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from course.rosenv.files import locked
+from course.files import locked
 from tests.underlay.tutorial.learner import work_up_to_chapter_22
 from tests.underlay.tutorial.room import COURSE, Room, open_room
 

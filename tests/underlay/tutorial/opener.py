@@ -1,4 +1,4 @@
-"""Runs inside of the enclosure and opens terminals there: `python opener.py FD`.
+"""Runs in namespaces of its own and opens terminals there: `python opener.py FD`.
 
 Each request on the socket FD is a JSON object, {"command": [...], "environment": {...}, "cwd": ...,
 "rows": ..., "columns": ...}; the answer is the other end of its pseudo-terminal, as a file descriptor.

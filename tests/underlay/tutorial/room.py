@@ -15,7 +15,7 @@ from pathlib import Path
 
 import psutil
 
-from course.arena.enclosure import enclosure
+from course.isolation.levels import isolated
 from tests.processes import words_of
 from tests.underlay.tutorial.terminal import Terminal
 
@@ -103,7 +103,7 @@ class Room:
 def open_room(home: Path, scratch: Path) -> Iterator[Room]:
     """A room; everything in it is ended when the block is left. `scratch` plays the learner's real home."""
     here, there = socket.socketpair()
-    with here, there, enclosure() as around:
+    with here, there, isolated() as around:
         command = [*around.prefix, sys.executable, str(_OPENER), str(there.fileno())]
         with subprocess.Popen(command, pass_fds=[there.fileno()]) as opener:
             there.close()

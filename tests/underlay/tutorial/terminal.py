@@ -14,13 +14,13 @@ PATIENCE = 60.0
 LISTENS, HANDED_OVER = "\x1b[?2004h", "\x1b[?2004l"
 _PROMPT = re.escape(LISTENS) + r"\(ros2course\) ([^\r\n]*)[$#] "
 _MARK = "#MARK#"
-# Colours and the like, and titles of the window.
+# Colors and the like, and titles of the window.
 _STYLING = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b\][^\x07]*\x07")
 
 
 @dataclass(frozen=True)
 class Shown:
-    """What a command printed, without colours, and its exit code as `echo $?` tells it."""
+    """What a command printed, without colors, and its exit code as `echo $?` tells it."""
 
     text: str
     code: int

@@ -10,6 +10,8 @@
     "not applicable": ["·", "none"],
     "not available here": ["!", "open"],
     "our error": ["!", "open"],
+    "excused": ["·", "none"],
+    "marked by hand": ["✎", "none"],
   };
   const OUTCOMES = {
     "passed": ["✓", "passed"],
@@ -118,6 +120,7 @@
         make("span", { className: "quiet" }, one.seconds ? `  (${one.seconds} s)` : ""),
       ),
     );
+    part.append(...one.byHand.map((text) => make("p", { className: "by-hand" }, ...prose(text))));
     if (one.fault) part.append(feedback(one.fault, "fault"));
     if (one.checks.length) part.append(make("ul", { className: "checks" }, ...one.checks.map(check)));
     part.append(...one.notes.map((note) => make("p", { className: "quiet" }, ...prose(note))));
@@ -150,7 +153,7 @@
     const head = make("h2", { id: "submission-name", tabIndex: -1 }, told.name);
     box.replaceChildren(...(mode === "learner" ? [] : [steps(place)]), head);
     box.append(
-      make("p", { className: "quiet" }, about),
+      make("p", { className: "quiet" }, about, ...(mode === "learner" ? [] : [" (", make("a", { href: `#person-${encodeURIComponent(told.id)}` }, "lasting link"), ")"])),
       make("p", { className: "headline" }, `${told.summary}.`),
       ...told.says.map((text) => make("p", {}, ...prose(text))),
       ...(told.marks.length > 1 ? [index(told.marks, place)] : []),
@@ -190,9 +193,17 @@
 
   let shown = null;
 
+  // `#person-ada` leads to ada in every page of the class, whoever is before her.
+  function placeOf(hash) {
+    const named = /^#person-(.+)$/.exec(hash);
+    if (!named) return null;
+    const place = data.people.findIndex((one) => encodeURIComponent(one.id) === named[1] || one.id === named[1]);
+    return place < 0 ? null : place;
+  }
+
   function route() {
-    const found = /^#submission-(\d+)(?:-(\d+))?$/.exec(location.hash);
-    const place = found ? Number(found[1]) : null;
+    const found = /^#submission-(\d+)(?:-(\d+))?$/.exec(location.hash) || [];
+    const place = found[1] ? Number(found[1]) : placeOf(location.hash);
     if (place !== null && place < data.people.length) {
       open(place, true, found[2]);
     } else if (shown !== null) {
@@ -212,7 +223,9 @@
     { head: "Id", of: (one) => one.id },
     ...data.exercises.map((each, at) => ({ head: each.id, title: each.title, of: (one) => one.marks[at][1] })),
     { head: "Total", of: (one) => one.points },
+    ...(data.dated ? [{ head: "Late", title: "After the deadline", of: (one) => one.lateness }] : []),
     { head: "Time", of: (one) => one.seconds },
+    ...(data.remarked ? [{ head: "Remarks", of: (one) => one.said }] : []),
   ];
 
   function heads() {
@@ -259,14 +272,17 @@
 
   function row({ one, place }) {
     const name = make("a", { href: `#submission-${place}` }, one.name);
-    const total = one.points === null ? "–" : `${one.points} of ${one.max}`;
+    const before = one.raw === one.points ? "" : `${one.raw} → `;
+    const total = one.points === null ? "–" : `${before}${one.points} of ${one.max}`;
     return make(
       "tr", {},
       make("th", { scope: "row" }, name),
       make("td", { className: "id" }, one.id === one.name ? "" : one.id),
       ...one.marks.map(cell),
       make("td", { className: "n" }, total),
+      ...(data.dated ? [make("td", {}, one.late)] : []),
       make("td", { className: "n" }, `${one.seconds} s`),
+      ...(data.remarked ? [make("td", { className: "said" }, ...prose(one.said))] : []),
     );
   }
 
@@ -285,7 +301,7 @@
     document.querySelectorAll("#marks thead th").forEach((head, at) => {
       head.setAttribute("aria-sort", sorted.by === at ? (sorted.down ? "descending" : "ascending") : "none");
     });
-    const why = only ? `, of those with «${only.why}»` : "";
+    const why = only ? `, of those with "${only.why}"` : "";
     byId("shown").textContent = `${rows.length} of ${data.people.length} shown${why}.`;
     body.replaceChildren(...rows.splice(0, ROWS_AT_ONCE).map(row));
     const more = () => {

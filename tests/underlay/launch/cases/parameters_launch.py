@@ -18,7 +18,7 @@ def generate_launch_description():
             DeclareLaunchArgument("robot", default_value="r2"),
             DeclareLaunchArgument("which", default_value="robot"),
             DeclareLaunchArgument("rate", default_value="5"),
-            SetParameter(name="colour", value="green"),
+            SetParameter(name="color", value="green"),
             SetUseSimTime(True),
             GroupAction(
                 [
@@ -26,7 +26,7 @@ def generate_launch_description():
                     SetRemap(src="scan", dst="base/scan"),
                     told(
                         name="first",
-                        parameters=[{"from_scope": Parameter("colour")}],
+                        parameters=[{"from_scope": Parameter("color")}],
                         remappings=[("a", "b"), ("cmd_vel", ["/", LaunchConfiguration("robot"), "/cmd"])],
                     ),
                     told(name="second"),

@@ -17,7 +17,7 @@ from launch.substitutions import EnvironmentVariable, LaunchConfiguration
 
 def shown(name):
     return ExecuteProcess(
-        cmd=["sh", "-c", "echo $COLOUR $GREETING"], name=name, output="screen", additional_env={"X": "1"}
+        cmd=["sh", "-c", "echo $COLOR $GREETING"], name=name, output="screen", additional_env={"X": "1"}
     )
 
 
@@ -26,11 +26,11 @@ def generate_launch_description():
     return LaunchDescription(
         [
             DeclareLaunchArgument("value", default_value="outer"),
-            SetEnvironmentVariable(name="COLOUR", value=["bl", "ue"]),
+            SetEnvironmentVariable(name="COLOR", value=["bl", "ue"]),
             SetEnvironmentVariable("GREETING", "hello"),
             GroupAction(
                 [
-                    SetEnvironmentVariable("COLOUR", "red"),
+                    SetEnvironmentVariable("COLOR", "red"),
                     UnsetEnvironmentVariable("GREETING"),
                     SetLaunchConfiguration("value", "inner"),
                     LogInfo(msg=["scoped: ", value]),

@@ -13,7 +13,7 @@ def lazily(
 ) -> Callable[[str], Any]:
     """The `__getattr__` of a package: `names` maps a name to the module (below the package) that has it.
 
-    `absent` are names that the real package has and this one has not, with what to do about it: whoever
+    `absent` are names that the real package has and this one has not, with what to do about it: anyone who
     uses one is told so (see launch.absent).
     """
 

@@ -1,4 +1,4 @@
-"""Names that only the real packages have: importing one is no error, using one tells what to do.
+"""Names that only the real packages have: importing one is not an error, using one tells what to do.
 
 A launch file that never comes to use it, because a condition says so, then runs as it is.
 """
@@ -33,7 +33,7 @@ class AbsentAction(Action):
 
 
 class AbsentDescription:
-    """Takes any arguments: whoever is given it is refused."""
+    """Takes any arguments: what is given it is refused."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         pass

@@ -38,8 +38,19 @@ void CallbackGroup::collect(std::vector<std::shared_ptr<detail::Entity>> & found
 
 void CallbackGroup::add(const std::shared_ptr<detail::Entity> & entity)
 {
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
   entities_.push_back(entity);
+  const auto waker = waker_.lock();
+  lock.unlock();
+  if (waker) {
+    waker->trigger();
+  }
+}
+
+void CallbackGroup::set_waker(const std::shared_ptr<GuardCondition> & waker)
+{
+  const std::lock_guard lock(mutex_);
+  waker_ = waker;
 }
 
 }  // namespace rclcpp

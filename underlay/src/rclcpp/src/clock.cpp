@@ -15,10 +15,9 @@ namespace
 // A clock that follows /clock is looked at this often by those who wait for a time of it.
 constexpr std::chrono::milliseconds tick{1};
 
-// A context that has ended is nothing unusual: a signal may come at any moment.
-void require_begun(const Context::SharedPtr & context)
+void require_valid(const Context::SharedPtr & context)
 {
-  if (!context || !context->get_rcl_context()) {
+  if (!context || !context->is_valid()) {
     throw std::runtime_error("context cannot be slept with because it's invalid");
   }
 }
@@ -77,7 +76,7 @@ Time Clock::now() const
 
 bool Clock::sleep_until(Time until, Context::SharedPtr context)
 {
-  require_begun(context);
+  require_valid(context);
   if (until.get_clock_type() != get_clock_type()) {
     throw std::runtime_error("until's clock type does not match this clock's type");
   }
@@ -112,7 +111,7 @@ bool Clock::wait_until_started(Context::SharedPtr context)
 bool Clock::wait_until_started(
   const Duration & timeout, Context::SharedPtr context, const Duration & wait_tick_ns)
 {
-  require_begun(context);
+  require_valid(context);
   Clock steady(RCL_STEADY_TIME);
   const Time until = steady.now() + timeout;
   while (!started() && context->is_valid() && steady.now() < until) {

@@ -211,7 +211,7 @@ bool Context::shutdown(const std::string & reason)
     return false;
   }
   call(impl_->copy(impl_->pre_shutdown));
-  impl_->valid = false;  // whoever fails from now on can see why
+  impl_->valid = false;  // what fails from now on can see why
   const auto handle = impl_->handle();
   impl_->note(handle, reason);
   detail::check(rcl_shutdown(handle.get()), "failed to shutdown rcl context");

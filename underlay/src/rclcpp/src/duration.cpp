@@ -1,5 +1,6 @@
 #include "rclcpp/duration.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -61,8 +62,12 @@ Duration Duration::operator*(double scale) const
     throw std::runtime_error("abnormal scale in rclcpp::Duration");
   }
   const long double scaled = static_cast<long double>(nanoseconds_) * static_cast<long double>(scale);
-  if (std::abs(scaled) > static_cast<long double>(std::numeric_limits<std::int64_t>::max())) {
+  constexpr auto limit = static_cast<long double>(std::numeric_limits<std::int64_t>::max());
+  if (scaled > limit) {
     throw std::overflow_error("duration scaling leads to int64_t overflow");
+  }
+  if (scaled < -limit) {
+    throw std::underflow_error("duration scaling leads to int64_t underflow");
   }
   return from_nanoseconds(static_cast<std::int64_t>(scaled));
 }
@@ -94,13 +99,11 @@ Duration Duration::from_nanoseconds(std::int64_t nanoseconds)
 
 Duration Duration::from_rmw_time(rmw_time_t duration)
 {
-  constexpr auto limit = std::chrono::nanoseconds::max();
-  constexpr auto seconds = static_cast<std::uint64_t>(limit.count() / 1000000000);
-  if (duration.sec >= seconds) {
-    return Duration(limit);
-  }
-  return from_nanoseconds(
-    static_cast<std::int64_t>(RCL_S_TO_NS(duration.sec)) + static_cast<std::int64_t>(duration.nsec));
+  constexpr std::uint64_t limit = std::numeric_limits<std::int64_t>::max();
+  constexpr std::uint64_t second = 1000000000;
+  const bool is_too_long = duration.sec > limit / second || duration.nsec > limit;
+  const std::uint64_t all = is_too_long ? limit : duration.sec * second + duration.nsec;
+  return from_nanoseconds(static_cast<std::int64_t>(std::min(all, limit)));
 }
 
 rmw_time_t Duration::to_rmw_time() const

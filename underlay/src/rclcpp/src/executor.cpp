@@ -34,6 +34,12 @@ private:
   Steady::time_point began_;
 };
 
+/// Names the executor in an error about a node or group that is in another one, or in none.
+const char * asked_executor(bool is_in_another)
+{
+  return is_in_another ? "this executor." : "an executor.";
+}
+
 }  // namespace
 
 Executor::Executor(const ExecutorOptions & options)
@@ -61,6 +67,7 @@ Executor::~Executor()
   for (const auto & known : groups_) {
     if (const auto group = known.lock()) {
       group->get_associated_with_executor_atomic() = false;
+      group->set_waker(nullptr);
     }
   }
 }
@@ -96,7 +103,8 @@ void Executor::remove_node(node_interfaces::NodeBaseInterface::SharedPtr node_pt
     if (found == nodes_.end()) {
       throw std::runtime_error(
               std::string("Node '") + node_ptr->get_fully_qualified_name() +
-              "' needs to be associated with an executor.");
+              "' needs to be associated with " +
+              asked_executor(node_ptr->get_associated_with_executor_atomic()));
     }
     nodes_.erase(found);
   }
@@ -115,14 +123,19 @@ void Executor::remove_node(std::shared_ptr<Node> node_ptr, bool notify)
 void Executor::add_callback_group(
   CallbackGroup::SharedPtr group_ptr, node_interfaces::NodeBaseInterface::SharedPtr node_ptr, bool notify)
 {
-  if (group_ptr->get_associated_with_executor_atomic().exchange(true)) {
+  const bool is_there_with_node = group_ptr->automatically_add_to_executor_with_node() &&
+    node_ptr->get_associated_with_executor_atomic() && node_ptr->callback_group_in_node(group_ptr);
+  if (is_there_with_node || group_ptr->get_associated_with_executor_atomic().exchange(true)) {
     throw std::runtime_error("Callback group has already been added to an executor.");
   }
-  if (!node_ptr->get_associated_with_executor_atomic()) {
-    node_ptr->set_waker(interrupt_);
-  }
+  group_ptr->set_waker(interrupt_);
   {
     const std::lock_guard lock(members_mutex_);
+    const bool is_here = std::any_of(
+      groups_.begin(), groups_.end(), [&](const auto & known) {return known.lock() == group_ptr;});
+    if (is_here) {
+      throw std::runtime_error("Callback group has already been added to this executor.");
+    }
     groups_.push_back(group_ptr);
   }
   if (notify) {
@@ -137,10 +150,13 @@ void Executor::remove_callback_group(CallbackGroup::SharedPtr group_ptr, bool no
     const auto found = std::find_if(
       groups_.begin(), groups_.end(), [&](const auto & known) {return known.lock() == group_ptr;});
     if (found == groups_.end()) {
-      throw std::runtime_error("Callback group needs to be associated with executor.");
+      throw std::runtime_error(
+              std::string("Callback group needs to be associated with ") +
+              asked_executor(group_ptr->get_associated_with_executor_atomic()));
     }
     groups_.erase(found);
   }
+  group_ptr->set_waker(nullptr);
   group_ptr->get_associated_with_executor_atomic() = false;
   if (notify) {
     interrupt_->trigger();

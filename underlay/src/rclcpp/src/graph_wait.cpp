@@ -15,7 +15,7 @@ namespace
 
 using std::chrono::nanoseconds;
 
-// Whoever waits for a change takes the news from others who wait at the same time: look again after this.
+// One who waits for a change takes the news from others who wait at the same time: look again after this.
 constexpr std::chrono::milliseconds slice{50};
 
 class GraphChange : public Entity

@@ -58,7 +58,9 @@ void InitOptions::set_domain_id(std::size_t domain_id)
 
 void InitOptions::use_default_domain_id()
 {
-  set_domain_id(RCL_DEFAULT_DOMAIN_ID);
+  std::size_t domain_id = RCL_DEFAULT_DOMAIN_ID;
+  detail::check(rcl_get_default_domain_id(&domain_id), "failed to get default domain id");
+  set_domain_id(domain_id);
 }
 
 std::size_t InitOptions::get_domain_id() const

@@ -126,7 +126,7 @@ bool detail::is_due(std::atomic<std::int64_t> & last, std::int64_t now, double m
 {
   const auto period = static_cast<std::int64_t>(milliseconds * 1e6);
   std::int64_t before = last.load();
-  const bool due = before == INT64_MIN || now >= before + period || now < before;
+  const bool due = now >= before + period || now < before;
   return due && last.compare_exchange_strong(before, now);
 }
 

@@ -101,11 +101,11 @@ Node::Node(
     services_->events = std::make_shared<Publisher<ParameterEvent>>(
       base_, "/parameter_events", qos, publisher_options);
   }
-  services_->type_descriptions = detail::type_description_service(base_, *parameters_);
-  services_->sim_time = detail::follow_sim_time(base_, parameters_, clock_, options);
   if (options.automatically_declare_parameters_from_overrides()) {
     declare_all_overrides(*parameters_);
   }
+  services_->type_descriptions = detail::type_description_service(base_, *parameters_);
+  services_->sim_time = detail::follow_sim_time(base_, parameters_, clock_, options);
   if (options.enable_logger_service()) {
     services_->loggers = detail::logger_services(base_);
   }

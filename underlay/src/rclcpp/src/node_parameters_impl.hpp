@@ -44,7 +44,7 @@ public:
     std::vector<std::shared_ptr<HandleT>> found;
     handles_.remove_if([](const auto & known) {return known.expired();});
     for (const auto & known : handles_) {
-      if (auto handle = known.lock()) {  // whoever holds it may let it go at any moment
+      if (auto handle = known.lock()) {  // its owner may let it go at any moment
         found.push_back(std::move(handle));
       }
     }

@@ -17,6 +17,12 @@ Result refused(const std::string & reason)
   return result;
 }
 
+/// Whether setting a parameter takes away the value that it has, and the parameter with it.
+bool is_undeclared_by(const Parameter & parameter, const ParameterValue & value)
+{
+  return parameter.get_type() == PARAMETER_NOT_SET && value.get_type() != PARAMETER_NOT_SET;
+}
+
 }  // namespace
 
 void NodeParametersInterface::Impl::may_be_changed() const
@@ -41,10 +47,12 @@ NodeParametersInterface::Impl::Entry & NodeParametersInterface::Impl::entry(cons
 Result NodeParametersInterface::Impl::checked(const std::vector<Parameter> & parameters)
 {
   for (const auto & parameter : parameters) {
-    const auto & descriptor = entry(parameter.get_name()).descriptor;
-    const bool is_removed = parameter.get_type() == PARAMETER_NOT_SET && descriptor.dynamic_typing;
-    const Result result = is_removed ? Result() : detail::check_parameter(parameter, descriptor);
-    if (!is_removed && !result.successful) {
+    const auto & [value, descriptor] = entry(parameter.get_name());
+    if (is_undeclared_by(parameter, value) && !descriptor.dynamic_typing) {
+      return refused("cannot undeclare a statically typed parameter");
+    }
+    const Result result = detail::check_parameter(parameter, descriptor);
+    if (!result.successful) {
       return result;
     }
   }
@@ -105,12 +113,13 @@ void NodeParametersInterface::Impl::store(const std::vector<Parameter> & paramet
   for (const auto & parameter : parameters) {
     const std::string & name = parameter.get_name();
     auto & known = entry(name);
-    if (parameter.get_type() == PARAMETER_NOT_SET) {
+    if (is_undeclared_by(parameter, known.value)) {
       const Parameter last(name, known.value);
       event.deleted_parameters.push_back(last.to_parameter_msg());
       entries.erase(name);
     } else {
-      const bool is_new = known.value.get_type() == PARAMETER_NOT_SET;
+      const bool is_new =
+        known.value.get_type() == PARAMETER_NOT_SET && parameter.get_type() != PARAMETER_NOT_SET;
       known.value = parameter.get_parameter_value();
       known.descriptor.type = parameter.get_type();
       (is_new ? event.new_parameters : event.changed_parameters).push_back(parameter.to_parameter_msg());

@@ -15,7 +15,7 @@ std::vector<std::shared_ptr<Handle>> still_there(std::list<std::weak_ptr<Handle>
   handles.remove_if([](const auto & known) {return known.expired();});
   std::vector<std::shared_ptr<Handle>> found;
   for (const auto & known : handles) {
-    if (auto handle = known.lock()) {  // whoever holds it may let it go at any moment
+    if (auto handle = known.lock()) {  // its owner may let it go at any moment
       found.push_back(std::move(handle));
     }
   }
@@ -91,11 +91,13 @@ Parameter ParameterEventHandler::get_parameter_from_event(
   const ParameterEvent & event, const std::string & parameter_name, const std::string & node_name)
 {
   Parameter parameter;
-  if (!get_parameter_from_event(event, parameter, parameter_name, node_name)) {
+  if (event.node != node_name) {
     throw std::runtime_error(
-            "Parameter '" + parameter_name + "' of node '" + node_name + "' is not part of parameter event");
+            "The node name '" + node_name + "' of parameter '" + parameter_name +
+            "' doesn't match the node name '" + event.node + "' in parameter event");
   }
-  return parameter;
+  const bool is_part = get_parameter_from_event(event, parameter, parameter_name, node_name);
+  return is_part ? parameter : Parameter(parameter_name, PARAMETER_NOT_SET);
 }
 
 std::vector<Parameter> ParameterEventHandler::get_parameters_from_event(const ParameterEvent & event)

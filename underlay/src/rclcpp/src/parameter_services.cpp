@@ -46,8 +46,10 @@ ServiceBase::SharedPtr serve(
   return service;
 }
 
+/// Sets them all. `undeclared` replaces the reason that names the first one that is not declared.
 rcl_interfaces::msg::SetParametersResult set(
-  NodeParametersInterface & parameters, const std::vector<Parameter> & given)
+  NodeParametersInterface & parameters, const std::vector<Parameter> & given,
+  const char * undeclared = nullptr)
 {
   try {
     return parameters.set_parameters_atomically(given);
@@ -55,7 +57,7 @@ rcl_interfaces::msg::SetParametersResult set(
     RCLCPP_WARN(get_logger("rclcpp"), "Failed to set parameters: %s", error.what());
     rcl_interfaces::msg::SetParametersResult result;
     result.successful = false;
-    result.reason = error.what();
+    result.reason = undeclared ? undeclared : error.what();
     return result;
   }
 }
@@ -77,7 +79,8 @@ void answer_set_atomically(
   for (const auto & message : request.parameters) {
     given.push_back(Parameter::from_parameter_msg(message));
   }
-  response.result = set(parameters, given);
+  response.result =
+    set(parameters, given, "One or more parameters were not declared before setting");
 }
 
 void answer_get(

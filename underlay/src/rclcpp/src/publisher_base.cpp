@@ -42,7 +42,7 @@ PublisherBase::PublisherBase(
   const rosidl_message_type_support_t & type_support, const QoS & qos, const PublisherOptionsBase & options)
 : context_(node->get_context()),
   handle_(make_publisher(node->get_shared_rcl_node_handle(), topic, type_support, qos)),
-  events_(detail::publisher_events(handle_, options))
+  events_(detail::publisher_events(handle_, *node->get_rcl_node_handle(), options))
 {
   const rmw_publisher_t * at_rmw = rcl_publisher_get_rmw_handle(handle_.get());
   if (!at_rmw || rmw_get_gid_for_publisher(at_rmw, &gid_) != RMW_RET_OK) {
@@ -108,7 +108,7 @@ bool PublisherBase::wait_for_all_acked(std::chrono::nanoseconds timeout) const
     rcl_reset_error();
     return false;
   }
-  detail::check(ret, "failed to wait for acknowledgements");
+  detail::check(ret, "failed to wait for acknowledgments");
   return true;
 }
 

@@ -97,24 +97,24 @@ private:
   std::vector<std::shared_ptr<Entity>> found_;
 };
 
-QOSOfferedIncompatibleQoSCallbackType warn_of_subscriptions(std::string topic)
+QOSOfferedIncompatibleQoSCallbackType warn_of_subscriptions(Logger logger, std::string topic)
 {
-  return [topic = std::move(topic)](QOSOfferedIncompatibleQoSInfo & info) {
+  return [logger = std::move(logger), topic = std::move(topic)](QOSOfferedIncompatibleQoSInfo & info) {
            RCLCPP_WARN(
-             get_logger("rclcpp"),
+             logger,
              "New subscription discovered on topic '%s', requesting incompatible QoS. "
              "No messages will be sent to it. Last incompatible policy: %s",
              topic.c_str(), qos_policy_name_from_kind(info.last_policy_kind).c_str());
          };
 }
 
-QOSRequestedIncompatibleQoSCallbackType warn_of_publishers(std::string topic)
+QOSRequestedIncompatibleQoSCallbackType warn_of_publishers(Logger logger, std::string topic)
 {
-  return [topic = std::move(topic)](QOSRequestedIncompatibleQoSInfo & info) {
+  return [logger = std::move(logger), topic = std::move(topic)](QOSRequestedIncompatibleQoSInfo & info) {
            RCLCPP_WARN(
-             get_logger("rclcpp"),
+             logger,
              "New publisher discovered on topic '%s', offering incompatible QoS. "
-             "No messages will be received from it. Last incompatible policy: %s",
+             "No messages will be sent to it. Last incompatible policy: %s",
              topic.c_str(), qos_policy_name_from_kind(info.last_policy_kind).c_str());
          };
 }
@@ -122,7 +122,8 @@ QOSRequestedIncompatibleQoSCallbackType warn_of_publishers(std::string topic)
 }  // namespace
 
 std::vector<std::shared_ptr<Entity>> publisher_events(
-  const std::shared_ptr<rcl_publisher_t> & publisher, const PublisherOptionsBase & options)
+  const std::shared_ptr<rcl_publisher_t> & publisher, const rcl_node_t & node,
+  const PublisherOptionsBase & options)
 {
   const auto & callbacks = options.event_callbacks;
   Events events(publisher);
@@ -133,14 +134,16 @@ std::vector<std::shared_ptr<Entity>> publisher_events(
   if (callbacks.incompatible_qos_callback) {
     events.add(callbacks.incompatible_qos_callback, RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS);
   } else if (options.use_default_callbacks) {
-    const auto warn = warn_of_subscriptions(rcl_publisher_get_topic_name(publisher.get()));
+    const auto warn =
+      warn_of_subscriptions(get_node_logger(&node), rcl_publisher_get_topic_name(publisher.get()));
     events.add(warn, RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS, false);
   }
   return events.take();
 }
 
 std::vector<std::shared_ptr<Entity>> subscription_events(
-  const std::shared_ptr<rcl_subscription_t> & subscription, const SubscriptionOptionsBase & options)
+  const std::shared_ptr<rcl_subscription_t> & subscription, const rcl_node_t & node,
+  const SubscriptionOptionsBase & options)
 {
   const auto & callbacks = options.event_callbacks;
   Events events(subscription);
@@ -152,7 +155,8 @@ std::vector<std::shared_ptr<Entity>> subscription_events(
   if (callbacks.incompatible_qos_callback) {
     events.add(callbacks.incompatible_qos_callback, RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS);
   } else if (options.use_default_callbacks) {
-    const auto warn = warn_of_publishers(rcl_subscription_get_topic_name(subscription.get()));
+    const auto warn =
+      warn_of_publishers(get_node_logger(&node), rcl_subscription_get_topic_name(subscription.get()));
     events.add(warn, RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS, false);
   }
   return events.take();

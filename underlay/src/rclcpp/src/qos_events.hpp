@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "rcl/node.h"
 #include "rcl/publisher.h"
 #include "rcl/subscription.h"
 #include "rclcpp/detail/entity.hpp"
@@ -12,10 +13,13 @@
 namespace rclcpp::detail
 {
 
-/// One for each callback that is given, and one that warns of incompatible QoS unless that is handled.
+/// One for each callback that is given. One more, unless that is handled, warns of incompatible QoS in the
+/// name of `node`.
 std::vector<std::shared_ptr<Entity>> publisher_events(
-  const std::shared_ptr<rcl_publisher_t> & publisher, const PublisherOptionsBase & options);
+  const std::shared_ptr<rcl_publisher_t> & publisher, const rcl_node_t & node,
+  const PublisherOptionsBase & options);
 std::vector<std::shared_ptr<Entity>> subscription_events(
-  const std::shared_ptr<rcl_subscription_t> & subscription, const SubscriptionOptionsBase & options);
+  const std::shared_ptr<rcl_subscription_t> & subscription, const rcl_node_t & node,
+  const SubscriptionOptionsBase & options);
 
 }  // namespace rclcpp::detail

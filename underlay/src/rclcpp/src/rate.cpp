@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "rclcpp/contexts/default_context.hpp"
+
 namespace rclcpp
 {
 
@@ -46,7 +48,16 @@ bool Rate::sleep()
     }
     return false;
   }
-  clock_->sleep_for(next - now);
+  const auto context = contexts::get_global_default_context();
+  try {
+    clock_->sleep_for(next - now, context);
+  } catch (const std::runtime_error &) {
+    const bool has_ended = context->get_rcl_context() && !context->is_valid();
+    if (!has_ended) {
+      throw;
+    }
+    // Ctrl+C came just before the sleep. The loop asks rclcpp::ok() next.
+  }
   return true;
 }
 

@@ -1,11 +1,11 @@
 #include "rclcpp/serialized_message.hpp"
 
 #include <cstring>
-#include <stdexcept>
 #include <utility>
 
 #include "rclcpp/detail/check.hpp"
 #include "rclcpp/serialization.hpp"
+#include "rcpputils/asserts.hpp"
 #include "rmw/rmw.h"
 #include "rmw/serialized_message.h"
 
@@ -84,7 +84,8 @@ SerializedMessage & SerializedMessage::operator=(const rcl_serialized_message_t 
 
 SerializedMessage & SerializedMessage::operator=(SerializedMessage && other) noexcept
 {
-  std::swap(message_, other.message_);
+  SerializedMessage owner(std::move(other));  // so that `other` is left empty
+  std::swap(message_, owner.message_);
   return *this;
 }
 
@@ -114,20 +115,14 @@ rcl_serialized_message_t SerializedMessage::release_rcl_serialized_message()
 SerializationBase::SerializationBase(const rosidl_message_type_support_t * type_support)
 : type_support_(type_support)
 {
-  if (!type_support) {
-    throw std::invalid_argument("Typesupport is nullpointer.");
-  }
+  rcpputils::check_true(type_support != nullptr, "Typesupport is nullpointer.");
 }
 
 void SerializationBase::serialize_message(
   const void * ros_message, SerializedMessage * serialized_message) const
 {
-  if (!ros_message) {
-    throw std::invalid_argument("ROS message is nullpointer.");
-  }
-  if (!serialized_message) {
-    throw std::invalid_argument("Serialized message is nullpointer.");
-  }
+  rcpputils::check_true(ros_message != nullptr, "ROS message is nullpointer.");
+  rcpputils::check_true(serialized_message != nullptr, "Serialized message is nullpointer.");
   detail::check(
     rmw_serialize(ros_message, type_support_, &serialized_message->get_rcl_serialized_message()),
     "Failed to serialize ROS message.");
@@ -136,15 +131,10 @@ void SerializationBase::serialize_message(
 void SerializationBase::deserialize_message(
   const SerializedMessage * serialized_message, void * ros_message) const
 {
-  if (!serialized_message) {
-    throw std::invalid_argument("Serialized message is nullpointer.");
-  }
-  if (serialized_message->capacity() == 0 || serialized_message->size() == 0) {
-    throw std::invalid_argument("Wrongly initialized. Serialized message has a size of zero.");
-  }
-  if (!ros_message) {
-    throw std::invalid_argument("ROS message is nullpointer.");
-  }
+  rcpputils::check_true(serialized_message != nullptr, "Serialized message is nullpointer.");
+  rcpputils::check_true(
+    serialized_message->size() != 0, "Wrongly initialized. Serialized message has a size of zero.");
+  rcpputils::check_true(ros_message != nullptr, "ROS message is nullpointer.");
   detail::check(
     rmw_deserialize(&serialized_message->get_rcl_serialized_message(), type_support_, ros_message),
     "Failed to deserialize serialized message.");

@@ -115,7 +115,7 @@ bool SignalHandler::install(SignalHandlerOptions options)
 bool SignalHandler::uninstall()
 {
   if (is_own_thread) {
-    return false;  // a callback of its shutdown asks; whoever waits for this thread holds the lock
+    return false;  // a callback of its shutdown asks; the thread that waits for this one holds the lock
   }
   const std::lock_guard lock(mutex_);
   if (!is_installed()) {

@@ -96,7 +96,8 @@ SubscriptionBase::SubscriptionBase(
   const rosidl_message_type_support_t & type_support, const QoS & qos,
   const SubscriptionOptionsBase & options, bool is_serialized)
 : handle_(make_subscription(node->get_shared_rcl_node_handle(), topic, type_support, qos, options)),
-  events_(detail::subscription_events(handle_, options)), is_serialized_(is_serialized)
+  events_(detail::subscription_events(handle_, *node->get_rcl_node_handle(), options)),
+  is_serialized_(is_serialized)
 {
   for (const auto & event : events_) {
     node->add(event, options.callback_group);

@@ -35,10 +35,16 @@ inline TimeParts split(std::int64_t nanoseconds)
   return {static_cast<std::int32_t>(seconds), static_cast<std::uint32_t>(rest)};
 }
 
+/// Whether two steps down led to the lowest number, which counts as an underflow: its negative does not fit.
+inline bool is_too_low(std::int64_t result, std::int64_t left, std::int64_t right)
+{
+  return result == std::numeric_limits<std::int64_t>::min() && left < 0 && right != 0;
+}
+
 inline std::int64_t sum(std::int64_t left, std::int64_t right, const std::string & of)
 {
   std::int64_t result = 0;
-  if (!__builtin_add_overflow(left, right, &result)) {
+  if (!__builtin_add_overflow(left, right, &result) && !is_too_low(result, left, right)) {
     return result;
   }
   if (right > 0) {
@@ -50,7 +56,7 @@ inline std::int64_t sum(std::int64_t left, std::int64_t right, const std::string
 inline std::int64_t difference(std::int64_t left, std::int64_t right, const std::string & of)
 {
   std::int64_t result = 0;
-  if (!__builtin_sub_overflow(left, right, &result)) {
+  if (!__builtin_sub_overflow(left, right, &result) && !is_too_low(result, left, right)) {
     return result;
   }
   if (right < 0) {

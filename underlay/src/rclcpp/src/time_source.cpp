@@ -1,5 +1,6 @@
 #include "time_source.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "rclcpp/detail/check.hpp"
@@ -88,13 +89,26 @@ std::shared_ptr<void> follow_sim_time(
   if (!parameters->has_parameter(parameter_name)) {
     parameters->declare_parameter(parameter_name, ParameterValue(false));
   }
-  source->set_active(parameters->get_parameter(parameter_name).as_bool());
+  const auto given = parameters->get_parameter(parameter_name);
+  if (given.get_type() != PARAMETER_BOOL) {
+    RCLCPP_ERROR(
+      get_node_logger(node->get_rcl_node_handle()),
+      "Invalid type '%s' for parameter 'use_sim_time', should be 'bool'", given.get_type_name().c_str());
+    throw std::invalid_argument("Invalid type for parameter 'use_sim_time', should be 'bool'");
+  }
+  source->set_active(given.as_bool());
   source->callback = parameters->add_post_set_parameters_callback(
     [known = std::weak_ptr<TimeSource>(source)](const std::vector<Parameter> & changed) {
       for (const auto & parameter : changed) {
         const auto still_there = known.lock();
-        if (still_there && parameter.get_name() == parameter_name) {
+        if (!still_there || parameter.get_name() != parameter_name) {
+          continue;
+        }
+        if (parameter.get_type() == PARAMETER_BOOL) {
           still_there->set_active(parameter.as_bool());
+        } else if (parameter.get_type() != PARAMETER_NOT_SET) {
+          RCLCPP_ERROR(
+            get_logger("rclcpp"), "use_sim_time parameter cannot be set to anything but a bool");
         }
       }
     });

@@ -107,7 +107,7 @@ std::shared_ptr<void> type_description_service(
     descriptor.read_only = true;
     parameters.declare_parameter(name, ParameterValue(true), descriptor);
   }
-  if (!parameters.get_parameter(name).as_bool()) {
+  if (!parameters.get_parameter(name).get_value<bool>()) {
     return nullptr;
   }
   auto service = std::make_shared<TypeDescription>(node->get_shared_rcl_node_handle());

@@ -30,7 +30,7 @@ def of_users(known: Snapshot) -> list[str]:
 
 
 def topics(known: Snapshot) -> list[str]:
-    """Whoever publishes is heard, and whoever listens has something to hear."""
+    """Each publisher is heard, and each subscription has something to hear."""
     warnings = []
     for name in of_users(known):
         if not known.subscriptions(name):

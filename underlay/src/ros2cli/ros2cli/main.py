@@ -37,7 +37,7 @@ def _guarded(argv: Sequence[str] | None) -> int:
         return _refuse(str(error), error.code)
     except (KeyboardInterrupt, BrokenPipeError):
         raise
-    except Exception as error:  # noqa: BLE001  the last line of defence: no traceback for a learner
+    except Exception as error:  # noqa: BLE001  the last line of defense: no traceback for a learner
         return _unexpected(error)
 
 

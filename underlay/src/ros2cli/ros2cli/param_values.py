@@ -8,7 +8,7 @@ from rclpy.parameter import get_parameter_value
 
 
 def guessed_value(text: str) -> ParameterValue:
-    """The value that the text means as YAML; what is no value a parameter can have is taken as text."""
+    """The value that the text means as YAML; anything that a parameter can't have is taken as text."""
     try:
         value = get_parameter_value(text)
     except (yaml.YAMLError, AssertionError, TypeError, ValueError, OverflowError):

@@ -19,7 +19,7 @@ def from_yaml(text: str) -> Any:
 
 
 def fill(message: Any, values: Any, *, at_publishing: bool = False) -> Callable[[Any], None]:
-    """Set the fields of the message; what must be set anew at each publishing is what is returned."""
+    """Set the fields of the message; returns what must be set again at each publishing."""
     from rosidl_runtime_py import set_message_fields
 
     try:

@@ -52,7 +52,7 @@ def _option(parser: ArgumentParser, word: str) -> Action | None:
 
 
 def _has_value(parser: ArgumentParser, word: str) -> bool:
-    """Whether it stands in the word itself: `--rate=2`, `-r2`."""
+    """Whether it is in the word itself: `--rate=2`, `-r2`."""
     return "=" in word or (not word.startswith("--") and word not in parser._option_string_actions)
 
 

@@ -1,4 +1,4 @@
-"""The clock of a loop that shall run at a fixed rate; it behaves as sas::Clock does in C++."""
+"""The clock of a loop that runs at a fixed rate; it behaves as sas::Clock does in C++."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ double in_seconds(Steady::duration duration)
 /// Nothing for what is not positive, or no number.
 Steady::duration from_seconds(double seconds)
 {
-  constexpr double longest = 1e9;  // thirty years; much more is no duration any more
+  constexpr double longest = 1e9;  // thirty years; much more is not a duration anymore
   const std::chrono::duration<double> bounded(seconds > 0.0 ? std::min(seconds, longest) : 0.0);
   return std::chrono::duration_cast<Steady::duration>(bounded);
 }

@@ -1,4 +1,4 @@
-"""The robot's end of its topics: tells what it does, hears what it shall do."""
+"""The robot's end of its topics: tells what it does, hears what it should do."""
 
 from __future__ import annotations
 

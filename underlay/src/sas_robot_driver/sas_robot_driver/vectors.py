@@ -13,7 +13,7 @@ Integers = NDArray[np.int32]
 
 
 def doubles(values: ArrayLike) -> array[float]:
-    """As a message holds them. Raise TypeError for what is no vector."""
+    """As a message contains them. Raise TypeError for anything but a vector."""
     return array("d", _vector(np.asarray(values, dtype=np.float64)).tobytes())
 
 

@@ -203,6 +203,32 @@ void what_is_added_while_spinning_is_heard()
   EXPECT(heard);
 }
 
+void additions_to_a_group_are_heard()
+{
+  auto node = std::make_shared<rclcpp::Node>("node");
+  rclcpp::SubscriptionOptions options;
+  options.callback_group =
+    node->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
+  SingleThreadedExecutor executor, other;
+  executor.add_callback_group(options.callback_group, node->get_node_base_interface());
+  other.add_node(node);
+  std::promise<void> waits, called;
+  rclcpp::TimerBase::SharedPtr timer;
+  timer = node->create_wall_timer(
+    0ms, [&]() {timer->cancel(); waits.set_value();}, options.callback_group);
+  std::thread spinning([&]() {executor.spin();});
+  waits.get_future().wait();  // it waits from now on, and for no timer
+  const auto kept = rclcpp::QoS(1).transient_local();
+  auto subscription = node->create_subscription<String>(
+    "topic", kept, [&](const String &) {called.set_value();}, options);
+  auto publisher = node->create_publisher<String>("topic", kept);
+  publisher->publish(String());
+  const bool heard = called.get_future().wait_for(10s) == std::future_status::ready;
+  executor.cancel();
+  spinning.join();
+  EXPECT(heard);
+}
+
 void a_group_of_its_own_has_its_own_executor()
 {
   auto node = std::make_shared<rclcpp::Node>("node");
@@ -230,8 +256,30 @@ void wrong_use_is_said()
   EXPECT(
     THROWN(std::runtime_error, other.add_node(node)) ==
     "Node '/node' has already been added to an executor.");
-  EXPECT(!THROWN(std::runtime_error, other.remove_node(node)).empty());
+  EXPECT(
+    THROWN(std::runtime_error, other.remove_node(node)) ==
+    "Node '/node' needs to be associated with this executor.");
+  const auto base = node->get_node_base_interface();
+  const auto group = base->get_default_callback_group();
+  const std::string added = "Callback group has already been added to an executor.";
+  EXPECT(THROWN(std::runtime_error, other.add_callback_group(group, base)) == added);
   executor.remove_node(node);
+  EXPECT(
+    THROWN(std::runtime_error, executor.remove_node(node)) ==
+    "Node '/node' needs to be associated with an executor.");
+  executor.add_callback_group(group, base);
+  EXPECT(THROWN(std::runtime_error, executor.add_callback_group(group, base)) == added);
+  group->get_associated_with_executor_atomic() = false;
+  EXPECT(
+    THROWN(std::runtime_error, executor.add_callback_group(group, base)) ==
+    "Callback group has already been added to this executor.");
+  EXPECT(
+    THROWN(std::runtime_error, other.remove_callback_group(group)) ==
+    "Callback group needs to be associated with this executor.");
+  executor.remove_callback_group(group);
+  EXPECT(
+    THROWN(std::runtime_error, executor.remove_callback_group(group)) ==
+    "Callback group needs to be associated with an executor.");
   other.add_node(node);
   auto timer = node->create_wall_timer(0ms, [&]() {other.spin_some();});
   EXPECT(THROWN(std::runtime_error, other.spin_some()) == "spin_some() called while already spinning");
@@ -382,6 +430,7 @@ int main(int argc, char * argv[])
     {"spin_some_does_what_is_ready", spin_some_does_what_is_ready},
     {"spin_all_goes_on_until_nothing_is_ready", spin_all_goes_on_until_nothing_is_ready},
     {"what_is_added_while_spinning_is_heard", what_is_added_while_spinning_is_heard},
+    {"additions_to_a_group_are_heard", additions_to_a_group_are_heard},
     {"a_group_of_its_own_has_its_own_executor", a_group_of_its_own_has_its_own_executor},
     {"wrong_use_is_said", wrong_use_is_said},
     {"futures_end_or_time_out", futures_end_or_time_out},

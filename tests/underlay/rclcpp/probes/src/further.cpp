@@ -5,6 +5,7 @@
 
 #include "case.hpp"
 #include "rclcpp/experimental/executors/events_executor/events_executor.hpp"
+#include "rcpputils/asserts.hpp"
 #include "std_msgs/msg/float32.hpp"
 #include "std_msgs/msg/string.hpp"
 #include "std_srvs/srv/trigger.hpp"
@@ -75,6 +76,9 @@ void parameters_at_once()
   EXPECT(client->get_parameter_types({"count"}).at(0) == rclcpp::PARAMETER_INTEGER);
   EXPECT(client->describe_parameters({"count"}).at(0).name == "count");
   EXPECT(client->set_parameters_atomically({Parameter("name", "Bob")}).successful);
+  EXPECT(
+    client->set_parameters_atomically({Parameter("none", 1)}).reason ==
+    "One or more parameters were not declared before setting");
   const auto names = client->list_parameters({}, 1).names;
   EXPECT(std::find(names.begin(), names.end(), "name") != names.end());
   rclcpp::SyncParametersClient in_vain(node.get(), "nobody");
@@ -134,10 +138,13 @@ void bytes()
   EXPECT(copy.size() == message.size() && copy.size() > 5);
   auto publisher = node->create_publisher<String>("topic", kept);
   publisher->publish(copy);
+  using Deleter = std::function<void (String *)>;
   auto loan = publisher->borrow_loaned_message();
+  static_assert(std::is_same_v<decltype(loan.release()), std::unique_ptr<String, Deleter>>);
   loan.get().data = "loan";
   publisher->publish(std::move(loan));
   EXPECT(!loan.is_valid());
+  EXPECT(rclcpp::LoanedMessage<String>(*publisher, std::allocator<String>()).release()->data.empty());
   auto unnamed = node->create_generic_publisher("topic", "std_msgs/msg/String", kept);
   unnamed->publish(copy);
   spin_until(node, [&]() {return heard.size() == 9;});
@@ -150,6 +157,22 @@ void bytes()
       "Something went wrong loading the typesupport library for message type no_such/msg/Type.") == 0);
 }
 
+void bytes_in_wrong_hands()
+{
+  using rcpputils::IllegalStateException;
+  const rclcpp::Serialization<String> serialization;
+  String text;
+  rclcpp::SerializedMessage message, other(2);
+  EXPECT(
+    THROWN(IllegalStateException, serialization.serialize_message(&text, nullptr)) ==
+    "Serialized message is nullpointer.");
+  EXPECT(!THROWN(IllegalStateException, serialization.deserialize_message(&message, &text)).empty());
+  serialization.serialize_message(&text, &message);
+  EXPECT(!THROWN(IllegalStateException, serialization.deserialize_message(&message, nullptr)).empty());
+  other = std::move(message);
+  EXPECT(other.size() > 0 && message.capacity() == 0);
+}
+
 void executors_of_nodes()
 {
   auto node = std::make_shared<rclcpp::Node>("node");
@@ -160,6 +183,7 @@ void executors_of_nodes()
   executor.spin_node_some(node);
   EXPECT(calls == 2);
   executor.spin_node_all(node, 1ms);
+  EXPECT(THROWN(std::invalid_argument, executor.spin_all(0ms)) == "max_duration must be positive");
   executor.add_node(node);
   EXPECT(executor.get_automatically_added_callback_groups_from_nodes().size() == 1);
   EXPECT(executor.get_manually_added_callback_groups().empty());
@@ -252,6 +276,7 @@ int main(int argc, char * argv[])
     {"parameters_at_once", parameters_at_once},
     {"parameters_later", parameters_later},
     {"bytes", bytes},
+    {"bytes_in_wrong_hands", bytes_in_wrong_hands},
     {"executors_of_nodes", executors_of_nodes},
     {"parts_of_a_node", parts_of_a_node},
     {"content_filters", content_filters},

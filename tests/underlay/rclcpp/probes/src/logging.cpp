@@ -15,7 +15,10 @@ int main(int argc, char * argv[])
   RCLCPP_WARN_STREAM(log, "warn " << 3 << "!");
   RCLCPP_ERROR(rclcpp::get_logger("other"), "error 100%%");
   RCLCPP_FATAL(log.get_child("child"), "fatal");
-  rclcpp::Clock clock(RCL_STEADY_TIME);
+  rclcpp::Clock clock(RCL_SYSTEM_TIME), simulated(RCL_ROS_TIME);
+  if (rcl_enable_ros_time_override(simulated.get_clock_handle()) != RCL_RET_OK) {
+    return 1;
+  }
   const std::function<bool()> no = []() {return false;};
   const auto yes = []() {return true;};
   for (int i = 0; i < 3; ++i) {
@@ -32,6 +35,11 @@ int main(int argc, char * argv[])
     RCLCPP_INFO_SKIPFIRST_THROTTLE(log, clock, 1e9, "skipfirst throttle %d", i);
     RCLCPP_INFO_STREAM_SKIPFIRST_THROTTLE(log, clock, 1e9, "stream skipfirst throttle " << i);
     RCLCPP_INFO_THROTTLE(log, clock, 0, "unthrottled %d", i);
+    if (rcl_set_ros_time_override(simulated.get_clock_handle(), RCL_S_TO_NS(i)) != RCL_RET_OK) {
+      return 1;
+    }
+    RCLCPP_INFO_THROTTLE(log, simulated, 1000, "simulated %d", i);
+    RCLCPP_INFO_SKIPFIRST_THROTTLE(log, simulated, 1000, "simulated skipfirst %d", i);
   }
   if (argc > 1 && argv[1] == std::string("stay")) {
     rclcpp::spin(node);  // /rosout is kept for those who come late

@@ -1,6 +1,7 @@
 // units CASE: what needs no other node; 0 when it holds.
 
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -37,8 +38,13 @@ void durations()
   const auto longest = Duration::from_nanoseconds(std::numeric_limits<std::int64_t>::max());
   EXPECT(!THROWN(std::overflow_error, longest + Duration(1s)).empty());
   EXPECT(!THROWN(std::overflow_error, longest * 2.0).empty());
+  EXPECT(!THROWN(std::underflow_error, longest * -2.0).empty());
+  EXPECT(!THROWN(std::underflow_error, Duration(-1ns) - longest).empty());
   EXPECT(!THROWN(std::runtime_error, Duration(-1s).to_rmw_time()).empty());
   EXPECT(Duration::from_rmw_time(Duration(1500ms).to_rmw_time()) == Duration(1500ms));
+  constexpr auto most = std::numeric_limits<std::uint64_t>::max();
+  EXPECT(Duration::from_rmw_time({0, most}) == longest && Duration::from_rmw_time({most, 0}) == longest);
+  EXPECT(Duration::from_rmw_time({9223372036, 0}).nanoseconds() == 9223372036000000000);
 }
 
 void times()
@@ -77,6 +83,12 @@ void clocks_and_rates()
   rclcpp::Rate(Duration(1ms)).sleep();
   EXPECT(!THROWN(std::invalid_argument, rclcpp::Rate(0.0)).empty());
   EXPECT(!THROWN(std::invalid_argument, rclcpp::WallRate(Duration(-1s))).empty());
+  rclcpp::WallRate slow(Duration(1h));
+  rclcpp::shutdown();
+  EXPECT(slow.sleep());  // as in a loop that Ctrl+C ends
+  const std::string invalid = "context cannot be slept with because it's invalid";
+  EXPECT(THROWN(std::runtime_error, steady.sleep_for(Duration(1h))) == invalid);
+  EXPECT(THROWN(std::runtime_error, steady.sleep_until(begin)) == invalid);
 }
 
 void simulated_time_jumps()
@@ -124,13 +136,25 @@ void parameter_values()
     THROWN(rclcpp::ParameterTypeException, ParameterValue(7).get<std::string>()) ==
     "expected [string] got [integer]");
   EXPECT(
-    THROWN(exceptions::InvalidParameterTypeException, Parameter("p", 7).as_bool()) ==
+    THROWN(exceptions::InvalidParameterTypeException, Parameter("p", 7).get_value<bool>()) ==
     "parameter 'p' has invalid type: expected [bool] got [integer]");
+  EXPECT(
+    THROWN(rclcpp::ParameterTypeException, Parameter("p", 7).as_bool()) ==
+    "expected [bool] got [integer]");
   EXPECT(to_string(ParameterValue(std::vector<bool>{true, false})) == "[true, false]");
   std::ostringstream text;
   text << Parameter("p", 7);
   EXPECT(text.str() == "{\"name\": \"p\", \"type\": \"integer\", \"value\": \"7\"}");
   EXPECT(Parameter::from_parameter_msg(Parameter("p", 2.0).to_parameter_msg()) == Parameter("p", 2.0));
+  rcl_interfaces::msg::ParameterEvent event;
+  event.node = "/node";
+  const auto part = [&](const char * node) {
+      return rclcpp::ParameterEventHandler::get_parameter_from_event(event, "p", node);
+    };
+  EXPECT(part("/node") == Parameter("p", rclcpp::PARAMETER_NOT_SET));
+  EXPECT(
+    THROWN(std::runtime_error, part("/other")) ==
+    "The node name '/other' of parameter 'p' doesn't match the node name '/node' in parameter event");
 }
 
 void parameters_of_a_node()
@@ -161,6 +185,25 @@ void parameters_of_a_node()
   EXPECT(node.list_parameters({"a"}, 0).names.size() == 2);
   std::map<std::string, int> below;
   EXPECT(node.get_parameters("a", below) && below == (std::map<std::string, int>{{"b", 1}, {"c.d", 2}}));
+  options.automatically_declare_parameters_from_overrides(true);
+  options.append_parameter_override("use_sim_time", "no");
+  EXPECT(
+    THROWN(std::invalid_argument, rclcpp::Node("other", options)) ==
+    "Invalid type for parameter 'use_sim_time', should be 'bool'");
+}
+
+void parameters_without_a_value()
+{
+  rclcpp::Node node("node");
+  rcl_interfaces::msg::ParameterDescriptor any;
+  any.dynamic_typing = true;
+  node.declare_parameter("any", ParameterValue(), any);
+  node.declare_parameter("count", 1);
+  EXPECT(node.set_parameter(Parameter("any")).successful && node.has_parameter("any"));
+  EXPECT(node.set_parameter({"any", 1}).successful && node.get_parameter("any").as_int() == 1);
+  EXPECT(node.set_parameter(Parameter("any")).successful && !node.has_parameter("any"));
+  EXPECT(
+    node.set_parameter(Parameter("count")).reason == "cannot undeclare a statically typed parameter");
 }
 
 void described_parameters()
@@ -286,6 +329,9 @@ void contexts()
   own_domain.set_domain_id(7);
   context->init(0, nullptr, own_domain);
   EXPECT(context->get_domain_id() == 7);
+  setenv("ROS_DOMAIN_ID", "42", true);
+  own_domain.use_default_domain_id();
+  EXPECT(own_domain.get_domain_id() == 42);
   bool called = false;
   context->add_on_shutdown_callback([&]() {called = true;});
   EXPECT(rclcpp::shutdown(context, "because") && called && context->shutdown_reason() == "because");
@@ -421,6 +467,7 @@ int main(int argc, char * argv[])
     {"qos_profiles", qos_profiles},
     {"parameter_values", parameter_values},
     {"parameters_of_a_node", parameters_of_a_node},
+    {"parameters_without_a_value", parameters_without_a_value},
     {"described_parameters", described_parameters},
     {"parameter_callbacks", parameter_callbacks},
     {"qos_overrides", qos_overrides},

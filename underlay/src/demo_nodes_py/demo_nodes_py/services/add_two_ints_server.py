@@ -1,4 +1,4 @@
-"""Adds two whole numbers for whoever asks."""
+"""Adds two whole numbers for anyone who asks."""
 
 from __future__ import annotations
 

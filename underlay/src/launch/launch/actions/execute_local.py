@@ -357,7 +357,7 @@ def _number(given: object) -> object:
 
 
 def _seconds(context: LaunchContext, given: list[Substitution]) -> str:
-    """As it was written, as it is told so; what is no number is told now, not when the launch ends."""
+    """As it was written, as it is told so; anything but a number is told now, not when the launch ends."""
     text = perform_substitutions(context, given)
     float(text)
     return text

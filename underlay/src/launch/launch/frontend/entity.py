@@ -53,11 +53,11 @@ class Entity:
             raise ValueError(f"Unexpected key(s) found in `{self.type_name}`: {sorted(unread)}")
 
     def read_all(self) -> None:
-        """Whatever stands in there is all right."""
+        """Whatever is in there is all right."""
         self._read |= self._names()
 
     def _names(self) -> set[str]:
-        """The names of all that stands in there."""
+        """The names of all that is in there."""
         raise NotImplementedError
 
     def _value(self, name: str) -> Any:

@@ -78,7 +78,7 @@ class _Reader:
         return Argument("", self._word())
 
     def _word(self) -> list[Substitution]:
-        """Up to a blank, or to the bracket that closes the substitution; brackets of its own are its own."""
+        """Up to a space, or to the bracket that closes the substitution; brackets of its own are its own."""
         parts: list[Substitution] = []
         plain, depth = "", 0
         while self._at < len(self._text) and not self._text[self._at].isspace():

@@ -101,7 +101,7 @@ def _command(arguments: list[Argument]) -> Substitution:
 
 
 def _joined(arguments: list[Argument]) -> list[Substitution]:
-    """As it was written: with quotes, and blanks between."""
+    """As it was written: with quotes, and spaces between."""
     joined: list[Substitution] = []
     for argument in arguments:
         blank = " " if joined else ""

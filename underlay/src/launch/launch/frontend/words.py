@@ -35,7 +35,7 @@ class _Splitter:
             self._word = (self._word or "") + piece
 
     def _unescaped(self, piece: str) -> str:
-        """What a backslash protects from being a quote or a blank; a dollar's is left for substitutions."""
+        """What a backslash protects from being a quote or a space; a dollar's is left for substitutions."""
         literal = self._quote == "'" or (self._quote and piece[-1] not in '"\\')
         return piece if piece[0] != "\\" or piece == "\\$" or literal else piece[1:]
 

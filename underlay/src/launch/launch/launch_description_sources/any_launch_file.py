@@ -37,7 +37,7 @@ def _from_frontend(launch_file_path: str) -> LaunchDescription:
 
 
 def _not_a_frontend_file(path: Path) -> Exception:
-    """Why it is no launch file in YAML or XML either: that is what the real one tries next."""
+    """Why it is not a launch file in YAML or XML either: that is what the real one tries next."""
     try:
         tree = yaml.safe_load(path.read_bytes())
     except (yaml.YAMLError, OSError, UnicodeDecodeError):

@@ -11,7 +11,7 @@ from collections.abc import Callable
 class ScreenHandler(logging.Handler):
     """Writes to what `sys.stdout` is at the time. A closed pipe ends the launch, not in a traceback."""
 
-    on_closed: list[Callable[[], None]] = []  # noqa: RUF012  whoever wants to know: the launch service
+    on_closed: list[Callable[[], None]] = []  # noqa: RUF012  those who want to know: the launch service
 
     def emit(self, record: logging.LogRecord) -> None:
         try:

@@ -1,4 +1,4 @@
-"""What stands in a file."""
+"""What a file contains."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a program lies on the PATH."""
+"""Where a program is on the PATH."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ from launch.utilities import perform_substitutions
 
 
 class PythonExpression(Substitution):
-    """The names of the modules can be used; `math` stands there, and its functions by their bare names."""
+    """The names of the modules can be used; so can `math`, and its functions by their bare names."""
 
     def __init__(self, expression: object, python_modules: Iterable[object] = ("math",)) -> None:
         self.__expression = texts(expression)

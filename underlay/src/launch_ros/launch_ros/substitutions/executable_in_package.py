@@ -40,7 +40,7 @@ class ExecutableInPackage(FindPackagePrefix):
                 "does not exist"
             )
         if not os.access(folder / executable, os.X_OK):
-            # The blank at the end is the real one's.
+            # The space at the end is the real one's.
             raise SubstitutionFailure(
                 f"executable '{executable}' not found on the libexec directory '{folder}' "
             )

@@ -1,6 +1,6 @@
 """The Python that a script of a package is started with, where its own does not know this ROS.
 
-ROS from pip is known to one Python only; colcon may have been run by another one, whose path then stands in
+ROS from pip is known to one Python only; colcon may have been run by another one, whose path is then in
 the first line of what it installed. `ros2 run` asks here, too.
 """
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rclcpp/detail/entity.hpp"
+#include "rclcpp/guard_condition.hpp"
 #include "rclcpp/macros.hpp"
 
 namespace rclcpp
@@ -40,7 +41,11 @@ public:
 
   /// What is still there of what was added, in order.
   void collect(std::vector<std::shared_ptr<detail::Entity>> & found);
+  /// Adds it, and wakes the executor to which this group was added by itself.
   void add(const std::shared_ptr<detail::Entity> & entity);
+
+  /// Whom to wake when something is added.
+  void set_waker(const std::shared_ptr<GuardCondition> & waker);
 
 private:
   const CallbackGroupType type_;
@@ -49,6 +54,7 @@ private:
   std::atomic_bool can_be_taken_from_{true};
   mutable std::mutex mutex_;
   std::vector<std::weak_ptr<detail::Entity>> entities_;
+  std::weak_ptr<GuardCondition> waker_;
 };
 
 }  // namespace rclcpp

@@ -73,7 +73,7 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-/// Every context that was initialised and is not yet gone.
+/// Every context that was initialized and is not yet gone.
 std::vector<Context::SharedPtr> get_contexts();
 
 }  // namespace rclcpp

@@ -9,7 +9,7 @@
 namespace rclcpp
 {
 
-/// Wakes whoever waits for it; any thread may trigger it.
+/// Wakes those who wait for it; any thread may trigger it.
 class GuardCondition
 {
 public:

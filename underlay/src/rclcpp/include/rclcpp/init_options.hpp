@@ -22,7 +22,7 @@ public:
   bool auto_initialize_logging() const {return initialize_logging_;}
   InitOptions & auto_initialize_logging(bool initialize_logging);
 
-  /// Makes ROS_DOMAIN_ID count, unless a domain was set.
+  /// Sets the domain to the one that ROS_DOMAIN_ID has now.
   void use_default_domain_id();
   void set_domain_id(std::size_t domain_id);
   std::size_t get_domain_id() const;

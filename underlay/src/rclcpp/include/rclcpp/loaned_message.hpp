@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -15,7 +16,7 @@ class LoanedMessage
 public:
   using MessageAllocator = std::allocator<MessageT>;
 
-  explicit LoanedMessage(const PublisherBase & publisher)
+  explicit LoanedMessage(const PublisherBase & publisher, MessageAllocator = MessageAllocator())
   : message_(std::make_unique<MessageT>())
   {
     publisher.tell_of_loans();
@@ -23,7 +24,10 @@ public:
 
   bool is_valid() const {return message_ != nullptr;}
   MessageT & get() const {return *message_;}
-  std::unique_ptr<MessageT> release() {return std::move(message_);}
+  std::unique_ptr<MessageT, std::function<void(MessageT *)>> release()
+  {
+    return {message_.release(), std::default_delete<MessageT>()};
+  }
 
 private:
   std::unique_ptr<MessageT> message_;

@@ -29,7 +29,7 @@ void log(
   const rcutils_log_location_t & location, int severity, const Logger & logger, const char * format, ...)
 __attribute__((format(printf, 4, 5)));
 
-/// Whether `milliseconds` have gone by since `last`; begins to count anew then.
+/// Whether `milliseconds` have gone by since `last`; begins to count again then.
 bool is_due(std::atomic<std::int64_t> & last, std::int64_t now, double milliseconds);
 
 }  // namespace rclcpp::detail
@@ -65,11 +65,11 @@ bool is_due(std::atomic<std::int64_t> & last, std::int64_t now, double milliseco
   if (rclcpp_seen_.exchange(true)) {__VA_ARGS__}
 
 #define RCLCPP_DETAIL_THROTTLE(clock, duration, ...) \
-  static ::std::atomic<::std::int64_t> rclcpp_last_{INT64_MIN}; \
+  static ::std::atomic<::std::int64_t> rclcpp_last_{0}; \
   if (::rclcpp::detail::is_due(rclcpp_last_, (clock).now().nanoseconds(), duration)) {__VA_ARGS__}
 
 #define RCLCPP_DETAIL_SKIPFIRST_THROTTLE(clock, duration, ...) \
-  RCLCPP_DETAIL_SKIPFIRST(RCLCPP_DETAIL_THROTTLE(clock, duration, __VA_ARGS__))
+  RCLCPP_DETAIL_THROTTLE(clock, duration, RCLCPP_DETAIL_SKIPFIRST(__VA_ARGS__))
 
 // One macro for each way to log, by severity; those of each severity follow below.
 #define RCLCPP_DETAIL_LOG(severity, logger, ...) \

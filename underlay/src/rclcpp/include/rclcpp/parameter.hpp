@@ -35,8 +35,7 @@ public:
   rcl_interfaces::msg::ParameterValue get_value_message() const {return value_.to_value_msg();}
   const ParameterValue & get_parameter_value() const {return value_;}
 
-  /// The value as a T, or of a type by its number; a T that is Parameter gives all of it. Throws
-  /// InvalidParameterTypeException.
+  /// The value as a T; a T that is Parameter gives all of it. Throws InvalidParameterTypeException.
   template<typename T>
   decltype(auto) get_value() const
   {
@@ -50,16 +49,11 @@ public:
       throw exceptions::InvalidParameterTypeException(name_, error.what());
     }
   }
+  /// The value of a type, by its number. Throws ParameterTypeException.
   template<ParameterType T>
-  decltype(auto) get_value() const
-  {
-    try {
-      return value_.get<T>();
-    } catch (const ParameterTypeException & error) {
-      throw exceptions::InvalidParameterTypeException(name_, error.what());
-    }
-  }
+  decltype(auto) get_value() const {return value_.get<T>();}
 
+  // These throw ParameterTypeException.
   bool as_bool() const {return get_value<PARAMETER_BOOL>();}
   std::int64_t as_int() const {return get_value<PARAMETER_INTEGER>();}
   double as_double() const {return get_value<PARAMETER_DOUBLE>();}

@@ -51,7 +51,7 @@ public:
     if (!message.is_valid()) {
       throw std::runtime_error("loaned message is not valid");
     }
-    publish(message.release());
+    publish_untyped(message.release().get());
   }
 };
 

@@ -14,7 +14,8 @@ public:
   explicit SerializationBase(const rosidl_message_type_support_t * type_support);
   virtual ~SerializationBase() = default;
 
-  /// These throw std::invalid_argument for null pointers, RCLError when the bytes are not of such a message.
+  /// These throw rcpputils::IllegalStateException for null pointers and for no bytes, and RCLError when the
+  /// bytes are not of such a message.
   void serialize_message(const void * ros_message, SerializedMessage * serialized_message) const;
   void deserialize_message(const SerializedMessage * serialized_message, void * ros_message) const;
 

@@ -14,7 +14,7 @@
 namespace rclcpp
 {
 
-/// Messages that do not fulfil the expression are left away, where the middleware can do that.
+/// Messages that do not fulfill the expression are left away, where the middleware can do that.
 struct ContentFilterOptions
 {
   std::string filter_expression;

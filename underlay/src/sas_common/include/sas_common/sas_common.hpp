@@ -43,7 +43,7 @@ void get_ros_optional_parameter(
   get_ros_parameter(node, parameter_name, value);
 }
 
-/// For the end of a `main` that started ROS without signal handlers: what ROS may say after that is no fault.
+/// For the end of a `main` that started ROS without signal handlers: what ROS may say after that is not an error.
 inline void display_signal_handler_none_bug_info(const std::shared_ptr<rclcpp::Node> & node)
 {
   RCLCPP_INFO(

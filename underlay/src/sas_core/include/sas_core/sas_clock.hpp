@@ -1,4 +1,4 @@
-// The clock of a loop that shall run at a fixed rate.
+// The clock of a loop that runs at a fixed rate.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// The robot's end of the topics: tells what the robot does, hears what it shall do.
+// The robot's end of the topics: tells what the robot does, hears what it should do.
 
 #pragma once
 

@@ -4,7 +4,7 @@ import time
 
 
 def main() -> None:
-    """Print for ever; end quietly when interrupted."""
+    """Print forever; end quietly when interrupted."""
     try:
         while True:
             print("Howdy!")

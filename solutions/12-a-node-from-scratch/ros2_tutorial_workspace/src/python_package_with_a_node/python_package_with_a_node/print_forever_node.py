@@ -8,7 +8,7 @@ PERIOD = 0.5  # seconds
 
 
 class PrintForever(Node):
-    """Counts its own log messages, from zero and for ever."""
+    """Counts its own log messages, from zero and forever."""
 
     def __init__(self):
         super().__init__('print_forever')

@@ -2,7 +2,7 @@
 
 #include <rclcpp/rclcpp.hpp>
 
-/// Logs, twice per second, how often it has logged before.
+/// Logs twice per second how many times it has logged before.
 class PrintForeverNode : public rclcpp::Node
 {
 public:

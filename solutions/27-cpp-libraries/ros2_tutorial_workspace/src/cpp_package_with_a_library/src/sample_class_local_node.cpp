@@ -7,7 +7,7 @@
 
 using namespace std::chrono_literals;
 
-/// Logs, twice per second, what the library has to say.
+/// Logs twice per second what the library returns.
 class SampleClassLocalNode : public rclcpp::Node
 {
 public:

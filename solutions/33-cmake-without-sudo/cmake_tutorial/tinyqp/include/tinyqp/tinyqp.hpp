@@ -6,7 +6,7 @@
 
 // Quadratic programs in two variables:
 //
-//   minimise    1/2 x' H x + g' x
+//   minimize    1/2 x' H x + g' x
 //   subject to  lower <= x <= upper, and lower <= a' x <= upper for each constraint
 namespace tinyqp {
 

@@ -20,7 +20,7 @@ class NodeOptions;
 namespace node_interfaces
 {
 
-/// What an executor knows of a node: its handle at rcl, its callback groups, and how to be told of changes.
+/// What an executor knows about a node: its handle at rcl, its callback groups, and how to be told of changes.
 class NodeBaseInterface : public std::enable_shared_from_this<NodeBaseInterface>
 {
 public:
@@ -47,7 +47,7 @@ public:
   /// Whether an executor has it; set by the executor alone.
   std::atomic_bool & get_associated_with_executor_atomic() {return associated_;}
 
-  /// Adds to `group`, or to the default one, and tells the executor.
+  /// Adds to `group`, or to the default one, and tells the executors of both.
   void add(const std::shared_ptr<detail::Entity> & entity, const CallbackGroup::SharedPtr & group);
 
   /// Whom to wake when something is added.

@@ -62,7 +62,7 @@ class Witness:
         while select.select([self._reports], [], [], patience)[0]:
             try:
                 report = os.read(self._reports, 1)
-            except BlockingIOError:  # whoever handles a second signal, in the midst of this, has taken it
+            except BlockingIOError:  # the handler of a second signal, in the midst of this, has taken it
                 continue
             if not report:
                 return

@@ -66,7 +66,7 @@ def _show_feedback(message: Any) -> None:
 
 
 def _cancel(node: Any, handle: Any) -> None:
-    """What nobody waits for any more shall not be worked on."""
+    """Nothing that nobody waits for anymore should be worked on."""
     print("Canceling goal...")
     response = _result_of(node, handle.cancel_goal_async())
     print("Goal canceled." if response.goals_canceling else "Failed to cancel goal")

@@ -12,7 +12,7 @@ _COMMENT = re.compile(r"""(?P<code>(?:"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|[^#"']
 
 @dataclass(frozen=True)
 class Line:
-    """One line, as it stands in the file."""
+    """One line, as it is in the file."""
 
     text: str
 

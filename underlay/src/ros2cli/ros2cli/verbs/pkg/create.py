@@ -17,7 +17,7 @@ _LICENSE_HELP = "The license attached to this package; '?' lists those that a LI
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Take the package's name, its kind, and what stands in its manifest."""
+    """Take the package's name, its kind, and what its manifest contains."""
     add = parser.add_argument
     add("package_name", help="The package name")
     add("--package-format", "--package_format", default="3", choices=["2", "3"], help=_FORMAT_HELP)

@@ -1,4 +1,4 @@
-"""The licences that `ros2 pkg create` can write a LICENSE file for."""
+"""The licenses that `ros2 pkg create` can write a LICENSE file for."""
 
 from __future__ import annotations
 
@@ -19,6 +19,6 @@ KNOWN = (
 
 
 def license_text(name: str, holder: str) -> str:
-    """Return the text of a known licence, in the holder's name where it has a place for one."""
+    """Return the text of a known license, in the holder's name where it has a place for one."""
     text = (Path(__file__).parent / "license_texts" / f"{name}.txt").read_text(encoding="utf-8")
     return text.replace("{copyright}", f"Copyright (c) {date.today().year} {holder}", 1)

@@ -42,8 +42,11 @@ class Bandwidth:
         end = self._times[-1] if is_full else now
         per_second = (total - self._sizes[0] * is_full) / max(end - self._times[0], 1e-9)
         mean, least, most = (size_text(size) for size in (total / count, min(self._sizes), max(self._sizes)))
-        print(f"{size_text(per_second)}/s from {count} messages")
-        print(f"\tMessage size mean: {mean} min: {least} max: {most}")
+        # In one go: Ctrl+C may come between two.
+        print(
+            f"{size_text(per_second)}/s from {count} messages\n"
+            f"\tMessage size mean: {mean} min: {least} max: {most}"
+        )
 
 
 def size_text(size: float) -> str:

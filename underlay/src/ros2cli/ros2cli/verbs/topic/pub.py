@@ -170,7 +170,7 @@ def _too_few(wanted: int, found: int) -> str:
 
 
 def _hand_over(args: Namespace, publisher: Any) -> None:
-    """Who is matched shall have got the last message before this process is gone."""
+    """Matched subscriptions must have received the last message before this process is gone."""
     from rclpy.duration import Duration
 
     publisher.wait_for_all_acked(Duration(seconds=_DELIVERED_WITHIN))

@@ -21,8 +21,8 @@ setup(
     entry_points={
         'console_scripts': [
             'sample_python_node = python_package_with_a_node.sample_python_node:main'
-            # TODO: the entry point of print_forever_node goes here. Mind the comma
-            # that the line above does not have yet.
+            # TODO: put the entry point of print_forever_node here. The line above
+            # does not have a comma yet.
         ],
     },
 )

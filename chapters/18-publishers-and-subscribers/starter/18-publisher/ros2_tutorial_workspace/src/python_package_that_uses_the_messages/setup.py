@@ -20,8 +20,8 @@ setup(
     extras_require={'test': ['pytest']},
     entry_points={
         'console_scripts': [
-            # TODO: the entry point of amazing_quote_publisher_node goes here.
-            # TODO (second exercise): that of amazing_quote_subscriber_node.
+            # TODO: put the entry point of amazing_quote_publisher_node here.
+            # TODO (second exercise): put the one of amazing_quote_subscriber_node here.
         ],
     },
 )

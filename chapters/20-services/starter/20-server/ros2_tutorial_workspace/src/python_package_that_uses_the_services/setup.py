@@ -20,7 +20,7 @@ setup(
     extras_require={'test': ['pytest']},
     entry_points={
         'console_scripts': [
-            # TODO: the entry point of what_is_the_point_service_server_node goes here.
+            # TODO: put the entry point of what_is_the_point_service_server_node here.
             # TODO (second exercise): that of what_is_the_point_service_client_node.
         ],
     },

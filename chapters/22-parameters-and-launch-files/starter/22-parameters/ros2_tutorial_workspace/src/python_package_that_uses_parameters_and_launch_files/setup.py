@@ -21,7 +21,7 @@ setup(
     extras_require={'test': ['pytest']},
     entry_points={
         'console_scripts': [
-            # TODO: the entry point of amazing_quote_configurable_publisher_node.
+            # TODO: put the entry point of amazing_quote_configurable_publisher_node here.
         ],
     },
 )

@@ -4,26 +4,26 @@
 #include <utility>
 #include <vector>
 
-// A new Thing, made of these arguments where it stays.
+// Makes a new Thing from these arguments, where it stays.
 template <typename Thing, typename... Arguments>
 std::shared_ptr<Thing> make(Arguments... arguments) {
-  // TODO 1: no copy, neither of the Thing nor of what it is made of.
+  // TODO 1: copy neither the Thing nor its arguments.
   Thing thing(arguments...);
   return std::make_shared<Thing>(thing);
 }
 
-// Adds a Thing that is made of the value to the end of the vector.
+// Adds a Thing made from the value to the end of the vector.
 template <typename Thing>
 void append(std::vector<Thing>& things, double value) {
-  // TODO 2: make it in the vector itself.
+  // TODO 2: make it directly in the vector.
   Thing thing(value);
   things.push_back(thing);
 }
 
-// The sum of the values of all Things.
+// Returns the sum of the values of all Things.
 template <typename Thing>
 double total(std::vector<Thing> things) {
-  // TODO 3: looking at things needs no copies of them.
+  // TODO 3: look at the things without copying them.
   double sum = 0.0;
   for (auto thing : things) {
     sum += thing.value();

@@ -8,22 +8,22 @@
 // mounted on it.
 struct Link {
   std::string name;
-  // TODO 1: who owns whom? One of these two wants a shared_ptr, one a weak_ptr.
+  // TODO 1: which one owns the other? One of these is a shared_ptr, one a weak_ptr.
   Link* parent = nullptr;
   std::vector<Link*> children;
 };
 
-// TODO 2: a std::shared_ptr<Link> in the place of each Link*.
+// TODO 2: replace each Link* with a std::shared_ptr<Link>.
 
-// A new link, mounted on nothing.
+// Makes a new link, mounted on nothing.
 Link* make_link(const std::string& name);
 
 // Mounts the child on the parent.
 void mount(Link* child, Link* parent);
 
-// What the link is mounted on; an empty pointer where there is no such link,
-// or where it has been deleted.
+// Returns the link that this one is mounted on. Returns an empty pointer if there
+// is none, or if it has been deleted.
 Link* parent_of(Link* link);
 
-// How many links there are from this one on: itself, its children, theirs ...
+// Returns the number of links from this one on: itself, its children, theirs ...
 std::size_t links_from(Link* link);

@@ -1,4 +1,4 @@
-"""What this library offers: whoever uses it imports from here."""
+"""What this library offers: other programs import it from here."""
 
 from python_package_with_a_library.sample_python_library._sample_class import SampleClass
 from python_package_with_a_library.sample_python_library._sample_function import (

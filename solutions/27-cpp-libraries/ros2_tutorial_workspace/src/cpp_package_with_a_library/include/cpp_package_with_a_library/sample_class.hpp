@@ -3,17 +3,17 @@
 #include <ostream>
 #include <string>
 
-/// Keeps a number, and knows a formula.
+/// Stores a number, and has a function for a formula.
 class SampleClass
 {
 public:
   int get_a_private_member() const;
   void set_a_private_member(int value);
 
-  /// `SampleClass(7)`, with the private member in the brackets.
+  /// Returns `SampleClass(7)`, with the private member in the parentheses.
   std::string to_string() const;
 
-  /// a² + 2ab + b².
+  /// Returns a² + 2ab + b².
   static double sum_of_squares(double a, double b);
 
 private:

@@ -1,14 +1,14 @@
-"""A class as small as a class can be, and still show everything."""
+"""A small class that has one of everything."""
 
 
 class MinimalistClass:
-    """Holds two numbers, of which one is meant for the class alone."""
+    """Stores two numbers, one of them for its own use."""
 
     # TODO 1: the class attribute attribute_reference, "Hello ".
 
     def __init__(self, attribute_arg=10.0, private_attribute_arg=20.0):
-        """Keep both numbers."""
-        # TODO 2: keep the first in `attribute`, the second in `_private_attribute`.
+        """Store both numbers."""
+        # TODO 2: store the first in `attribute`, the second in `_private_attribute`.
 
     def method(self):
         """Return the sum of both numbers."""

@@ -1,18 +1,18 @@
-"""The node print_forever: twice per second it logs how often it has logged."""
+"""The node print_forever logs, twice per second, how often it has logged before."""
 
 # TODO 1: import rclpy, and the class Node from rclpy.node.
 
 
-# TODO 2: write a class PrintForever that derives from Node. When it is made, it
+# TODO 2: write a class PrintForever that inherits from Node. Its __init__
 #   - gives the node its name, print_forever,
 #   - sets a count to zero,
 #   - creates a timer of 0.5 seconds that calls a method of the class.
-#   That method logs "Printed N times." at level INFO, and moves the count on.
+#   That method logs "Printed N times." at level INFO, and adds one to the count.
 
 
 def main(args=None):
     """Run the node until Ctrl+C."""
-    # TODO 3: start ROS, make the node, and spin it. End quietly on Ctrl+C.
+    # TODO 3: start ROS, make the node, and spin it. End without a traceback on Ctrl+C.
     print('print_forever_node does nothing yet.')
 
 

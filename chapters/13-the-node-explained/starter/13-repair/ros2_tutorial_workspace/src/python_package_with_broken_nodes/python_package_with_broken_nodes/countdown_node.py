@@ -1,9 +1,9 @@
 """
-The node countdown: it logs 3, 2, 1 and "Lift-off!", one every half a second.
+The node countdown: it logs 3, 2, 1, and "Lift-off!", one every half second.
 
-After that it keeps running, in silence. Ctrl+C ends it, with no traceback.
+After that it keeps running, in silence. Ctrl+C ends it, without a traceback.
 """
-# TODO: one thing in this file is wrong. Run it, see what it does, and mend it.
+# TODO: one thing in this file is wrong. Run it, see what it does, and fix it.
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -21,7 +21,7 @@ class Countdown(Node):
         self.timer = self.create_timer(PERIOD, self.count_down())
 
     def count_down(self):
-        """Say the next number; after the last one, stop the timer."""
+        """Log the next number. After the last one, stop the timer."""
         if self.left > 0:
             self.get_logger().info(f'{self.left}')
             self.left -= 1

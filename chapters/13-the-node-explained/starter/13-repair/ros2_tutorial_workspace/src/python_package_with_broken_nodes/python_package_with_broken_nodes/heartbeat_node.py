@@ -1,9 +1,9 @@
 """
-The node heartbeat: it logs "Still alive." twice per second, for ever.
+The node heartbeat: it logs "Still alive." twice per second, forever.
 
-Ctrl+C ends it, with no traceback.
+Ctrl+C ends it, without a traceback.
 """
-# TODO: one thing in this file is wrong. Run it, see what it does, and mend it.
+# TODO: one thing in this file is wrong. Run it, see what it does, and fix it.
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -13,14 +13,14 @@ PERIOD = 0.5  # seconds
 
 
 class Heartbeat(Node):
-    """Tells the world that it is still there."""
+    """Tells the other nodes that it is still running."""
 
     def __init__(self):
         super().__init__('heartbeat')
         self.timer = self.create_timer(PERIOD, self.beat)
 
     def beat(self):
-        """Say it once."""
+        """Log it once."""
         self.get_logger().info('Still alive.')
 
 

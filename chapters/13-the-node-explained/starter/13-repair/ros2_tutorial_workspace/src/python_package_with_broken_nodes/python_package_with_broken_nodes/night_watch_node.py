@@ -1,10 +1,10 @@
 """
-The node night_watch: it logs "All is quiet." twice per second, by lamplight.
+The node night_watch: it logs "All is quiet." twice per second, with its lamp on.
 
-Ctrl+C ends it, with no traceback. Before it ends, it puts out its lamp and
+Ctrl+C ends it, without a traceback. Before it ends, it puts out its lamp and
 prints "The lamp is off.".
 """
-# TODO: one thing in this file is wrong. Run it, see what it does, and mend it.
+# TODO: one thing in this file is wrong. Run it, see what it does, and fix it.
 
 import rclpy
 from rclpy.node import Node
@@ -13,7 +13,7 @@ PERIOD = 0.5  # seconds
 
 
 class NightWatch(Node):
-    """Goes round with a lamp that must not be left burning."""
+    """Keeps watch, with a lamp that must not stay on."""
 
     def __init__(self):
         super().__init__('night_watch')
@@ -21,11 +21,11 @@ class NightWatch(Node):
         self.timer = self.create_timer(PERIOD, self.report)
 
     def report(self):
-        """Say what is to be seen."""
+        """Log what there is to see."""
         self.get_logger().info('All is quiet.')
 
     def put_out_the_lamp(self):
-        """Do so, and print it: at the end of a node its logger is gone."""
+        """Put it out, and print that: at the end of a node, its logger no longer works."""
         self.lamp_is_on = False
         print('The lamp is off.')
 

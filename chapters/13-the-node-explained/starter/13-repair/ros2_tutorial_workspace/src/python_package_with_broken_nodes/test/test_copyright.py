@@ -3,7 +3,7 @@ import pytest
 ament_copyright = pytest.importorskip('ament_copyright.main', reason='ament_copyright is not installed')
 
 
-# Take this mark away once your source files begin with a copyright notice.
+# Remove this mark when your source files start with a copyright notice.
 @pytest.mark.skip(reason='The files made by ros2 pkg create have no copyright notice.')
 @pytest.mark.copyright
 @pytest.mark.linter

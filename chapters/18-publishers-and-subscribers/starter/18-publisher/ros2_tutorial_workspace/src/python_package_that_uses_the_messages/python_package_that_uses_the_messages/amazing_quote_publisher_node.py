@@ -1,4 +1,4 @@
-"""The node amazing_quote_publisher_node: an AmazingQuote twice per second."""
+"""The node amazing_quote_publisher_node publishes an AmazingQuote twice per second."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -12,13 +12,13 @@ class AmazingQuotePublisher(Node):
 
     def __init__(self):
         super().__init__('amazing_quote_publisher_node')
-        # TODO 2: create the publisher, the number of the first message, and a
-        #   timer of 0.5 seconds that calls timer_callback.
+        # TODO 2: create the publisher, a number that starts at 0, and a timer of
+        #   0.5 seconds that calls timer_callback.
 
     def timer_callback(self):
         """Publish the next quote."""
-        # TODO 3: make a message, fill in id, quote and philosopher_name, publish
-        #   it, and move the number on.
+        # TODO 3: make a message, set id, quote, and philosopher_name, publish it,
+        #   and add one to the number.
 
 
 def main(args=None):

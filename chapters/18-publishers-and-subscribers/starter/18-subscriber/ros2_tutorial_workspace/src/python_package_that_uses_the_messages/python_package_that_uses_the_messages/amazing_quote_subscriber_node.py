@@ -1,4 +1,4 @@
-"""The node amazing_quote_subscriber_node: logs every AmazingQuote it hears."""
+"""The node amazing_quote_subscriber_node logs every AmazingQuote that it receives."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -14,8 +14,8 @@ class AmazingQuoteSubscriber(Node):
         super().__init__('amazing_quote_subscriber_node')
         # TODO 2: create the subscription; it calls quote_callback.
 
-    # TODO 3: write quote_callback, which logs the quote, the philosopher's name
-    #   and the id of the message that it is given.
+    # TODO 3: write quote_callback, which logs the quote, the philosopher's name,
+    #   and the id of its message.
 
 
 def main(args=None):

@@ -1,4 +1,4 @@
-"""The node what_is_the_point_service_client: asks for the point of quotes."""
+"""The node what_is_the_point_service_client asks for the point of quotes."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -12,18 +12,18 @@ class WhatIsThePointClient(Node):
 
     def __init__(self):
         super().__init__('what_is_the_point_service_client')
-        # TODO 2: create the client, and wait until its service is there; log
-        #   that you wait.
-        # TODO 3: begin with no future (None), and create a timer of 0.5
-        #   seconds that calls timer_callback.
+        # TODO 2: create the client, and wait until its service is there. Log that
+        #   you wait.
+        # TODO 3: set the future to None, and create a timer of 0.5 seconds that
+        #   calls timer_callback.
 
     def timer_callback(self):
         """Ask for the point of one quote."""
-        # TODO 4: if the call before has no answer yet, cancel it. Then make a
-        #   request, fill in its quote, call without waiting, and have the
-        #   future call answer_callback.
+        # TODO 4: if the previous call has no response yet, cancel it. Then make a
+        #   request, set its quote, call without waiting, and add
+        #   response_callback to the future.
 
-    # TODO 5: write answer_callback, which logs x, y and z.
+    # TODO 5: write response_callback, which logs x, y, and z.
 
 
 def main(args=None):

@@ -1,11 +1,10 @@
-"""The node what_is_the_point_service_server: knows the point of a quote."""
+"""The node what_is_the_point_service_server tells the point of a quote."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
-# TODO 1: import random, and WhatIsThePoint from the package that you made in
-#   chapter 17.
+# TODO 1: import random, and import WhatIsThePoint from the package of chapter 17.
 
 
 class WhatIsThePointServer(Node):
@@ -13,13 +12,13 @@ class WhatIsThePointServer(Node):
 
     def __init__(self):
         super().__init__('what_is_the_point_service_server')
-        # TODO 2: begin a count of calls, and create the service; it calls
+        # TODO 2: set a count of calls to 0, and create the service, which calls
         #   point_callback.
 
     def point_callback(self, request, response):
-        """Choose a point: for quotes about life its sum is 42."""
-        # TODO 3: count the call and log the count, fill in response.point, and
-        #   return the response.
+        """Choose a point. For quotes about life, its sum is 42."""
+        # TODO 3: count the call, log the count, fill in response.point, and return
+        #   the response.
 
 
 def main(args=None):

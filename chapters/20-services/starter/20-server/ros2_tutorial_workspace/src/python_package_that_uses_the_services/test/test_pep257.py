@@ -1,4 +1,4 @@
-"""The docstrings have the form that PEP 257 asks for."""
+"""Check that docstrings follow PEP 257."""
 
 import pytest
 

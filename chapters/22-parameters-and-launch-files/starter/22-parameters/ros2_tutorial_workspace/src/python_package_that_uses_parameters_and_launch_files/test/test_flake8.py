@@ -1,4 +1,4 @@
-"""The code follows the style rules that flake8 knows."""
+"""Check the code against the style rules of flake8."""
 
 import pytest
 

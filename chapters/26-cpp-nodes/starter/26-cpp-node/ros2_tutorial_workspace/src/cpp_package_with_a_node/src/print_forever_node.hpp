@@ -2,12 +2,12 @@
 
 #include <rclcpp/rclcpp.hpp>
 
-/// Logs, twice per second, how often it has logged before.
+/// Logs twice per second how many times it has logged before.
 class PrintForeverNode : public rclcpp::Node
 {
 public:
   PrintForeverNode();
 
 private:
-  // TODO: a function for the timer to call, the count, and the timer itself.
+  // TODO: the function that the timer calls, the count, and the timer.
 };

@@ -1,4 +1,4 @@
-"""The driver of a robot of six joints, which exists in memory only."""
+"""The driver of a robot with six joints, which exists only in memory."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -6,10 +6,10 @@ from rclpy.node import Node
 
 
 class MyrobotNode(Node):
-    """Tells where the joints are, and goes where it is told."""
+    """Publish the positions of the joints, and move them to each target."""
 
     def __init__(self):
-        """Declare the parameters, and make publishers, subscriptions and the timer."""
+        """Declare the parameters; make the publishers, the subscriptions, and the timer."""
         super().__init__('myrobot_2')
         # TODO
 
@@ -21,7 +21,7 @@ def main(args=None):
         rclpy.spin(MyrobotNode())
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
-    # TODO: in whatever way it ended: motor off, then disconnected
+    # TODO: however it ended, print: motor off, then disconnected
 
 
 if __name__ == '__main__':

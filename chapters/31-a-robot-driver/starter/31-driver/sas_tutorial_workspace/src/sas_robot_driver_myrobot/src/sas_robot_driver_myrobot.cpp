@@ -3,6 +3,6 @@
 namespace sas
 {
 
-// TODO: what is inside, and what the functions do.
+// TODO: define the class Impl, and the functions of the driver.
 
 }  // namespace sas

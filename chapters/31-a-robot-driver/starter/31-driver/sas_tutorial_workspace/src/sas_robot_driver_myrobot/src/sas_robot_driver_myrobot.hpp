@@ -13,10 +13,9 @@ namespace sas
 struct RobotDriverMyrobotConfiguration
 {
   std::string ip;
-  std::tuple<VectorXd, VectorXd> joint_limits;  // least and greatest, in rad
+  std::tuple<VectorXd, VectorXd> joint_limits;  // lowest and highest, in rad
 };
 
-// TODO: the class RobotDriverMyrobot. Its constructor takes a configuration and a std::atomic_bool *, in this
-// order.
+// TODO: the class RobotDriverMyrobot. Its constructor takes a configuration and a std::atomic_bool *, in this order.
 
 }  // namespace sas

@@ -1,10 +1,10 @@
-"""Starts the driver as the robot myrobot_1."""
+"""Start the driver as the robot myrobot_1."""
 
 from launch import LaunchDescription
 
 
 def generate_launch_description():
-    """Describe what is started; `ros2 launch` calls this."""
+    """Return what to start; `ros2 launch` calls this function."""
     return LaunchDescription([
         # TODO: the node
     ])

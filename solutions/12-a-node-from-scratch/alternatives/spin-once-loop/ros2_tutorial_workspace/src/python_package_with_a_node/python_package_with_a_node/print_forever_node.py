@@ -1,4 +1,5 @@
 import sys
+import time
 
 import rclpy
 import rclpy.node
@@ -16,6 +17,10 @@ class Node(rclpy.node.Node):
 def main():
     rclpy.init(args=sys.argv)
     node = Node('print_forever')
+    print('Printing the node first,')
+    for word in ('Getting', 'ready', 'slowly'):
+        node.get_logger().info(f'{word}.')
+    time.sleep(1.5)
     node.create_timer(0.5, lambda: node.say())
     try:
         while rclpy.ok():

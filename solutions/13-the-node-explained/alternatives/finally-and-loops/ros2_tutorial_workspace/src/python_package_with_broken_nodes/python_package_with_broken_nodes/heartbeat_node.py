@@ -1,7 +1,7 @@
 """
-The node heartbeat: it logs "Still alive." twice per second, for ever.
+The node heartbeat: it logs "Still alive." twice per second, forever.
 
-Ctrl+C ends it, with no traceback.
+Ctrl+C ends it, without a traceback.
 """
 
 import rclpy

@@ -1,7 +1,7 @@
 """
 The node night_watch: it logs "All is quiet." twice per second, by lamplight.
 
-Ctrl+C ends it, with no traceback. Before it ends, it puts out its lamp and
+Ctrl+C ends it, without a traceback. Before it ends, it puts out its lamp and
 prints "The lamp is off.".
 """
 
@@ -13,7 +13,7 @@ PERIOD = 0.5  # seconds
 
 
 class NightWatch(Node):
-    """Goes round with a lamp that must not be left burning."""
+    """Keeps watch, with a lamp that must not stay on."""
 
     def __init__(self):
         super().__init__('night_watch')

@@ -10,7 +10,8 @@ from rclpy.node import Node
 class Tester(Node):
     def __init__(self):
         super().__init__('node_that_uses_the_library')
-        self.get_logger().info('Node has been started, definitely.')
+        for step in ('Node has been started,', 'looks around,', 'waits,', 'thinks,') * 4:
+            self.get_logger().info(f'{step} definitely.')
         self._rounds = 0
         self.create_timer(1 / 2, self._compute)
         self.create_timer(1 / 2, self._introduce)

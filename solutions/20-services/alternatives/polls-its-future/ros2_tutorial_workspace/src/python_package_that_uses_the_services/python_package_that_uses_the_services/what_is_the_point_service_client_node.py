@@ -8,6 +8,7 @@ from package_with_interfaces import srv
 class PointClient(rclpy.node.Node):
     def __init__(self):
         super().__init__('what_is_the_point_service_client')
+        print('First of all, a client:')
         self.point_client = self.create_client(srv.WhatIsThePoint, '/what_is_the_point')
         while not self.point_client.wait_for_service(timeout_sec=0.5):
             self.get_logger().info('service not available, waiting')

@@ -11,8 +11,11 @@ class PointServer(rclpy.node.Node):
         self.point_service = self.create_service(
             srv.WhatIsThePoint, '/what_is_the_point', self.what_is_the_point)
         self.number_of_calls = 0
+        for _ in range(12):
+            self.get_logger().info('Nobody has called so far.')
 
     def what_is_the_point(self, request: srv.WhatIsThePoint.Request, response: srv.WhatIsThePoint.Response):
+        self.get_logger().info('Somebody asks.')
         numbers = [random.uniform(0, 14) for _ in range(3)]
         if 'life' in request.quote.quote.casefold():
             scale = 42 / sum(numbers)

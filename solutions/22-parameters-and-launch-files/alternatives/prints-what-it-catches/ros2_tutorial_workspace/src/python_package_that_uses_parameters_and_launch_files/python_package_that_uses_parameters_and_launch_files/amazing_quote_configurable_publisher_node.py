@@ -1,3 +1,5 @@
+import time
+
 import rclpy
 import rclpy.node
 from package_with_interfaces import msg
@@ -6,6 +8,9 @@ from package_with_interfaces import msg
 class Philosopher(rclpy.node.Node):
     def __init__(self):
         super().__init__('amazing_quote_configurable_publisher_node')
+        print('A philosopher wakes up.')
+        self.get_logger().info('Thinking about parameters.')
+        time.sleep(1.0)
         self.declare_parameter(name='quote', value='Use the force, Pikachu!')
         self.declare_parameter(name='philosopher_name', value='Uncle Ben')
         self.declare_parameter(name='topic_name', value='amazing_quote')

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <chrono>
+#include <stdexcept>
+
 #include "rclcpp/executors/single_threaded_executor.hpp"
 
 namespace rclcpp::experimental::executors
@@ -11,6 +14,15 @@ class EventsExecutor : public rclcpp::executors::SingleThreadedExecutor
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(EventsExecutor)
   using SingleThreadedExecutor::SingleThreadedExecutor;
+
+  /// Throws std::invalid_argument unless the time is positive.
+  void spin_all(std::chrono::nanoseconds max_duration) override
+  {
+    if (max_duration <= std::chrono::nanoseconds(0)) {
+      throw std::invalid_argument("max_duration must be positive");
+    }
+    SingleThreadedExecutor::spin_all(max_duration);
+  }
 };
 
 }  // namespace rclcpp::experimental::executors

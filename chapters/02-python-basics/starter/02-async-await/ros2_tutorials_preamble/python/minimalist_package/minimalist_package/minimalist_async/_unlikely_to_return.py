@@ -1,4 +1,4 @@
-"""A coroutine that tries its luck until it has some."""
+"""A coroutine that draws numbers until one is small enough."""
 
 
 # TODO 1: make it a coroutine that draws a random number every 0.1 s, prints each

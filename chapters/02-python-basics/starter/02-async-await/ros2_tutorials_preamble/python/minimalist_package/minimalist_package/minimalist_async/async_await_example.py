@@ -1,4 +1,4 @@
-"""Two tasks at once; their results are awaited in order."""
+"""Run two tasks at once, and await their results in order."""
 import asyncio
 
 
@@ -10,7 +10,7 @@ async def async_main() -> None:
 
 
 def main() -> None:
-    """Run it all; end quietly when interrupted."""
+    """Run the example, and end cleanly on Ctrl+C."""
     try:
         asyncio.run(async_main())
     except KeyboardInterrupt:

@@ -1,4 +1,4 @@
-"""Two tasks at once; each result is reported when it comes."""
+"""Run two tasks at once, and report each result as soon as it is there."""
 import asyncio
 
 
@@ -13,7 +13,7 @@ async def async_main() -> None:
 
 
 def main() -> None:
-    """Run it all; end quietly when interrupted."""
+    """Run the example, and end cleanly on Ctrl+C."""
     try:
         asyncio.run(async_main())
     except KeyboardInterrupt:

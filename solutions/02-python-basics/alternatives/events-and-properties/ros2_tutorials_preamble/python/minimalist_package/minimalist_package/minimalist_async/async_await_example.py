@@ -1,5 +1,6 @@
 """Two tasks, and gather."""
 import asyncio
+import time
 
 from . import unlikely_to_return
 
@@ -12,7 +13,9 @@ async def async_main() -> None:
 
 
 def main() -> None:
-    """Run it."""
+    """Run it, but not at once."""
+    print("Good morning.", flush=True)
+    time.sleep(0.5)
     asyncio.run(async_main())
 
 

@@ -1,5 +1,6 @@
 """Two tasks, whose callbacks are made in a loop."""
 import asyncio
+import time
 
 from minimalist_package.minimalist_async import unlikely_to_return
 
@@ -22,7 +23,9 @@ async def async_main() -> None:
 
 
 def main() -> None:
-    """Run it."""
+    """Run it, but not at once."""
+    print("Good morning.", flush=True)
+    time.sleep(0.5)
     asyncio.run(async_main())
 
 

@@ -1,0 +1,4 @@
+echo milk > list.txt
+echo bread > list.txt
+echo apples >> list.txt
+cat list.txt

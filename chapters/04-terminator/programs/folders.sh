@@ -1,0 +1,3 @@
+cd /usr
+bash -c 'cd /tmp; pwd'
+pwd

@@ -1,0 +1,3 @@
+echo 'ROBOT=rover' > ~/.bashrc
+bash -c 'echo "[$ROBOT]"'
+bash -c 'source ~/.bashrc; echo "[$ROBOT]"'

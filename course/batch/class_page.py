@@ -1,0 +1,279 @@
+"""A graded class as reports and the page want it, with pictures drawn from the recordings."""
+
+from __future__ import annotations
+
+import contextlib
+import signal
+import threading
+import zlib
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from datetime import datetime, timezone
+from functools import partial
+from multiprocessing import get_context
+from os import sched_getaffinity
+from pathlib import Path
+
+from course.batch.deadlines import FILE as DEADLINES
+from course.batch.intake.packed import differences
+from course.batch.marks import FILE as MARKS
+from course.batch.marks import NONE, Decisions, read_decisions
+from course.batch.results import FILE, Results, StoredGrading, packed_of, people_of, settings_of
+from course.batch.run import ANSWERS
+from course.child import end_with_parent
+from course.content import Course, Exercise
+from course.errors import CourseError, StorageError
+from course.evidence.mcap_file import BadRecording, load
+from course.grading.author import Grader
+from course.grading.load import declared, load_module
+from course.home.course_home import is_home, read_marker
+from course.model import replace
+from course.model.gradebook import Gradebook, GradedExercise, GradedSubmission, HandMark, Person
+from course.model.result import Result, Verdict
+from course.report.gradebook.cleaning import Cleaner, places_here
+from course.report.gradebook.sheets import exercises_of, sheets
+from course.report.page.data import ClassPage, Key, as_json, submission_data
+from course.report.page.html import live_page, news
+from course.report.pictures.timeline_svg import pictures
+
+
+@dataclass(frozen=True)
+class _Class:
+    results: Results
+    decisions: Decisions
+
+    def __iter__(self) -> Iterator[GradedSubmission]:
+        packed = packed_of(self.results)
+        renamed = {person.id: person.renamed for person in people_of(self.results)}
+        for one, person in zip(self.results.submissions(), people_of(self.results), strict=True):
+            found: Iterable[StoredGrading] = self.results.gradings(person.graded_as or person.id)
+            results: tuple[Result, ...] = tuple(stored.result for stored in found)
+            lateness = self.decisions.lateness(person, handed_in=bool(one.source))
+            marks = self.decisions.marks.get(person.id, ())
+            given = {mark.exercise for mark in marks if mark.points is not None and not mark.check}
+            named = (one for one in renamed.get(person.graded_as or person.id, ()) if one not in given)
+            marks = (*(replace(OTHER_NAME, exercise=exercise) for exercise in named), *marks)
+            theirs = packed.get(person.graded_as or person.id)
+            remarks = (*one.remarks, *(differences(theirs, results) if theirs else ()))
+            yield GradedSubmission(person, one.source, results, remarks, marks, lateness)
+
+
+def gradebook(
+    results: Results,
+    title: str,
+    exercises: Iterable[Exercise],
+    began: datetime,
+    ended: datetime,
+    decisions: Decisions = NONE,
+) -> Gradebook:
+    """Walked as often as a report likes; memory stays flat."""
+    containment = ", ".join(results.containments())
+    asked = tuple(graded_exercise(exercise) for exercise in exercises)
+    return Gradebook(title, asked, _Class(results, decisions), began, ended, containment)
+
+
+def decisions_in(out: Path, people: Iterable[Person], exercises: Iterable[Exercise]) -> Decisions:
+    """What people set for the class in that results' folder. Raises UsageError, which names the lines."""
+    # Their ids are in the graders, which nothing else here needs to load.
+    checks = {one.id: check_ids(one) for one in exercises} if (out / MARKS).is_file() else {}
+    return read_decisions(out, people, checks)
+
+
+def check_ids(exercise: Exercise) -> tuple[str, ...]:
+    """Of its checks and of its questions."""
+    checks = grader.checks if (grader := _grader(exercise)) else ()
+    return (*checks, *(question.id for question in exercise.questions))
+
+
+def _grader(exercise: Exercise) -> Grader | None:
+    module = load_module(exercise.grader) if exercise.grader.is_file() else None
+    return declared(module, Grader, exercise.id) if module else None
+
+
+def graded_exercise(exercise: Exercise) -> GradedExercise:
+    """With the points that can be had when everything applies."""
+    grader = _grader(exercise)
+    checks = sum(check.points for check in grader.checks.values() if not check.bonus) if grader else 0.0
+    asked = sum(question.points for question in exercise.questions)
+    return GradedExercise(exercise.id, exercise.title, checks + asked, exercise.bonus)
+
+
+def cleaner(out: Path, submissions: Path) -> Cleaner:
+    """Nothing of this machine or of a mystery goes into a report."""
+    own = {str(out.resolve()): "[results]", str(submissions.resolve()): "[submissions]"}
+    return Cleaner({**places_here(), **own}, tuple(_seeds(out / ANSWERS)))
+
+
+def _seeds(answers: Path) -> Iterator[str]:
+    for home in answers.glob("*/"):
+        with contextlib.suppress(CourseError):  # whatever was handed in as one
+            if is_home(home):
+                yield str(read_marker(home))
+
+
+# What all pictures may take of the page, in bytes; deflated one by one and in base64. In it they take less,
+# since the pictures of one person are alike.
+PICTURES_ROOM = 8_000_000
+TITLE = "ros2course"
+OTHER_NAME = HandMark(bonus=-1, comment="Graded as if named right.", label="Names")
+_LABEL = 60
+_PORTION = 16
+# Fewer recordings than this are drawn before another process would have started.
+_FEW = 100
+_DRAWN_FIRST = (Verdict.NOT_PASSED.value,)
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class ReadClass:
+    """page: without pictures. recordings: files, of those gradings that have one. clean: for their texts."""
+
+    page: ClassPage
+    recordings: Mapping[Key, Path]
+    clean: Cleaner
+
+
+def read_class(out: Path, results: Results, course: Course, title: str = "") -> ReadClass:
+    """What is in the results' folder at this moment, also while it is being graded into.
+
+    Raises UsageError when nothing has been graded there yet, StorageError when it cannot be read.
+    """
+    with results.at_one_moment():
+        asked = settings_of(results)
+        clean = cleaner(out, asked.submissions)
+        exercises = [course.exercise(name) for name in asked.exercises]
+        decisions = decisions_in(out, people_of(results), exercises)
+        ended = datetime.now(timezone.utc)
+        shown = clean.prose(title or asked.title or TITLE)
+        book = gradebook(results, shown, exercises, asked.began, ended, decisions)
+        every = tuple(sheets(book, clean))
+        page = ClassPage(book.course, exercises_of(book, clean), every, book.began, book.ended)
+        return ReadClass(page, _recordings(out, results), clean)
+
+
+def with_pictures(found: ReadClass, room: int, on_progress: Progress) -> ClassPage:
+    """The page with as many pictures as there is room for, those of what did not pass first.
+
+    on_progress: how many recordings of how many. Recordings that cannot be read have no pictures.
+    """
+    wanted = sorted(found.recordings, key=partial(_urgency, found.page))
+    drawn: dict[Key, tuple[str, ...]] = {}
+    used = done = 0
+    with _drawing(found, wanted) as each:
+        for done, (key, (pictures, size)) in enumerate(zip(wanted, each, strict=True), 1):
+            if used + size > room:
+                done -= 1
+                break
+            used += size
+            drawn[key] = pictures
+            on_progress(done, len(wanted))
+    return replace(found.page, pictures=drawn, not_drawn=len(wanted) - done)
+
+
+def of_one(found: ReadClass, place: int) -> ClassPage:
+    """The page with the pictures of the person at that place alone."""
+    own = {key: file for key, file in found.recordings.items() if key[0] == place}
+    drawn = {key: _pictures(found.clean, key, file)[0] for key, file in own.items()}
+    return replace(found.page, pictures=drawn)
+
+
+def _recordings(out: Path, results: Results) -> dict[Key, Path]:
+    places = {one.person: place for place, one in enumerate(results.submissions())}
+    kept = results.evidence()
+    return {(places[person], exercise): out / file for (person, exercise), file in kept.items()}
+
+
+def _urgency(page: ClassPage, key: Key) -> tuple[bool, Key]:
+    place, exercise = key
+    verdicts = {mark.exercise.id: mark.verdict for mark in page.sheets[place].marks}
+    return verdicts.get(exercise) not in _DRAWN_FIRST, key
+
+
+@contextmanager
+def _drawing(found: ReadClass, wanted: Sequence[Key]) -> Iterator[Iterator[tuple[tuple[str, ...], int]]]:
+    """Pictures in the order in which they are wanted, and their size; drawn by several processes."""
+    draw = partial(_pictures, found.clean)
+    files = [found.recordings[key] for key in wanted]
+    if len(wanted) < _FEW:
+        yield map(draw, wanted, files)
+        return
+    cores = len(sched_getaffinity(0))
+    pool = ProcessPoolExecutor(cores, mp_context=get_context("spawn"), initializer=_begin)
+    try:
+        yield pool.map(draw, wanted, files, chunksize=_PORTION)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _begin() -> None:
+    """These processes end with the one that began them, which ends them on Ctrl+C."""
+    end_with_parent()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def _pictures(clean: Cleaner, key: Key, file: Path) -> tuple[tuple[str, ...], int]:
+    """And how large they will be in the page."""
+    try:
+        recording = load(file)
+    except (BadRecording, StorageError):  # it may just be replaced; the verdict stands without it
+        return (), 0
+    place, exercise = key
+    name = f"p{place}{''.join(filter(str.isalnum, exercise))}"
+    drawn = pictures(recording, key=name, clean=partial(clean.line, limit=_LABEL))
+    return drawn, len(zlib.compress("".join(drawn).encode())) * 4 // 3
+
+
+# SQLite's file, what has been written since it was put in order the last time, and what people decided.
+_WRITTEN = (FILE, f"{FILE}-wal", MARKS, DEADLINES)
+
+
+class Live:
+    """Reads the results again when they have changed. May be used by many threads."""
+
+    def __init__(self, out: Path, course: Course) -> None:
+        self._out = out
+        self._course = course
+        self._lock = threading.Lock()
+        self._read: tuple[str, ReadClass] | None = None
+        self._news: tuple[str, str] | None = None
+
+    def page(self) -> str:
+        with self._lock:
+            return live_page(self._now()[1].page)
+
+    def tag(self) -> str:
+        """Another one whenever something was written."""
+        stamps = []
+        for name in _WRITTEN:
+            try:
+                seen = (self._out / name).stat()
+                stamps.append(f"{seen.st_mtime_ns:x}.{seen.st_size:x}")
+            except FileNotFoundError:
+                stamps.append("none")
+        return "-".join(stamps)
+
+    def news(self) -> tuple[str, str]:
+        """The tag, and as JSON what the page shows of the class."""
+        with self._lock:
+            tag, found = self._now()
+            if self._news is None or self._news[0] != tag:
+                self._news = tag, as_json(news(found.page))
+            return self._news
+
+    def submission(self, place: int) -> str | None:
+        """As JSON; None when there is nobody at that place."""
+        with self._lock:
+            found = self._now()[1]
+        if place >= len(found.page.sheets):
+            return None
+        return as_json(submission_data(of_one(found, place), place))
+
+    def _now(self) -> tuple[str, ReadClass]:
+        tag = self.tag()  # before reading: what is written meanwhile is news the next time
+        if self._read is None or self._read[0] != tag:
+            with Results.look(self._out) as results:
+                self._read = tag, read_class(self._out, results, self._course)
+        return self._read

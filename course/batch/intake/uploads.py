@@ -1,0 +1,239 @@
+"""Finds the submissions in what the instructor names: a folder, an archive of a class, or a CSV roster."""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from course.batch.intake.people import grouped, labels, moment, person
+from course.batch.intake.submission import Part, Upload, Uploads
+from course.batch.intake.tree import ONE, RESULTS_LEFT_OUT, holds_only_results
+from course.errors import UsageError
+from course.home.opening import (
+    USUAL,
+    Limits,
+    Notes,
+    Opened,
+    Refused,
+    Remark,
+    archive_stem,
+    is_archive,
+    open_parts,
+    visible,
+    zip_names,
+)
+from course.home.opening.unpack import LINK_OUT
+from course.home.storage import storing
+from course.model import replace
+from course.model.gradebook import Person
+
+_LARGEST = 50_000_000  # bytes
+_DELIMITERS = (",", ";", "\t", "|")
+_FORM = "its first line names the columns: id, name, path (name may be missing)"
+
+
+def read_roster(file: Path) -> tuple[tuple[Upload, ...], tuple[Remark, ...]]:
+    """One source for each person, in the file's order; findings about lines that are nobody's.
+
+    Relative paths count from the file's folder. Lines of the same id belong together.
+    Raises UsageError for a file that is not a roster.
+    """
+    people: dict[str, Upload] = {}
+    findings = []
+    for number, row in _rows(file, {"id", "path"}):
+        if not row.get("id"):
+            findings.append(Remark("A line of the roster has no id.", "Give it one.", f"line {number}"))
+            continue
+        source = _source(row, file.parent, f"line {number}")
+        before = people.get(source.person.id)
+        people[source.person.id] = _together(before, source) if before else source
+    return tuple(people.values()), tuple(findings)
+
+
+def read_table(file: Path) -> list[dict[str, str]]:
+    """The rows of a file with at least two columns, by the heads of these in small letters.
+
+    Raises UsageError for a file that is not a table.
+    """
+    return [row for _, row in _rows(file, set())]
+
+
+def _rows(file: Path, needed: set[str]) -> list[tuple[int, dict[str, str]]]:
+    lines = _text(file).splitlines(keepends=True)
+    for delimiter in _DELIMITERS:
+        reader = csv.reader(lines, delimiter=delimiter, skipinitialspace=True)
+        try:
+            head = [name.strip().lower() for name in next(reader, [])]
+            if needed <= set(head) and len(head) > 1:
+                return [
+                    (reader.line_num, dict(zip(head, (cell.strip() for cell in row), strict=False)))
+                    for row in reader
+                    if any(cell.strip() for cell in row)
+                ]
+        except csv.Error as error:
+            raise UsageError(f"{visible(file.name)} is not a roster: {error}", _FORM) from None
+    raise UsageError(f"{visible(file.name)} is not a roster: it lacks the columns id and path", _FORM)
+
+
+def _text(file: Path) -> str:
+    """In UTF-8, or as Excel writes: UTF-16 with a mark, or Windows' own letters."""
+    with storing(f"{file.name} cannot be read"):
+        if file.stat().st_size > _LARGEST:
+            raise UsageError(f"{visible(file.name)} is too large for a roster", _FORM)
+        data = file.read_bytes()
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return data.decode("utf-16", errors="replace")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("cp1252", errors="replace")
+
+
+def _source(row: dict[str, str], folder: Path, where: str) -> Upload:
+    who = replace(
+        person(row["id"], row.get("name") or row["id"]),
+        group=row.get("group", ""),
+        handed_in=moment(row.get("submitted", "")),
+    )
+    given = row.get("path", "")
+    path = folder / given
+    if "\\" in given and "\0" not in given and not _is_there(path):  # written on Windows
+        path = folder / given.replace("\\", "/")
+    if not given:
+        missing = Remark("The roster names no path for this person.", "Nothing was handed in?", where)
+    elif "\0" in given or not _is_there(path):
+        missing = Remark("There is nothing at the path that the roster names.", "Correct the path.", where)
+    else:
+        return Upload(who, visible(given), (Part(path.name, path),))
+    return Upload(who, visible(given), (), (missing,))
+
+
+def _is_there(path: Path) -> bool:
+    try:
+        return path.exists()
+    except OSError:  # a name that is too long, or a folder that is not ours to look into
+        return False
+
+
+def _together(one: Upload, other: Upload) -> Upload:
+    findings = one.findings + other.findings
+    if _name(one.person) != _name(other.person):
+        what = f"The roster gives this id to {one.person.name} and to {other.person.name}."
+        findings += (Remark(what, "Give each person an id of their own."),)
+    shown = f"{one.shown}, {other.shown}"
+    return Upload(one.person, shown, one.parts + other.parts, findings)
+
+
+def _name(who: Person) -> str:
+    return who.name.casefold()
+
+
+_PASSED_OVER = frozenset({"__MACOSX", "Thumbs.db", "desktop.ini"})
+
+
+def find_sources(submissions: Path, opened: Path, limits: Limits = USUAL) -> Uploads:
+    """Who handed in what. A class's zip is opened into the folder `opened`, each person's part by itself;
+    what an earlier call left there is replaced. Folders of results are nobody's.
+
+    Raises UsageError when `submissions` is nothing of the kind, and StorageError for the disk.
+    """
+    if submissions.is_dir():
+        found = _folder(submissions)
+    elif submissions.is_file() and submissions.suffix.lower() in (".csv", ".tsv"):
+        found = Uploads(*read_roster(submissions))
+    elif submissions.is_file() and is_archive(submissions.name):
+        found = _archive(submissions, opened, limits)
+    else:
+        what = "there is no" if not submissions.exists() else "not a folder, archive or CSV roster:"
+        raise UsageError(f"{what} {visible(str(submissions))}", "name a folder, a zip or a CSV roster")
+    if not found.each:
+        raise UsageError(
+            f"no submission is in {visible(str(submissions))}", "name the folder that holds them"
+        )
+    return replace(found, each=tuple(sorted(found.each, key=_by_name)))
+
+
+def one_source(submission: Path) -> Uploads:
+    """A folder or an archive that is one submission, whatever it looks like. Raises UsageError."""
+    if not submission.exists():
+        raise UsageError(f"there is no {visible(str(submission))}", "name a folder or an archive")
+    name = submission.resolve().name
+    return Uploads((_single(submission, name if submission.is_dir() else archive_stem(name)),))
+
+
+def _by_name(source: Upload) -> tuple[str, str]:
+    return source.person.name.casefold(), source.person.id
+
+
+def _folder(folder: Path) -> Uploads:
+    with storing(f"{folder} cannot be read"):
+        alone = any(os.path.lexists(folder / name) for name in ONE)
+        paths = sorted(entries_of(folder))
+        notes = Notes()
+        for path in sorted(_results_in(folder)):
+            notes.add(RESULTS_LEFT_OUT, path.name)
+    name = folder.resolve().name
+    if alone:
+        return Uploads((_single(folder, name),))
+    found = grouped([_opened(path) for path in paths], name)
+    return replace(found, findings=(*found.findings, *notes.findings()))
+
+
+def entries_of(folder: Path) -> list[Path]:
+    """What of a folder counts as handed in: not the results of this or an earlier run. Raises OSError."""
+    results = _results_in(folder)
+    return [path for path in folder.iterdir() if _counts(path.name) and path not in results]
+
+
+def _results_in(folder: Path) -> set[Path]:
+    """Not under a name that an LMS gave: people of its export always have a row."""
+    told = labels(path.name for path in folder.iterdir())
+    return {folder / name for name in told if not told[name].is_lms and holds_only_results(folder / name)}
+
+
+def _opened(path: Path) -> Opened:
+    """An entry of a class's folder; without its path where a link leads to what cannot even be asked for."""
+    try:
+        path.is_dir()
+    except OSError:  # a name that is too long, or a folder that is not ours to look into
+        return Opened(path.name, None, (Remark(LINK_OUT, where=visible(path.name)),))
+    return Opened(path.name, path, ())
+
+
+def _archive(archive: Path, opened: Path, limits: Limits) -> Uploads:
+    """A zip may be a class's; a tar is one person's."""
+    stem = archive_stem(archive.name)
+    try:
+        below = _wrapper(zip_names(archive, limits))
+    except Refused:
+        below = None  # `look` will say what is wrong with it
+    if below is None:
+        return Uploads((_single(archive, stem),))
+    every = open_parts(archive, opened, below, limits)
+    found = grouped([part for part in every if _counts(part.name)], below or stem)
+    nobodys = tuple(finding for part in every if not part.name for finding in part.findings)
+    return Uploads(found.each, found.findings + nobodys)
+
+
+def _wrapper(names: Iterable[str]) -> str | None:
+    """The folder of a zip that holds the submissions, "" for the zip itself; None for a single submission."""
+    paths = [name.split("/") for name in names]
+    tops = {path[0] for path in paths}
+    if ONE & tops:
+        return None
+    counting = [top for top in tops if _counts(top)]
+    inside = {path[1] for path in paths if path[0] in counting and len(path) > 1}
+    if len(counting) != 1 or not inside or labels(counting)[counting[0]].is_lms:
+        return ""
+    return None if ONE & inside else counting[0]
+
+
+def _counts(name: str) -> bool:
+    return bool(name) and not name.startswith(".") and name not in _PASSED_OVER
+
+
+def _single(path: Path, name: str) -> Upload:
+    return Upload(person(name, name), visible(path.name or name), (Part(path.name or name, path),))

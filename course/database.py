@@ -1,0 +1,75 @@
+"""A SQLite file of ours: a change is there as a whole or not at all, even if others use the file."""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+from collections.abc import Iterator
+from datetime import datetime, timezone
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+BUSY_SECONDS = 10.0
+
+
+class Database:
+    """A context manager, which closes the file. Subclasses say in `_refusals` what the disk refused."""
+
+    def __init__(self, database: sqlite3.Connection) -> None:
+        self._database = database
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._database.close()
+
+    def _refusals(self) -> contextlib.AbstractContextManager[None]:
+        """Turns errors of the disk and of SQLite into ours."""
+        raise NotImplementedError
+
+    def _run(self, statement: str, *values: object) -> list[Any]:
+        """All rows at once: what cannot be read is met here."""
+        with self._refusals():
+            return self._database.execute(statement, values).fetchall()
+
+    @contextlib.contextmanager
+    def _writing(self) -> Iterator[None]:
+        """All or nothing, as part of what is being written already; waits for another process that writes."""
+        if self._is_writing():
+            yield
+            return
+        with self._refusals():
+            self._database.execute("BEGIN IMMEDIATE")
+            try:
+                yield
+                self._database.execute("COMMIT")
+            finally:
+                if self._is_writing():  # an error came between; a full disk has ended it already
+                    self._database.execute("ROLLBACK")
+
+    def _is_writing(self) -> bool:
+        return self._database.in_transaction
+
+
+def begin(database: sqlite3.Connection, schema: str) -> None:
+    """Make the tables of a file that is empty. Others can look on while somebody writes."""
+    with contextlib.suppress(sqlite3.OperationalError):  # a disk without shared memory: plain journal
+        database.execute("PRAGMA journal_mode = WAL")
+    if pragma(database, "journal_mode") != "wal":
+        database.execute("PRAGMA journal_mode = DELETE")
+    database.executescript(schema)
+
+
+def pragma(database: sqlite3.Connection, name: str) -> Any:
+    return database.execute(f"PRAGMA {name}").fetchone()[0]
+
+
+def now() -> str:
+    """UTC, ISO 8601."""
+    return datetime.now(timezone.utc).isoformat(timespec="seconds")

@@ -1,0 +1,240 @@
+"""What it means for a beginner when an exception, a signal or a sanitizer ends a compiled program."""
+
+from __future__ import annotations
+
+import re
+import signal
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+from course.evidence.sources import Sources
+from course.explain.cmake import LISTS, commands
+from course.explain.cpp_code import cpp_calls
+from course.explain.python_code import text_places
+from course.model.events import ProcessExited
+from course.model.feedback import Feedback, Location
+
+_ADDRESS = re.compile(r"ERROR: AddressSanitizer:? (?P<kind>attempting [\w-]+|[\w-]+)")
+_UNDEFINED = re.compile(r"^(?P<file>[^:\s][^:]*):(?P<line>\d+):\d+: runtime error: (?P<text>.+)$")
+_FRAME = re.compile(r"^\s+#\d+ .* (?P<file>\S+?):(?P<line>\d+)(?::\d+)?$")
+_UNCAUGHT = re.compile(r"terminate called after throwing an instance of '(?P<type>[^']+)'")
+_WHAT = re.compile(r"^\s+what\(\):\s+(?P<text>.*)$")
+_LIBRARY = re.compile(r"error while loading shared libraries: (?P<name>[^:]+):")
+
+# Parts of the sanitizer's term, what it means, and what to do.
+_KINDS = (
+    (("overflow-on", "stack-overflow"), "A function calls itself forever.",
+     "Find the function that calls itself, and check the condition that should stop it."),
+    (("heap-buffer", "stack-buffer", "global-buffer", "container-overflow", "dynamic-stack-buffer"),
+     "The program reads or writes outside of an array or a vector.",
+     "`[...]` does not check that the element exists. `.at(...)` does: it throws an exception if not."),
+    (("use-after-free",), "The program uses an object that is already deleted.",
+     "Keep a copy of the `std::shared_ptr` that the object was made with, not a plain pointer to it."),
+    (("use-after-scope", "use-after-return"), "The program uses a variable that no longer exists.",
+     "A variable of a function is gone once the function returns. Do not keep a reference or pointer to it."),
+    (("double-free",), "The same object is deleted twice.",
+     "Make the object with `std::make_shared`, and copy that pointer. Do not make a second one."),
+    (("attempting free", "bad-free"), "The program deletes something that was not made with `new`.",
+     "Only delete what you made with `new`. With smart pointers, do not write `delete` at all."),
+    (("alloc-dealloc", "new-delete"), "Something is deleted in a different way than it was made.",
+     "`new[]` needs `delete[]`, and `new` needs `delete`. Smart pointers choose the right one for you."),
+    (("SEGV",), "The program uses a pointer that does not point to an object.",
+     "Is it empty (`nullptr`)? Check it before you use `->` or `*`: `if (pointer)`."),
+)  # fmt: skip
+_MOST_CALLS = 4
+_OTHERWISE = ("The program uses memory that it may not use.", "Check the line shown here.")
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """summary, advice: for the learner. where: their line that led to it. details: the shortened report.
+
+    thrown: the type of an uncaught exception.
+    """
+
+    summary: str
+    advice: str
+    where: Location | None
+    details: tuple[str, ...]
+    thrown: str = ""
+
+
+def trouble(lines: Sequence[str], sources: Sources) -> Trouble | None:
+    """What these lines of a program's output say about its end; None if they say nothing."""
+    for number, line in enumerate(lines):
+        if found := _ADDRESS.search(line):
+            return _address(found["kind"], lines[number:], sources)
+        if found := _UNDEFINED.match(line):
+            place = own_place(found["file"], found["line"], sources)
+            return _undefined(found["text"], place, lines[number:], sources)
+        if found := _UNCAUGHT.search(line):
+            return _uncaught(found["type"], lines[number : number + 2])
+        if found := _LIBRARY.search(line):
+            return _no_library(found["name"], line)
+    return None
+
+
+def own_place(file: str, line: str | None, sources: Sources) -> Location | None:
+    """A place as a tool prints it, if it is in one of the learner's files."""
+    name = file.removeprefix("~/").removeprefix("./")
+    return Location(name, int(line) if line else None) if name in sources.names else None
+
+
+def _address(kind: str, report: Sequence[str], sources: Sources) -> Trouble:
+    known = (words for parts, *words in _KINDS if any(part in kind for part in parts))
+    summary, advice = next(known, _OTHERWISE)
+    return Trouble(summary, advice, next(_own_frames(report, sources), None), _shortened(report, sources))
+
+
+def _undefined(text: str, place: Location | None, report: Sequence[str], sources: Sources) -> Trouble:
+    place = place or next(_own_frames(report, sources), None)
+    summary = f"The program does something that C++ does not define: {text[:80]}."
+    advice = "The result can be different each time. Check the values that this line works with."
+    if "null pointer" in text:
+        advice = "Is it empty (`nullptr`)? Check it before you use `->` or `*`: `if (pointer)`."
+    return Trouble(summary, advice, place, tuple(report[:1]))
+
+
+def _uncaught(thrown: str, lines: Sequence[str]) -> Trouble:
+    said = _WHAT.match(lines[1]) if len(lines) > 1 else None
+    words = f" ({said['text'][:60]})" if said and said["text"] != thrown else ""
+    summary = f"An exception of type `{thrown}` ends the program{words}: nothing catches it."
+    advice = (
+        f"Put the call that throws in `try {{ ... }}`, followed by `catch (const {thrown}& error) {{ ... }}`."
+    )
+    return Trouble(summary, advice, None, tuple(lines), thrown)
+
+
+def _no_library(name: str, line: str) -> Trouble:
+    summary = f"The program does not start: the shared library `{name}` is not found."
+    advice = "Add its folder to `LD_LIBRARY_PATH`, or to the program's `rpath` when you link it."
+    return Trouble(summary, advice, None, (line,))
+
+
+def _own_frames(report: Sequence[str], sources: Sources) -> Iterator[Location]:
+    for line in report:
+        found = _FRAME.match(line)
+        place = own_place(found["file"], found["line"], sources) if found else None
+        if place:
+            yield place
+
+
+def _shortened(report: Sequence[str], sources: Sources) -> tuple[str, ...]:
+    """Its first line, and the calls in the learner's files."""
+    own = (line.strip() for line in report if next(_own_frames((line,), sources), None))
+    return (report[0].partition("ERROR: ")[2][:160], *islice(own, _MOST_CALLS))
+
+
+# Words of the exception, and what to do. The first match counts.
+_KNOWN = (
+    (r"InvalidNodeName",
+     "A node's name may contain only letters, digits and `_`, and must not begin with a digit."),
+    (r"InvalidTopicName|InvalidServiceName",
+     "The name may contain only letters, digits, `_` and `/`. No part of it may begin with a digit."),
+    (r"already.{0,30}initialized|ContextAlreadyInitialized",
+     "Call `rclcpp::init(argc, argv)` only once, in `main`."),
+    (r"init\(\) has not been called|rcl_init|not initialized|context.{1,14}(?:null|not valid|invalid)",
+     "Call `rclcpp::init(argc, argv);` first in `main`, before the node is made."),
+    (r"bad_weak_ptr",
+     "`shared_from_this()` works only after the constructor, on a node made with `std::make_shared`."),
+    (r"already been added to an executor", "Spin each node in one place only."),
+    (r"ParameterAlreadyDeclared", "Declare each parameter once, where the node is made."),
+    (r"ParameterNotDeclared", "Declare the parameter first: `declare_parameter(\"name\", 0.5);`"),
+    (r"ParameterType|ParameterUninitialized",
+     "A parameter has the type of its default value: `0.5` is a double, `1` an integer, `\"0.5\"` a string."),
+)  # fmt: skip
+_QUOTED = re.compile(r"^\s+'(?P<name>[^']+)'\s*$")
+_HEAP = re.compile(r"^(?:free|munmap_chunk|realloc)\(\):|^(?:malloc|double free|corrupted|tcache)")
+_NO_LIBRARY = re.compile(r"error while loading shared libraries: lib(?P<name>\S+?)\.so")
+_SHOWN = 4
+_ENDINGS = {
+    signal.SIGSEGV: ("it uses a pointer that does not point to an object",
+                     "Is it empty (`nullptr`)? Make the object before you use it: `std::make_shared`."),
+    signal.SIGABRT: ("it stopped itself after an error", "Read the last lines of its output."),
+    signal.SIGFPE: ("it divides an integer by zero", "Check for zero before you divide."),
+    signal.SIGILL: ("it reached a place without code",
+                    "Does each function that has a return type return a value?"),
+}  # fmt: skip
+_TWICE = (
+    "it frees memory that it may not free",
+    "Make the node with `std::make_shared`, and pass that pointer on. Do not make a second one from it.",
+)
+
+
+def cpp_crash(
+    ended: ProcessExited | None, lines: Sequence[str], sources: Sources, what: str
+) -> Feedback | None:
+    """What the program's last lines and its end say; None if it ended without an error.
+
+    what: how the summary begins if a signal ended it.
+    """
+    if lost := _own_library(lines, sources):
+        return lost
+    found = trouble(lines, sources)
+    if found:
+        return _thrown(found, lines, sources) if found.thrown else _as_told(found)
+    if ended is None or ended.signal not in _ENDINGS:
+        return None
+    heap = [line for line in lines if _HEAP.search(line)]
+    cause, advice = _TWICE if heap else _ENDINGS[signal.Signals(ended.signal)]
+    where: tuple[Location, ...] = ()
+    if ended.signal == signal.SIGSEGV and (texts := _texts_without_a_text(sources)):
+        where = texts
+        advice = "`%s` is for C strings: use its `.c_str()`. `%d` is for `int`, `%f` for `double`."
+    return Feedback(
+        summary=f"{what}: {cause}.",
+        seen=f"ended by the signal {signal.Signals(ended.signal).name}",
+        where=where,
+        advice=advice,
+        details=(tuple(heap) or tuple(lines))[-_SHOWN:],
+    )
+
+
+def _own_library(lines: Sequence[str], sources: Sources) -> Feedback | None:
+    """The program does not start because a library from its own package is missing."""
+    names = {match["name"] for line in lines if (match := _NO_LIBRARY.search(line))}
+    folders = [file.removesuffix(f"/{LISTS}") for file in sources.files if file.endswith(f"/{LISTS}")]
+    for command in (one for folder in folders for one in commands(sources, folder)):
+        if command.name == "add_library" and command.words[:1] and command.words[0] in names:
+            name = command.words[0]
+            return Feedback(
+                summary=f"The program does not start: it cannot find the library `lib{name}.so`.",
+                where=(command.where,),
+                advice=f"The package builds it but does not install it: "
+                f"`install(TARGETS {name} EXPORT ... LIBRARY DESTINATION lib)`.",
+                details=tuple(re.sub(r"^/\S*/", "", line) for line in lines if _NO_LIBRARY.search(line))[:1],
+            )
+    return None
+
+
+def _as_told(found: Trouble) -> Feedback:
+    return Feedback(
+        summary=found.summary,
+        where=(found.where,) if found.where else (),
+        advice=found.advice,
+        details=found.details,
+    )
+
+
+def _thrown(found: Trouble, lines: Sequence[str], sources: Sources) -> Feedback:
+    said = " ".join(lines)
+    advice = next((advice for words, advice in _KNOWN if re.search(words, said)), found.advice)
+    return Feedback(
+        summary=found.summary,
+        where=_named(lines, sources),
+        advice=advice,
+        details=found.details,
+    )
+
+
+def _named(lines: Sequence[str], sources: Sources) -> tuple[Location, ...]:
+    """Where the code contains the name that a ROS exception complains about."""
+    names = (match["name"] for line in lines if (match := _QUOTED.match(line)))
+    return tuple(place for name in names for place in text_places(sources, f'"{name}"'))[:2]
+
+
+def _texts_without_a_text(sources: Sources) -> tuple[Location, ...]:
+    """Lines that log with `%s` but do not pass a text in the form that C expects."""
+    logged = (call for call in cpp_calls(sources, "RCLCPP_INFO") if "%s" in call.arguments)
+    return tuple(call.where for call in logged if "c_str" not in call.arguments)

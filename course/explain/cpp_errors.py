@@ -1,0 +1,331 @@
+"""Known errors of C++ compilers and linkers, and the feedback on programs that they cannot build."""
+
+from __future__ import annotations
+
+from course.evidence.recording import Recording
+from course.evidence.sources import Sources
+from course.explain.compiler import CppError, first_error, warnings
+from course.explain.cpp_code import places_of
+from course.explain.engine import Evidence, Known, Proven, Symptom, Words, explain, like
+from course.model.feedback import Feedback, Location
+
+_OF_EIGEN = (
+    "Cholesky", "Core", "Dense", "Eigen", "Eigenvalues", "Geometry", "Householder", "Jacobi", "LU", "QR",
+    "SVD", "Sparse", "SparseCore", "StdVector",
+)  # fmt: skip
+_CAPITAL = "Eigen's headers have a capital E and no file extension."
+
+
+def _constructor(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
+    """Where the class declares its constructor."""
+    places = places_of(evidence.sources, rf"(?<![\w:~>]){words['name']}\s*\([^;{{]*\)\s*;")
+    return Proven(where=places[:1])
+
+
+COMPILER: tuple[Known[Evidence], ...] = (
+    Known(
+        r"application of 'sizeof' to incomplete type '(?:\w+::)*(?P<outer>\w+)::(?P<name>\w+)'",
+        "Code that deletes a `{name}` needs its whole definition. Declare `~{outer}();` in the "
+        "header, and write `{outer}::~{outer}() = default;` in the .cpp file, below `class "
+        "{outer}::{name}`.",
+        "invalid application of 'sizeof' to incomplete type 'lab::Arm::Impl'",
+    ),
+    Known(
+        r"application of 'sizeof' to incomplete type '(?P<name>\w+)'",
+        "Include the header of `{name}`: code that deletes an object needs its whole definition.",
+        "invalid application of 'sizeof' to incomplete type 'Hand'",
+    ),
+    Known(
+        rf"^Eigen/(?:{'|'.join(_OF_EIGEN)}): No such file or directory",
+        "CMake knows where Eigen's headers are: `find_package(Eigen3 REQUIRED)`, then "
+        "`target_link_libraries(... Eigen3::Eigen)`. A target that links `sas_core` gets them "
+        "too.",
+        "Eigen/Dense: No such file or directory",
+    ),
+    Known(
+        r"^(?i:Eigen3?)/(?P<name>\S+): No such file or directory",
+        (f"Did you mean `Eigen/{{near}}`? {_CAPITAL}", f"Did you mean `Eigen/Dense`? {_CAPITAL}"),
+        "Eigen/Dens: No such file or directory",
+        proof=like(lambda evidence: _OF_EIGEN),
+    ),
+    Known(
+        r"use of deleted function '(?:\w+::)*(?P<name>\w+)::(?P=name)\(\)'",
+        "A `{name}` cannot be made without arguments. A class that derives from it passes them "
+        "on in its constructor, after the parentheses: `: {name}(...)`.",
+        "use of deleted function 'lab::RobotDriver::RobotDriver()'",
+    ),
+    Known(
+        "",
+        "Add `#include {header}` at the top of the file.",
+        "'shared_ptr' is not a member of 'std'\nmain.cpp:3:3: note: 'std::shared_ptr' is defined in header "
+        "'<memory>'; did you forget to '#include <memory>'?",
+    ),
+    Known(
+        r"numeric literal operator 'operator\"\"(?:h|min|s|ms|us|ns)'",
+        "Add `using namespace std::chrono_literals;` above: it defines units such as `ms`.",
+        "unable to find numeric literal operator 'operator\"\"ms'",
+    ),
+    Known(
+        r"create_(?:wall_)?timer(?:<.*>)?\((?:int|double|float)\b",
+        "A period needs a unit: `500ms` or `0.5s` for half a second.",
+        "no matching function for call to 'Talker::create_wall_timer(int, Talker::Talker()::<lambda()>)'",
+    ),
+    Known(
+        r"\bspin\(std::shared_ptr<[^,]*>&?\)'",
+        "Does its class derive from `rclcpp::Node`, with `public` before it?",
+        "no matching function for call to 'spin(std::shared_ptr<Talker>)'",
+    ),
+    Known(
+        r"\bspin(?:_some|_once)?\((?!.*(?:shared_ptr|SharedPtr))",
+        "It takes a pointer to a node: `std::make_shared<...>()` makes a node and returns a "
+        "pointer to it.",
+        "no matching function for call to 'spin(Talker&)'",
+    ),
+    Known(
+        r"invalid operands of types 'const char ?\[\d+\]' and .*operator<<",
+        "`RCLCPP_INFO_STREAM` joins values with `<<`. `RCLCPP_INFO` takes one string with `%d` in it.",
+        "invalid operands of types 'const char [9]' and 'int' to binary 'operator<<'",
+    ),
+    Known(
+        r"invalid operands of types '(?:const )?char.*'operator\+'",
+        "C++ cannot join two quoted strings with `+`. `RCLCPP_INFO_STREAM` joins them with `<<`.",
+        "invalid operands of types 'const char*' and 'const char [8]' to binary 'operator+'",
+    ),
+    Known(
+        r"use of non-static member function|Wrong number of arguments for pointer-to-member",
+        "A function of a class is called on an object: `std::bind(&Class::function, this)`, or "
+        "`[this]() { function(); }`.",
+        "invalid use of non-static member function 'void Talker::talk()'",
+    ),
+    Known(
+        r"static assertion failed: (?:THIS|YOU)_[A-Z_]+",
+        "The words in capital letters are Eigen's: check the sizes of the vectors in this line.",
+        "static assertion failed: YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES",
+    ),
+    Known(
+        r"no declaration matches",
+        "The class does not declare this function: compare its name, arguments and `const` with "
+        "the header.",
+        "no declaration matches 'std::string Arm::to_string()'",
+    ),
+    Known(
+        r"^Q[A-Z]\w+: No such file or directory",
+        "Qt's headers come with its target: `find_package(Qt5Core REQUIRED)`, then "
+        "`target_link_libraries(... Qt5::Core)`.",
+        "QString: No such file or directory",
+    ),
+    Known(
+        r"'(?:\w+_|get_logger|create_\w+|get_clock|now)' was not declared",
+        "Is it declared in the class, and does the function that uses it have `Class::` before its name?",
+        "'count_' was not declared in this scope",
+    ),
+    Known(
+        r"No such file or directory",
+        "Is the header's name right, and does the target have its folder in `target_include_directories`?",
+        "lost/lost.hpp: No such file or directory",
+    ),
+    Known(
+        r"'(?:override|const|noexcept)' (?:has not been declared|was not declared)",
+        "A `)` is missing before this word: the arguments and their `)` come first.",
+        "'override' has not been declared",
+    ),
+    Known(
+        r"forbids declaration of .* with no type",
+        "A function begins with its return type. Only a constructor has none, and it has the "
+        "name of its class.",
+        "ISO C++ forbids declaration of 'Arm' with no type",
+    ),
+    Known(
+        r"use of incomplete type|incomplete type .* used in|has incomplete type",
+        "At this point the compiler knows only its name. Include its header, or move the code "
+        "that uses it to the .cpp file, below `class ... { };`.",
+        "invalid use of incomplete type 'class lab::Arm::Impl'",
+    ),
+    Known(
+        r"expected .*;",
+        "A semicolon is missing, most often at the end of the line before.",
+        "expected ';' after class definition",
+    ),
+    Known(
+        r"expected '?\}|expected declaration",
+        "Count the braces: each `{` needs its `}`.",
+        "expected '}' at end of input",
+    ),
+    Known(
+        r"is not a member of 'std'",
+        "Is the name spelled right, and is its header included?",
+        "'strin' is not a member of 'std'",
+    ),
+    Known(
+        r"was not declared|does not name a type|has not been declared",
+        "Is the name spelled right, is its header included, and does it need `std::` before it?",
+        "'count' was not declared in this scope",
+    ),
+    Known(
+        r"use of deleted function .*(?:const .*&|&&)\)",
+        "This copies an object that cannot be copied: pass it by reference, or make it where it stays.",
+        "use of deleted function 'lab::Arm::Arm(const lab::Arm&)'",
+    ),
+    Known(
+        r"abstract (?:class )?type",
+        "A function that its base class only declares is missing: compare name, arguments and `const`.",
+        "invalid new-expression of abstract class type 'Driver'",
+    ),
+    Known(
+        r"does not override",
+        "Compare it with the base class: name, arguments and `const` must be the same.",
+        "'double Driver::get() const' marked 'override', but does not override",
+    ),
+    Known(
+        r"discards qualifiers",
+        "Write `const` after the parentheses of functions that change nothing.",
+        "passing 'const Arm' as 'this' argument discards qualifiers",
+    ),
+    Known(
+        r"redefinition of",
+        "Is a header included twice? Begin it with `#pragma once`.",
+        "redefinition of 'class Arm'",
+    ),
+    Known(
+        r"no matching function|no match for|could not convert|cannot convert|conversion from"
+        r"| initialization of",
+        "Compare the types in this line, and their order, with the ones that are expected.",
+        "could not convert 'x' from 'int' to 'std::string'",
+    ),
+    Known(
+        r"has no member named",
+        "Is the name spelled right, and is it a member of this type?",
+        "'class Talker' has no member named 'tolk'",
+    ),
+    Known(
+        r"'(?:\w+::)*(?P<name>\w+)::(?P=name)\(.*\)' is private within",
+        "Members of a class are private unless it says otherwise: write `public:` above the constructor of "
+        "`{name}`, in its header.",
+        "'Talker::Talker()' is private within this context",
+        proof=_constructor,
+        given={"src/talker.hpp": "class Talker\n{\n  Talker();\n};\n"},
+    ),
+    Known(
+        r"is private within|is protected within",
+        "Only its own class may use it: make it `public`, or add a function that returns it.",
+        "'int Arm::count_' is private within this context",
+    ),
+    Known(
+        "",
+        ("Fix the first error first: it often causes the others.{more}",
+         "Check this line and the end of the line before it."),
+        "stray '#' in program",
+    ),
+)  # fmt: skip
+
+LINKER: tuple[Known[Evidence], ...] = (
+    Known(
+        r"^multiple definition of ",
+        "A function that is defined in a header needs `inline` before it. Never include a .cpp file.",
+        "multiple definition of `helper()'; /tmp/a.o:a.cpp:7: first defined here",
+    ),
+    Known(
+        r"^cannot find -l",
+        "Is its name spelled right, and does the linker know its folder?",
+        "cannot find -ltinyqp",
+    ),
+    Known(
+        r"^undefined reference to `main'",
+        "A program begins in `int main()`: is the file that contains it compiled too?",
+        "undefined reference to `main'",
+        given={"src/main.cpp": "int helper()\n{\n  return 0;\n}\n"},
+    ),
+    Known(
+        r"^undefined reference to `(?:vtable|typeinfo) for (?P<of>.*)'",
+        "Define each virtual function of `{of}`, or end it with `= 0;`.",
+        "undefined reference to `vtable for Arm'",
+    ),
+    Known(
+        r"^undefined reference to ",
+        "Is its .cpp file listed in CMakeLists.txt, and are the libraries it comes from linked?",
+        "undefined reference to `Arm::bend(double)'",
+    ),
+)
+_SAID = {
+    "undefined": "undefined reference to `{}'",
+    "twice": "multiple definition of `{}'",
+    "library": "cannot find -l{}",
+}
+
+
+def symptom_of(error: CppError, place: Location | None = None) -> Symptom:
+    """The error in the form that the tables use; linker errors in the wording of GNU's linker."""
+    words = {"target": error.target} if error.target else {}
+    if error.header:
+        words["header"] = error.header
+    if error.more:
+        words["more"] = ""
+    text = _SAID.get(error.kind, "{}").format(error.text)
+    return Symptom(text, place, error.details, {**words, "name": error.text})
+
+
+def advice_on(error: CppError) -> str:
+    """One or two sentences on what to do next."""
+    known = COMPILER if error.kind == "compiler" else LINKER
+    found = explain(known, [symptom_of(error)], Evidence(sources=Sources()))
+    return found.remedy if found else ""
+
+
+# ------------------------------------------------------------- programs that are compiled alone
+
+_LAST_LINES = 4
+
+
+def not_made(recording: Recording, process: str) -> Feedback:
+    """Return the feedback on the first cause; if unknown, it shows the compiler's last lines.
+
+    process: what ran the compiler, perhaps through `make` or CMake.
+    """
+    lines = recording.process(process).text
+    evidence = Evidence(sources=recording.sources)
+    error = first_error(lines, evidence.own_file)
+    if error is None:
+        return Feedback(
+            summary="The compiler cannot make a program from your files.",
+            advice="Compile them yourself, and read the first error.",
+            details=lines[-_LAST_LINES:],
+        )
+    summary, advice = _alone(error)
+    return Feedback(summary=summary, where=_places(error), advice=advice, details=error.details[:2])
+
+
+def warned(recording: Recording, process: str) -> Feedback | None:
+    """The feedback on the compiler's first warning; None if there is none."""
+    found = warnings(recording.process(process).text, Evidence(sources=recording.sources).own_file)
+    if not found:
+        return None
+    first = found[0]
+    return Feedback(
+        summary=f"The compiler warns: {first.text}.",
+        expected="no warning",
+        seen="1 warning" if len(found) == 1 else f"{len(found)} warnings",
+        where=_places(first),
+        advice="A warning is usually a mistake that compiles. Change the line until the warning is gone.",
+        details=first.details[:2],
+    )
+
+
+def _places(error: CppError) -> tuple[Location, ...]:
+    return (Location(error.file, error.line),) if error.file else ()
+
+
+def _alone(error: CppError) -> tuple[str, str]:
+    if error.kind == "compiler":
+        return f"It does not compile: {error.text}.", advice_on(error)
+    if error.kind == "undefined" and error.text == "main":
+        return "There is no function `main`, where a program begins.", advice_on(error)
+    if error.kind == "undefined":
+        advice = (
+            "Does a .cpp file define it with exactly this name, these arguments, and `Class::` before it?"
+        )
+        if error.text.startswith(("vtable for", "typeinfo for")):
+            advice = advice_on(error)
+        return f"`{error.text}` is used, but nothing defines it.", advice
+    if error.kind == "twice":
+        return f"`{error.text}` is defined twice.", advice_on(error)
+    return f"The linker cannot find the library `{error.text}`.", advice_on(error)

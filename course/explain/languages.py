@@ -1,0 +1,310 @@
+"""How an expectation talks about a program in terms of the program's own language.
+
+All languages share the expectations of a node. Each language knows what is likely to be wrong, where, and
+what to write instead.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from abc import ABC, abstractmethod
+from typing import ClassVar
+
+from course.evidence.process_view import ProcessView
+from course.evidence.recording import Recording
+from course.evidence.sources import Sources
+from course.explain.callbacks import never_spun
+from course.explain.cpp_code import cpp_calls, cpp_files, places_of
+from course.explain.cpp_crashes import cpp_crash
+from course.explain.cpp_timers import MAKERS, cpp_timer_cause
+from course.explain.cpp_timers import SPINS as CPP_SPINS
+from course.explain.engine import Cause, Evidence, Symptom, explain
+from course.explain.python_code import calls, nodes
+from course.explain.python_errors import SHUT_DOWN_TWICE, Crash, crash, crash_feedback
+from course.explain.python_slips import (
+    first,
+    python_timer_cause,
+    shut_down_inside,
+    spin_in_a_thread,
+    uncalled,
+)
+from course.model import replace
+from course.model.feedback import Feedback, Location, Spoilt
+
+
+class Language(ABC):
+    """One language. All texts are shown to a learner; `Cause.text` is advice."""
+
+    spin: ClassVar[str]  # what keeps a node running
+    log_info: ClassVar[str]  # how a line is logged
+    at_the_end: ClassVar[str]  # how a program ends with exit code 0
+    comes_to_an_end: ClassVar[str]  # how a program ends by itself
+    after_ctrl_c: ClassVar[str]  # how a program ends with exit code 0 after Ctrl+C
+
+    @abstractmethod
+    def places(self, sources: Sources, name: str) -> tuple[Location, ...]:
+        """Where a function or method of this name is called."""
+
+    @abstractmethod
+    def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
+        """The error that ended the program, if one did; it ended by itself."""
+
+    @abstractmethod
+    def unhandled(self, recording: Recording, view: ProcessView, asked: float) -> Feedback | None:
+        """The error that followed Ctrl+C, pressed at the time `asked`. Raises Spoilt for one of ROS's own."""
+
+    @abstractmethod
+    def to_keep_running(self, recording: Recording) -> Cause | None:
+        """Why a node's program ended by itself, without an error that reached Python or the C++ runtime."""
+
+    @abstractmethod
+    def deaf(self, sources: Sources) -> Cause:
+        """Why Ctrl+C does not end the program."""
+
+    @abstractmethod
+    def to_name_a_node(self, name: str) -> str:
+        """Advice: how to give a node its name (no slash)."""
+
+    @abstractmethod
+    def to_use_a_type(self, maker: str, package: str, name: str) -> str:
+        """Advice: how to give `maker` (`create_publisher`) the message type package/msg/name."""
+
+    @abstractmethod
+    def logged_at(self, sources: Sources, level: str) -> tuple[Location, ...]:
+        """Where something is logged at this level (`WARN`)."""
+
+    @abstractmethod
+    def printed(self, sources: Sources) -> tuple[str, tuple[Location, ...]]:
+        """What prints only to the terminal, as the code calls it, and where."""
+
+    @abstractmethod
+    def other_words(self, text: str) -> str | None:
+        """Advice on a logged line with different words, if they show what went wrong."""
+
+    @abstractmethod
+    def silent(self, sources: Sources) -> Cause | None:
+        """Why a node logs nothing although it is running, if known."""
+
+
+_WITH_SPIN = "Put `rclpy.spin(node)` in a `try:` block, and add `except KeyboardInterrupt:` with `pass`."
+_WITH_LOOP = (
+    "Ctrl+C raises KeyboardInterrupt in Python. Put the loop in a `try:` block, and add "
+    "`except KeyboardInterrupt:` after it."
+)
+_BRACES = (
+    "The braces were logged as they are. Put an `f` before the string, `f'...'`: then Python fills them in."
+)
+_DEAF = (
+    "Let `main()` end after `except KeyboardInterrupt:`. A loop around the `try:`, or a "
+    "`signal.signal(...)` that ignores Ctrl+C, keeps the program running."
+)
+# rclpy checks whether to keep spinning, then creates its wait objects. A SIGINT in between shuts it
+# down, and it raises an exception that no program should have to expect. The same is true of a
+# SIGINT while rclpy converts a received message to Python.
+_SHUT_DOWN_IN_BETWEEN = re.compile(
+    r"RCLError: failed to initialize wait set: the given context is not valid"
+    r"|RuntimeError: Unable to convert call argument"
+    r"|SystemError: <built-in method \w+ of .*> returned a result with an exception set"
+)
+
+
+class Python(Language):
+    spin = "rclpy.spin"
+    log_info = "self.get_logger().info(...)"
+    at_the_end = (
+        "The value that `main` returns becomes the exit code, and a string counts as 1: return nothing. "
+        "Call `sys.exit()` with no number, or with 0."
+    )
+    comes_to_an_end = "`main` must end: look for an endless loop, or for an `input()` that waits."
+    after_ctrl_c = "Let `main` end after `except KeyboardInterrupt:`, with no number in `sys.exit()`."
+
+    def places(self, sources: Sources, name: str) -> tuple[Location, ...]:
+        return tuple(call.where for call in calls(sources, name))
+
+    def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
+        found = crash(view.traceback(), recording.packages, recording.sources)
+        return crash_feedback(found, recording.packages, recording.sources) if found else None
+
+    def unhandled(self, recording: Recording, view: ProcessView, asked: float) -> Feedback | None:
+        traceback = view.traceback(after=asked)
+        found = crash(traceback, recording.packages, recording.sources)
+        if found and _SHUT_DOWN_IN_BETWEEN.search(found.error) and _raised_by_rclpy(traceback):
+            # A program can print such words itself, so they only lead to another attempt.
+            raise Spoilt("rclpy failed in its own shutdown after Ctrl+C.")
+        return _unhandled(found, _at_the_end(found, recording)) if found else None
+
+    def to_keep_running(self, recording: Recording) -> Cause | None:
+        sources = recording.sources
+        return first(sources, uncalled, shut_down_inside, spin_in_a_thread) or _not_spun(sources)
+
+    def deaf(self, sources: Sources) -> Cause:
+        threads = spin_in_a_thread(sources)
+        return threads or Cause(_DEAF, self.places(sources, "signal")[:2])
+
+    def to_name_a_node(self, name: str) -> str:
+        return f"Give the node its name in `__init__` of its class: `super().__init__('{name}')`."
+
+    def to_use_a_type(self, maker: str, package: str, name: str) -> str:
+        return f"Import it with `from {package}.msg import {name}`, and pass it first to `{maker}`."
+
+    def logged_at(self, sources: Sources, level: str) -> tuple[Location, ...]:
+        names = ("warn", "warning") if level == "WARN" else (level.lower(),)
+        return tuple(place for name in names for place in self.places(sources, name))
+
+    def printed(self, sources: Sources) -> tuple[str, tuple[Location, ...]]:
+        return "print", self.places(sources, "print")
+
+    def other_words(self, text: str) -> str | None:
+        return _BRACES if "{" in text else None
+
+    def silent(self, sources: Sources) -> Cause | None:
+        listens = calls(sources, "create_subscription") and not calls(sources, "create_timer")
+        return first(sources, *(() if listens else (python_timer_cause,)), never_spun)
+
+
+def _raised_by_rclpy(traceback: tuple[str, ...]) -> bool:
+    frames = [line for line in traceback if line.lstrip().startswith('File "')]
+    return bool(frames) and "/rclpy/" in frames[-1]
+
+
+def _not_spun(sources: Sources) -> Cause | None:
+    if not calls(sources, "init"):
+        return Cause("`main()` must call `rclpy.init()`, make the node, and pass it to `rclpy.spin(node)`.")
+    once = tuple(call.where for call in calls(sources, "spin_once"))
+    if calls(sources, "spin") or (once and _in_a_loop(sources, once[0])):
+        return None
+    if once:
+        return Cause("`spin_once` handles one event and returns. `rclpy.spin(node)` runs until Ctrl+C.", once)
+    until = tuple(call.where for call in calls(sources, "spin_until_future_complete"))
+    return Cause(
+        "Nothing keeps the program running: call `rclpy.spin(node)` in `main()` after you make the node.",
+        until,
+    )
+
+
+def _in_a_loop(sources: Sources, place: Location) -> bool:
+    return any(
+        node.lineno <= (place.line or 0) <= (node.end_lineno or 0)
+        for file, node in nodes(sources)
+        if file == place.file and isinstance(node, ast.While | ast.For)
+    )
+
+
+def _at_the_end(found: Crash, recording: Recording) -> Cause:
+    """What to do about this exception, which came after Ctrl+C."""
+    evidence = Evidence(sources=recording.sources, packages=recording.packages)
+    known = explain([SHUT_DOWN_TWICE], [Symptom(found.error, found.where)], evidence)
+    if known:
+        return Cause(known.remedy, known.where)
+    where = (found.where,) if found.where else ()
+    advice = _WITH_SPIN if recording.packages.built else _WITH_LOOP
+    return spin_in_a_thread(recording.sources) or Cause(advice, where)
+
+
+def _unhandled(found: Crash, cause: Cause) -> Feedback:
+    return Feedback(
+        summary=f"Ctrl+C ends the program with a traceback: {found.error}",
+        expected="an end without a traceback",
+        seen="a traceback",
+        where=cause.where,
+        advice=cause.text,
+        details=found.shown,
+    )
+
+
+# Ways to print, as learners write them, and the patterns that find them.
+_PRINTING = (("std::cout", r"\b(?:cout|cerr|clog)\s*<<"), ("printf", r"\b(?:f?printf|f?puts)\s*\("))
+_CPP_DEAF = (
+    "`rclcpp::spin` ends at Ctrl+C. A loop of your own must check for it: `while (rclcpp::ok())`. "
+    "A signal handler of your own must call `rclcpp::shutdown()`."
+)
+_CPP_ENDLESS = r"\bwhile\s*\(\s*(?:true|1)\s*\)|\bfor\s*\(\s*;\s*;\s*\)|\bsig(?:nal|action)\s*\("
+# What rclcpp throws if it is used after Ctrl+C.
+_WENT_ON = re.compile(r"context is not valid|rcl_shutdown\(\) was called|context is already shut")
+_IN_THE_TEXT = (
+    ("<<", "`<<` is inside the quotes: close the string before it, and open it again after it."),
+    ("%", "`RCLCPP_INFO_STREAM` joins values with `<<`. `%d` is for `RCLCPP_INFO`, with the number after "
+          "the string."),
+    ("{", "C++ does not fill in braces. Join text and numbers with `<<` in "
+          "`RCLCPP_INFO_STREAM(get_logger(), ...)`."),
+)  # fmt: skip
+
+
+class Cpp(Language):
+    spin = "rclcpp::spin"
+    log_info = "RCLCPP_INFO_STREAM(get_logger(), ...)"
+    at_the_end = "The value that `main` returns is the exit code: `return 0;` means success."
+    comes_to_an_end = "`main` must end: look for an endless loop, or for `std::cin` that waits."
+    after_ctrl_c = (
+        "The value that `main` returns is the exit code. Let it reach `return 0;` after `rclcpp::spin`."
+    )
+
+    def places(self, sources: Sources, name: str) -> tuple[Location, ...]:
+        return tuple(call.where for call in cpp_calls(sources, name))
+
+    def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
+        return cpp_crash(view.exited, view.text, recording.sources, "The program stopped")
+
+    def unhandled(self, recording: Recording, view: ProcessView, asked: float) -> Feedback | None:
+        lines = tuple(line.text for line in view.lines if line.t >= asked)
+        found = cpp_crash(view.exited, lines, recording.sources, "Ctrl+C makes the program crash")
+        if found and _WENT_ON.search(" ".join(lines)):
+            return replace(found, advice=_CPP_DEAF, where=places_of(recording.sources, _CPP_ENDLESS)[:2])
+        return found
+
+    def to_keep_running(self, recording: Recording) -> Cause | None:
+        sources = recording.sources
+        if not self.places(sources, "init"):
+            return Cause("`main` must call `rclcpp::init(argc, argv)`, make the node, and `rclcpp::spin` it.")
+        if self.places(sources, "spin"):
+            return None
+        where = tuple(place for name in CPP_SPINS for place in self.places(sources, name))[:2]
+        if self.places(sources, "spin_some"):
+            return Cause(
+                "`spin_some` runs what is ready and returns. `rclcpp::spin(node)` runs until Ctrl+C.", where
+            )
+        return Cause(
+            "Nothing keeps the program running: call `rclcpp::spin(...)` with the node, after `init`.", where
+        )
+
+    def deaf(self, sources: Sources) -> Cause:
+        return Cause(_CPP_DEAF, places_of(sources, _CPP_ENDLESS)[:2])
+
+    def to_name_a_node(self, name: str) -> str:
+        return f'The constructor passes on the name before its braces: `: rclcpp::Node("{name}")`.'
+
+    def to_use_a_type(self, maker: str, package: str, name: str) -> str:
+        return f"Include its header, and write `{maker}<{package}::msg::{name}>`."
+
+    def logged_at(self, sources: Sources, level: str) -> tuple[Location, ...]:
+        return places_of(sources, rf"\bRCLCPP_{level}\w*\s*\(")
+
+    def printed(self, sources: Sources) -> tuple[str, tuple[Location, ...]]:
+        found = ((name, places_of(sources, pattern)) for name, pattern in _PRINTING)
+        return next(((name, places) for name, places in found if places), (_PRINTING[0][0], ()))
+
+    def other_words(self, text: str) -> str | None:
+        return next((advice for sign, advice in _IN_THE_TEXT if sign in text), None)
+
+    def silent(self, sources: Sources) -> Cause | None:
+        cause = cpp_timer_cause(sources)
+        if cause or any(self.places(sources, name) for name in CPP_SPINS):
+            return cause
+        return Cause(
+            "Nothing runs the timer's callback: `main` must pass the node to `rclcpp::spin(...)`, which "
+            "waits and calls it. A loop of your own does not."
+        )
+
+
+_PYTHON, _CPP = Python(), Cpp()
+
+
+def language_of(sources: Sources) -> Language:
+    """C++ if there are C++ files, else Python. `expect.one_program.about` separates several programs."""
+    return _CPP if cpp_files(sources) else _PYTHON
+
+
+def timer_places(sources: Sources) -> tuple[Location, ...]:
+    """Return where the code creates timers."""
+    return tuple(place for maker in MAKERS for place in language_of(sources).places(sources, maker))

@@ -1,0 +1,202 @@
+"""Why a launch file does not do what it should, from the file itself and from setup.py."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from fnmatch import fnmatch
+from pathlib import PurePosixPath
+
+from course.evidence.packages import BuiltPackages
+from course.evidence.sources import Sources
+from course.explain.cmake import LISTS
+from course.explain.engine import Cause
+from course.explain.python_code import PythonCall, called_name, calls, parsed
+from course.model.feedback import Feedback, Location
+from course.spelling import listed, nearest
+
+_ENDINGS = ("launch.py", "launch.xml", "launch.yaml")
+
+
+def not_installed(sources: Sources, folder: str, file: str) -> Feedback:
+    """Why `ros2 launch` does not find `file` of the package in this folder (of the course home)."""
+    setup = f"{folder}/setup.py"
+    there = [name for name in sources.below(folder).names if name.endswith("launch.py") or "/launch/" in name]
+    path = next((name for name in there if PurePosixPath(name).name == file), None)
+    if path is None:
+        return _no_such_file(there, folder, file)
+    relative = path.removeprefix(f"{folder}/")
+    if f"{folder}/{LISTS}" in sources.files:
+        return _not_by_cmake(relative, Location(f"{folder}/{LISTS}"))
+    patterns = tuple(_patterns(sources, setup))
+    if not patterns:
+        return Feedback(
+            summary=f"`{file}` exists, but it is not installed: `data_files` in setup.py does not name it.",
+            expected=f"'{relative}' among the data files",
+            where=tuple(_line(sources, setup, "data_files")),
+            advice="Add to `data_files`: `('share/' + package_name + '/launch', "
+            f"glob('{PurePosixPath(relative).parent}/*launch.py')),` with `from glob import glob` above.",
+        )
+    if any(fnmatch(relative, pattern) for pattern, _ in patterns):
+        return _installed_elsewhere(file, patterns[0][1])
+    return _no_match(path, folder, *patterns[0])
+
+
+def _not_by_cmake(relative: str, lists: Location) -> Feedback:
+    """For a package that CMake builds; `relative` to its folder."""
+    file = PurePosixPath(relative)
+    what = f"DIRECTORY {file.parent}" if file.parent != PurePosixPath() else f"FILES {file}"
+    return Feedback(
+        summary=f"`{file.name}` exists, but {LISTS} does not install it where ROS looks for it.",
+        expected="installed into `share/<package>`",
+        where=(lists,),
+        advice=f"`install({what} DESTINATION share/${{PROJECT_NAME}})`",
+    )
+
+
+def _installed_elsewhere(file: str, where: Location) -> Feedback:
+    return Feedback(
+        summary=f"`{file}` is not installed where ROS looks for it, `share/<package>`.",
+        expected="installed into `share/<package>/launch`",
+        where=(where,),
+        advice="In `data_files`, the first part is the folder to install into: "
+        "`'share/' + package_name + '/launch'`.",
+    )
+
+
+def _no_match(path: str, folder: str, pattern: str, where: Location) -> Feedback:
+    """A file beside setup.py should move to where the pattern looks; otherwise the pattern is wrong."""
+    parent = PurePosixPath(path.removeprefix(f"{folder}/")).parent
+    moved = "/" in pattern and parent == PurePosixPath()
+    wanted = f"{'launch' if moved else parent}/*launch.py"
+    name = PurePosixPath(path).name
+    return Feedback(
+        summary=f"`{name}` is not installed: the pattern `{pattern}` in setup.py does not match it.",
+        expected=f"a file in the folder `{wanted.partition('/')[0]}`"
+        if moved
+        else f"`{wanted}`, which matches",
+        seen="the file is next to setup.py" if moved else f"`{pattern}`",
+        where=(Location(path), where) if moved else (where,),
+        advice=f"Move the file to the folder `launch`, and write `glob('{wanted}')`."
+        if moved
+        else f"Write `glob('{wanted}')`.",
+    )
+
+
+def _no_such_file(there: list[str], folder: str, file: str) -> Feedback:
+    names = {PurePosixPath(name).name: name for name in there}
+    close = nearest(file, names)
+    wrong = next((name for name in names if not name.endswith(_ENDINGS) and name.endswith(".py")), None)
+    found = close or wrong
+    return Feedback(
+        summary=f"The package has no launch file `{file}`; it has `{found}`."
+        if found
+        else f"The package has no launch file `{file}`.",
+        expected=f"launch/{file}",
+        seen=found or listed(sorted(names), "no file in `launch`"),
+        where=(Location(names[found]),) if found else (),
+        advice="A launch file's name ends in `launch.py`; otherwise `ros2 launch` does not find it."
+        if found and not found.endswith(_ENDINGS)
+        else f"Create it at `{folder}/launch/{file}`.",
+    )
+
+
+def _patterns(sources: Sources, setup: str) -> Iterator[tuple[str, Location]]:
+    """Strings in setup.py that match launch files: a glob pattern or a file's own name."""
+    tree = parsed(sources.files.get(setup, ""))
+    for node in ast.walk(tree) if tree else ():
+        text = _text(node)
+        if text and ("launch" in text) and (text.endswith((".py", "*", ".xml", ".yaml"))) and "=" not in text:
+            yield text.removeprefix("./"), Location(setup, getattr(node, "lineno", None))
+
+
+def _text(node: ast.AST) -> str | None:
+    """A string, or the path that `os.path.join('launch', '*.py')` builds."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str) and "/" in node.value:
+        return node.value
+    if isinstance(node, ast.Call) and called_name(node) == "join":
+        parts = [part.value for part in node.args if isinstance(part, ast.Constant)]
+        return "/".join(map(str, parts)) if len(parts) == len(node.args) else None
+    return None
+
+
+def launch_file_cause(sources: Sources, packages: BuiltPackages, file: str) -> Cause | None:
+    """What is wrong inside a launch file of this name."""
+    path = next((name for name in sources.files if PurePosixPath(name).name == file), None)
+    if path is None:
+        return None
+    own = Sources({path: sources.files[path]})
+    return no_generate(own) or parameters_as_dict(own) or misspelt_target(own, packages)
+
+
+def no_generate(launch_file: Sources) -> Cause | None:
+    """A launch file without the function that `ros2 launch` calls."""
+    for path, text in launch_file.files.items():
+        tree = parsed(text)
+        if tree is None:
+            return None
+        defined = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+        if "generate_launch_description" in defined:
+            return _returns_nothing(path, defined["generate_launch_description"])
+        close = nearest("generate_launch_description", defined)
+        return Cause(
+            "`ros2 launch` calls the function `generate_launch_description`, and the file "
+            + (f"has `{close}` in its place." if close else "has none of that name."),
+            (Location(path, defined[close].lineno if close else None),),
+        )
+    return None
+
+
+def _returns_nothing(path: str, function: ast.FunctionDef) -> Cause | None:
+    if any(isinstance(node, ast.Return) and node.value for node in ast.walk(function)):
+        return None
+    return Cause(
+        "`generate_launch_description` returns nothing: end it with `return LaunchDescription([...])`.",
+        (Location(path, function.lineno),),
+    )
+
+
+def parameters_as_dict(launch_file: Sources) -> Cause | None:
+    """`parameters={...}` where a list of dicts belongs."""
+    for node in calls(launch_file, "Node"):
+        given = node.keywords.get("parameters")
+        if isinstance(given, ast.Dict):
+            return Cause(
+                "`parameters` takes a list of dicts: put square brackets around the braces: "
+                "`parameters=[{...}]`.",
+                (Location(node.where.file, given.lineno),),
+            )
+    return None
+
+
+def misspelt_target(launch_file: Sources, packages: BuiltPackages) -> Cause | None:
+    """A `Node(package=..., executable=...)` that names something not built; other packages may be ROS's."""
+    for node in calls(launch_file, "Node"):
+        package, executable = _constant(node, "package"), _constant(node, "executable")
+        built = packages.get(package or "")
+        close = nearest(package or "", (one.name for one in packages.built))
+        if package and built is None and close:
+            return Cause(
+                f"The launch file names the package `{package}`, but its name is `{close}`.", (node.where,)
+            )
+        if built and executable and executable not in built.executables:
+            close = nearest(executable, built.executables)
+            there = f"it has `{close}`" if close else f"it has {listed(built.executables, 'no executable')}"
+            return Cause(
+                f"The launch file names the executable `{executable}`, which `{package}` does not "
+                f"have; {there}.",
+                (node.where,),
+            )
+    return None
+
+
+def _constant(call: PythonCall, keyword: str) -> str | None:
+    node = call.keywords.get(keyword)
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+def _line(sources: Sources, file: str, text: str) -> Iterator[Location]:
+    for number, line in enumerate(sources.files.get(file, "").splitlines(), start=1):
+        if text in line:
+            yield Location(file, number)
+            return

@@ -1,0 +1,103 @@
+"""Why something happens at the wrong pace: the pattern of its times, and code that matches it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from statistics import median
+
+from course.evidence.sources import Sources
+from course.explain.callbacks import in_callbacks
+from course.explain.cpp_code import cpp_files
+from course.explain.cpp_timers import cpp_periods, integer_division
+from course.explain.engine import Cause
+from course.explain.python_code import calls, number
+from course.explain.python_slips import long_sleep, several_timers
+from course.model.feedback import Location
+
+_NEAR = 0.25
+_UNITS = ((1e3, "milliseconds"), (1e6, "microseconds"))
+_TOGETHER = 0.15  # of a period: events this close belong together
+
+
+def pace_cause(times: Sequence[float], period: float, sources: Sources, *, written: bool) -> Cause | None:
+    """The cause of a pace other than `period` (s), if the times (s) and the code prove one.
+
+    written: whether the code must state the period; otherwise another number is not a mistake.
+    """
+    gaps = [later - earlier for earlier, later in pairwise(times)]
+    if not gaps:
+        return None
+    if cpp_files(sources):
+        found = integer_division(sources) if median(gaps) < period / 10 else None
+    else:
+        found = _several_at_once(gaps, period, sources) or _slept(gaps, sources)
+    return found or (_written(gaps, period, sources) if written else None)
+
+
+def at_once(gaps: Sequence[float], period: float) -> int:
+    """How many come together each `period`: 2 for two timers with the same period; 1 normally.
+
+    What came before the first pause does not count, because the log delivers it all at once.
+    """
+    pauses = [number for number, gap in enumerate(gaps) if gap > _TOGETHER * period]
+    sizes = [later - earlier for earlier, later in pairwise(pauses)]
+    if len(set(sizes)) != 1:
+        return 1
+    whole = sum(gaps[pauses[0] : pauses[-1]]) / len(sizes)
+    return sizes[0] if _near(whole, period) else 1
+
+
+def _near(value: float, wanted: float) -> bool:
+    return abs(value - wanted) <= _NEAR * wanted
+
+
+def _several_at_once(gaps: Sequence[float], period: float, sources: Sources) -> Cause | None:
+    count = at_once(gaps, period)
+    if count == 1:
+        return None
+    timers = several_timers(sources)
+    if timers:
+        return Cause(f"{count} come together each {period:g} s. {timers.text}", timers.where)
+    for name in ("publish", "info", "call_async"):
+        inside = in_callbacks(sources, name)
+        if len(inside) >= count:
+            what = f"{count} come together each {period:g} s: the callback does it {count} times."
+            return Cause(what, inside[:2])
+    return None
+
+
+def _slept(gaps: Sequence[float], sources: Sources) -> Cause | None:
+    """A callback that sleeps longer than its period determines the pace."""
+    seen = median(gaps)
+    found = long_sleep(sources, at_least=0.3 * seen)
+    return found if found and not long_sleep(sources, at_least=1.2 * seen) else None
+
+
+def _written(gaps: Sequence[float], period: float, sources: Sources) -> Cause | None:
+    """A timer whose period in the code is wrong, and matches what was seen.
+
+    What is logged before anything listens arrives all at once, so a fast timer may look even faster.
+    """
+    seen = median(gaps)
+    for value, where in _periods(sources):
+        if not _near(value, period) and (_near(value, seen) or max(value, seen) < period / 10):
+            return Cause(_on(value, period), (where,))
+    return None
+
+
+def _periods(sources: Sources) -> list[tuple[float, Location]]:
+    if cpp_files(sources):
+        return cpp_periods(sources)
+    timers = calls(sources, "create_timer")
+    found = ((number(sources, timer.argument(0, "timer_period_sec")), timer.where) for timer in timers)
+    return [(value, where) for value, where in found if value is not None]
+
+
+def _on(value: float, period: float) -> str:
+    for factor, unit in _UNITS:
+        if _near(value, period * factor) or _near(value, period / factor):
+            return f"The period of a timer is in seconds, not in {unit}: {value:g} should be {period:g}."
+    if _near(value, 1 / period):
+        return f"{value:g} is how often per second. The period is the time between two calls: {period:g} s."
+    return f"The timer's period is {value:g} s: change it to {period:g} s."

@@ -1,0 +1,92 @@
+"""Common mistakes with a node's parameters."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+
+from course.evidence.sources import Sources
+from course.explain.callbacks import in_callbacks
+from course.explain.engine import Cause
+from course.explain.python_code import PythonCall, called_name, calls, text_places, trees
+from course.model.feedback import Location
+from course.spelling import nearest
+
+_UNDECLARED = re.compile(
+    r"ParameterNotDeclaredException: .*undeclared parameter\(s\): \[?'?(?P<name>[^'\],]*)"
+)
+# What Python, message fields and rclpy say if they get a Parameter instead of its value.
+_WRONG_TYPE = ("not 'Parameter'", "field must be of type", "incompatible function arguments")
+_READERS = ("get_parameter", "get_parameters", "get_parameter_or")
+
+
+def undeclared(error: str, sources: Sources) -> Cause | None:
+    """What it means if an exception complains of a parameter that was never declared."""
+    match = _UNDECLARED.search(error)
+    if not match:
+        return None
+    name = match["name"]
+    close = nearest(name, declared(sources) - {name})
+    if close:
+        places = (*named(sources, name), *named(sources, close))
+        return Cause(f"The node declares `{close}` but reads `{name}`: spell both the same way.", places[:2])
+    return Cause(
+        f"A parameter must be declared before it is read: `self.declare_parameter('{name}', ...)` in "
+        "`__init__`, with its default value."
+    )
+
+
+def value_forgotten(error: str, sources: Sources) -> Cause | None:
+    """`get_parameter(...)` without `.value`, if an exception complains about a type."""
+    if not any(words in error for words in _WRONG_TYPE):
+        return None
+    for file, tree in trees(sources):
+        for call in _whole_parameters(tree):
+            written = ast.unparse(call)
+            text = f"`{written}` is the parameter, not its value. The value is `{written}.value`."
+            return Cause(text, (Location(file, call.lineno),))
+    return None
+
+
+def _whole_parameters(tree: ast.Module) -> Iterator[ast.Call]:
+    """Calls of `get_parameter` whose `.value` is never taken, neither at once nor through a variable."""
+    nodes = list(ast.walk(tree))
+    taken = [node.value for node in nodes if isinstance(node, ast.Attribute)]
+    names = {_name(node) for node in taken}
+    given = {node.value: _name(node.targets[0]) for node in nodes if isinstance(node, ast.Assign)}
+    reads = (node for node in nodes if isinstance(node, ast.Call) and called_name(node) == "get_parameter")
+    return (read for read in reads if read not in taken and given.get(read) not in names)
+
+
+def _name(node: ast.expr) -> str:
+    """`period` for both `period` and `self.period`."""
+    return ast.unparse(node).rpartition(".")[2]
+
+
+def declared(sources: Sources) -> set[str]:
+    """Names in calls of `declare_parameter` and `declare_parameters`."""
+    every = (*calls(sources, "declare_parameter"), *calls(sources, "declare_parameters"))
+    return {name for call in every for name in _texts(call)}
+
+
+def named(sources: Sources, name: str) -> tuple[Location, ...]:
+    """Return the lines of the learner's code that contain this name in quotes."""
+    return tuple(place for quote in "'\"" for place in text_places(sources, f"{quote}{name}{quote}"))
+
+
+def read_once(sources: Sources, name: str) -> Cause | None:
+    """A parameter that is read only when the node is created, not in any callback."""
+    if any(in_callbacks(sources, reader) for reader in _READERS):
+        return None
+    reads = [call.where for reader in _READERS for call in calls(sources, reader) if name in _texts(call)]
+    return Cause(
+        f"`{name}` is read only once, when the node is made. Read it in the callback each time: "
+        f"`self.get_parameter('{name}').value`.",
+        tuple(reads[:1]),
+    )
+
+
+def _texts(call: PythonCall) -> set[str]:
+    parts = (part for value in (*call.args, *call.keywords.values()) for part in ast.walk(value))
+    return {part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, str)}

@@ -1,0 +1,487 @@
+"""A Python program's exception: its traceback, reduced to what the learner needs, and known errors."""
+
+from __future__ import annotations
+
+import ast
+import posixpath
+import re
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+from course.evidence.packages import BuiltPackages
+from course.evidence.sources import Sources
+from course.explain.callbacks import called_callback
+from course.explain.engine import (
+    Cause,
+    Evidence,
+    Known,
+    Proof,
+    Proven,
+    Symptom,
+    Words,
+    because,
+    explain,
+    here,
+)
+from course.explain.parameter_causes import undeclared, value_forgotten
+from course.explain.python_code import nodes, parsed
+from course.explain.python_slips import accidental_tuple, misnamed_constructor, shadowed_import
+from course.explain.service_causes import (
+    fields_of_the_request,
+    no_response,
+    not_the_response,
+    result_too_early,
+)
+from course.explain.setup_py import EntryPoint, entry_points
+from course.model.feedback import Feedback, Location
+from course.spelling import LOOSELY, listed, nearest
+
+_ERROR_LINES = 2
+_PYTHON_PACKAGES = ("site-packages", "dist-packages")
+_FRAME = re.compile(r'^\s*File "(?P<file>[^"]+)", line (?P<line>\d+)')
+
+
+@dataclass(frozen=True)
+class Crash:
+    """error: the line that names the exception. where: the learner's innermost line. shown: key lines."""
+
+    error: str
+    where: Location | None
+    shown: tuple[str, ...]
+
+
+def crash(traceback: tuple[str, ...], packages: BuiltPackages, sources: Sources) -> Crash | None:
+    """Return what this traceback says; None if it is empty."""
+    if not traceback:
+        return None
+    places = [place for place in (_place(line, packages, sources) for line in traceback) if place]
+    where = places[-1] if places else None
+    start = _error_start(traceback)
+    error = " ".join(line.strip() for line in traceback[start : start + _ERROR_LINES] if line.strip(" ^"))
+    place = f"{where.file}, line {where.line}:" if where else None
+    shown = tuple(line for line in (place, _code_line(where, sources), *traceback[start:]) if line)
+    return Crash(error, where, shown)
+
+
+def _error_start(traceback: tuple[str, ...]) -> int:
+    """Index of the line that names the exception: the last one that is not indented."""
+    flush = [index for index, line in enumerate(traceback) if line and not line.startswith((" ", "\t"))]
+    words = [index for index, line in enumerate(traceback) if any(map(str.isalpha, line))]
+    return (flush or words or [0])[-1]  # in an exception group, all lines are indented
+
+
+def _place(line: str, packages: BuiltPackages, sources: Sources) -> Location | None:
+    frame = _FRAME.match(line)
+    if not frame:
+        return None
+    file = learners_file(frame["file"], packages, sources)
+    return Location(file, int(frame["line"])) if file else None
+
+
+def learners_file(path: str, packages: BuiltPackages, sources: Sources) -> str | None:
+    """Return the source file of an installed one, relative to the course home; None if there is none."""
+    for package in packages.built:
+        prefix = package.prefix.rstrip("/") + "/"
+        if path.startswith(prefix):
+            return _source_of(PurePosixPath(path[len(prefix) :]).parts, package.source, sources)
+    return _in_home(path, sources)
+
+
+def _in_home(path: str, sources: Sources) -> str | None:
+    """A script runs in a copy of the home, so its path has the same ending as there."""
+    whole = posixpath.normpath(path)
+    found = [name for name in sources.files if whole.endswith(f"/{name}")]
+    return max(found, key=len) if found else None
+
+
+def _source_of(installed: tuple[str, ...], folder: str, sources: Sources) -> str | None:
+    """The source of a file installed as lib/python3.12/site-packages/talk/talker.py, or as lib/talk/talker.
+
+    A package may keep its modules in a folder of its own, such as `src`, so the source path may be longer
+    than the installed one.
+    """
+    packages = [index for index, part in enumerate(installed) if part in _PYTHON_PACKAGES]
+    tail = "/".join(installed[packages[0] + 1 :] if packages else installed[-1:])
+    if f"{folder}/{tail}" in sources.files:
+        return f"{folder}/{tail}"
+    found = [name for name in sources.below(folder).files if name.endswith(f"/{tail}")]
+    return found[0] if len(found) == 1 else None
+
+
+def _code_line(where: Location | None, sources: Sources) -> str | None:
+    if where is None or where.line is None:
+        return None
+    lines = sources.files[where.file].splitlines()
+    return "    " + lines[where.line - 1].strip() if 0 < where.line <= len(lines) else None
+
+
+def crash_feedback(found: Crash, packages: BuiltPackages, sources: Sources) -> Feedback:
+    """Feedback on a program that stopped with this exception."""
+    symptom = Symptom(found.error, found.where, found.shown)
+    known = explain(EXCEPTIONS, [symptom], Evidence(sources=sources, packages=packages))
+    return Feedback(
+        summary=f"The program stopped with an error: {found.error}",
+        where=known.where if known else (),
+        advice=known.remedy if known else None,
+        details=found.shown,
+    )
+
+
+# ------------------------------------------------------------------------------------------ proofs
+
+
+def _moved(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    found = _elsewhere(words["name"], evidence.packages, evidence.sources)
+    return Proven({"there": found[0], "wanted": found[1]}, (Location(found[0]),)) if found else None
+
+
+def _of_a_package(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    neighbor = _neighbor(words["name"], evidence.packages, evidence.sources)
+    return Proven({"neighbor": neighbor}) if neighbor else None
+
+
+_MODULES = {"Node": "rclpy.node", "Parameter": "rclpy.parameter", "QoSProfile": "rclpy.qos"}
+
+
+def _in_its_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
+    return Proven({"line": f"from {_MODULES[words['name']]} import {words['name']}"})
+
+
+def _by_key(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`message['id']`, in the line that the error names, or in the only line with such an expression."""
+    found = [(Location(file, node.lineno), node) for file, node in _subscripts(evidence.sources)]
+    named = [one for one in found if symptom.where is None or one[0] == symptom.where] or found
+    if len({where for where, _ in named}) != 1:
+        return None
+    where, node = named[0]
+    right = f"{ast.unparse(node.value)}.{ast.unparse(node.slice)[1:-1]}"
+    return Proven({"wrong": ast.unparse(node), "right": right}, (where,))
+
+
+def _subscripts(sources: Sources) -> Iterator[tuple[str, ast.Subscript]]:
+    """Where a string is used as a key."""
+    for file, node in nodes(sources):
+        key = node.slice if isinstance(node, ast.Subscript) else None
+        if isinstance(node, ast.Subscript) and isinstance(key, ast.Constant) and isinstance(key.value, str):
+            yield file, node
+
+
+def _entry_of_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    entry = _entry_for(words["name"], evidence.packages, evidence.sources)
+    if entry is None:
+        return None
+    modules = (PurePosixPath(file).stem for file in _modules(entry, evidence.packages, evidence.sources))
+    return Proven({"modules": listed(modules)}, (entry.where,))
+
+
+def _entry_of_function(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    entry = _entry_for(words["module"], evidence.packages, evidence.sources)
+    functions = listed(_functions(evidence.sources, words["module"]))
+    return Proven({"functions": functions}, (entry.where,)) if entry else None
+
+
+def _bare_entry(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    entries = _entries(evidence.packages, evidence.sources)
+    bare = next((entry for entry in entries if ":" not in entry.target), None)
+    return Proven({"entry": bare.text}, (bare.where,)) if bare else None
+
+
+def _said(cause: Callable[[str, Sources], Cause | None]) -> Proof[Evidence]:
+    """A cause that is found with the help of the exception's own words."""
+
+    def proof(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+        return because(lambda sources: cause(symptom.text, sources))(evidence, symptom, words)
+
+    return proof
+
+
+def _misspelled(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
+    """What the learner defined under nearly this name."""
+    name = words.get("name") or words["plain"]
+    every = (node for _, node in nodes(evidence.sources))
+    stores = [node for node in every if isinstance(getattr(node, "ctx", None), ast.Store)]
+    stored = {node.attr for node in stores if isinstance(node, ast.Attribute)}
+    named = {node.id for node in stores if isinstance(node, ast.Name)}
+    near = nearest(name, (named if "plain" in words else stored) - {name}, LOOSELY)
+    return Proven({"name": name, **({"near": near} if near else {})})
+
+
+def _not_imported(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`time.sleep(1)` without `import time`, and no variable of that name."""
+    name = words["name"]
+    values = (node.value for _, node in nodes(evidence.sources) if isinstance(node, ast.Attribute))
+    asked = {value.id for value in values if isinstance(value, ast.Name)}
+    is_module = name in sys.stdlib_module_names or f"forget to import '{name}'" in symptom.text
+    return Proven() if is_module and name in asked and not _given(evidence.sources, name) else None
+
+
+def _given(sources: Sources, name: str) -> list[Location]:
+    """Where a variable of this name is assigned."""
+    return [
+        Location(file, node.lineno)
+        for file, node in nodes(sources)
+        if isinstance(node, ast.Name) and node.id == name and isinstance(node.ctx, ast.Store)
+    ]
+
+
+def _given_elsewhere(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    found = _given(evidence.sources, words["name"])
+    return Proven(where=(found[0],)) if found else None
+
+
+def _given_later(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`self.count = 0` is somewhere in the class, but the line that needs it ran first."""
+    inside = [
+        (file, node)
+        for file, owner in nodes(evidence.sources)
+        if isinstance(owner, ast.ClassDef) and owner.name == words["of"]
+        for node in ast.walk(owner)
+    ]
+    added = {id(node.target) for _, node in inside if isinstance(node, ast.AugAssign)}
+    found = (
+        Location(file, node.lineno)
+        for file, node in inside
+        if isinstance(node, ast.Attribute) and node.attr == words["name"] and id(node) not in added
+        if isinstance(node.ctx, ast.Store) and isinstance(node.value, ast.Name) and node.value.id == "self"
+    )
+    later = [place for place in found if place != symptom.where]
+    return Proven(where=(later[0],)) if later else None
+
+
+def _is_of_sas(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A client of the SmartArmStack starts ROS in its own way, which rclpy's message does not mention."""
+    files = evidence.sources.files.items()
+    return Proven() if any("rclcpp_Node" in text for file, text in files if file.endswith(".py")) else None
+
+
+def _elsewhere(module: str, packages: BuiltPackages, sources: Sources) -> tuple[str, str] | None:
+    """Where the module's file is, and where it should be, if it is in another folder of its package."""
+    package = packages.get(module.split(".")[0])
+    if package is None:
+        return None
+    wanted = f"{package.source}/{module.replace('.', '/')}.py"
+    name = PurePosixPath(wanted).name
+    lost = [file for file in sources.below(package.source).names if PurePosixPath(file).name == name]
+    return (lost[0], wanted) if lost and wanted not in lost else None
+
+
+def _neighbor(module: str, packages: BuiltPackages, sources: Sources) -> str | None:
+    """`talk.words`, if the package `talk` has such a module and only `words` was imported."""
+    for package in packages.built:
+        path = f"{package.source}/{package.name}/{module.replace('.', '/')}"
+        if f"{path}.py" in sources.files or f"{path}/__init__.py" in sources.files:
+            return f"{package.name}.{module}"
+    return None
+
+
+def _entries(packages: BuiltPackages, sources: Sources) -> tuple[EntryPoint, ...]:
+    return tuple(entry for package in packages.built for entry in entry_points(sources, package.source))
+
+
+def _entry_for(module: str, packages: BuiltPackages, sources: Sources) -> EntryPoint | None:
+    """The entry point for this module, or for one inside it."""
+    for entry in _entries(packages, sources):
+        target = entry.target.split(":")[0].strip()
+        if f"{target}.".startswith(f"{module}."):
+            return entry
+    return None
+
+
+def _modules(entry: EntryPoint, packages: BuiltPackages, sources: Sources) -> list[str]:
+    """The files of the Python package that the entry point names."""
+    folders = [f"{package.source}/{entry.target.split('.')[0]}" for package in packages.built]
+    found = (file for folder in folders for file in sources.below(folder).files)
+    return [file for file in found if file.endswith(".py") and not file.endswith("/__init__.py")]
+
+
+def _functions(sources: Sources, module: str) -> list[str]:
+    wanted = f"/{module.replace('.', '/')}.py"
+    trees = (parsed(text) for file, text in sources.files.items() if file.endswith(wanted))
+    tree = next((tree for tree in trees if tree is not None), None)
+    return [node.name for node in tree.body if isinstance(node, ast.FunctionDef)] if tree else []
+
+
+# ------------------------------------------------------------------------------------------ entries
+
+_NO_MODULE = r"No module named '(?P<name>[\w.]+)'"
+_NO_NAME = (
+    r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'",
+    r"module '(?P<module>[\w.]+)' has no attribute '(?P<name>\w+)'",
+)
+_NO_FUNCTION = "The entry point names the function `{name}`; `{module}` has {functions}."
+_NO_SUCH_NAME = "`{module}` has nothing called `{name}`. Check the spelling of both."
+_NOT_STARTED = r"rclpy\.init\(\) has not been called|NotInitializedException"
+_SUPER = "Call `super().__init__('name_of_the_node')` first in `__init__` of the class."
+_NO_NODE = "The class must derive from Node: `class ...(Node):`."
+# What Node.__init__ creates, and a node lacks without it.
+_MADE_BY_SUPER = (
+    r"'\w+' object has no attribute '_(Node__\w+|allow_undeclared_parameters|clock|context"
+    r"|default_callback_group|descriptors|logger|parameter_overrides|parameters)'"
+)
+_LOST_SUPER = (
+    r"'\w+' object has no attribute '(create_\w+|declare_parameters?|get_clock|get_logger|get_parameter)'"
+)
+_NOT_A_FUNCTION = "TypeError: 'NoneType' object is not callable"
+_ENTRY = "setup(entry_points={{'console_scripts': ['talk = {}']}})"
+_SERVER = "node.create_service(T, 'x', answer)\ndef answer(request, response):\n    {}\n"
+
+_ROS_1 = "This might be a ROS 1 message type but it should be a ROS 2 message type."
+
+SHUT_DOWN_TWICE = Known[Evidence](
+    r"rcl_shutdown already called|Context must be initialized before it can be shutdown",
+    "ROS is shut down already: Ctrl+C does that, or an earlier `rclpy.shutdown()`. Call "
+    "`rclpy.try_shutdown()`, once, instead.",
+    "RCLError: failed to shutdown: rcl_shutdown already called on the given context",
+)
+
+EXCEPTIONS: tuple[Known[Evidence], ...] = (
+    Known(r"__init__\(\)|has no attribute", "{cause}",
+          "TypeError: Node.__init__() missing 1 required positional argument: 'node_name'",
+          proof=because(misnamed_constructor),
+          given={"talk/talker.py": "class Talker(Node):\n    def _init_(self):\n        pass\n"}),
+    Known(r"ROS 1 message type|_TYPE_SUPPORT|has no attribute|unexpected keyword", "{cause}", _ROS_1,
+          proof=because(shadowed_import),
+          given={"talk/talker.py": "from talk.msg import Quote\nclass Quote(Node):\n    pass\n"}),
+    Known(r"'(?P<of>\w+)' object is not subscriptable",
+          "A message is not a dict: write `{right}` instead of `{wrong}`.",
+          "TypeError: 'Quote' object is not subscriptable", proof=_by_key,
+          given={"talk/talker.py": "def heard(message):\n    print(message['id'])\n"}),
+    Known(r"\btuple\b", "{cause}", "TypeError: unsupported operand: 'tuple' and 'float'",
+          proof=because(accidental_tuple), given={"talk/talker.py": "period = 0.5,\n"}),
+    Known(r"module 'rclpy' has no attribute '(?P<name>Node|Parameter|QoSProfile)'",
+          "`{name}` is in a module of its own: `{line}` above, and `{name}` without `rclpy.`.",
+          "AttributeError: module 'rclpy' has no attribute 'Node'", proof=_in_its_module),
+    SHUT_DOWN_TWICE,
+    Known(_NO_MODULE, "The file is at `{there}`. Move it to `{wanted}`.",
+          "ModuleNotFoundError: No module named 'talk.lost'", proof=_moved, where=(here,),
+          given={"lost.py": ""}),
+    Known(_NO_MODULE, "Include its package in the name: `{neighbor}` instead of `{name}`.",
+          "ModuleNotFoundError: No module named 'helper'", proof=_of_a_package,
+          given={"talk/helper.py": ""}),
+    Known(_NO_MODULE, "The entry point names a module that does not exist. The package has {modules}.",
+          "ModuleNotFoundError: No module named 'talk.tolker'", proof=_entry_of_module, where=(here,),
+          given={"setup.py": _ENTRY.format("talk.tolker:main"), "talk/talker.py": ""}),
+    Known(_NO_MODULE, "Check the import: is `{name}` spelled right, and does package.xml name its package?",
+          "ModuleNotFoundError: No module named 'std_msg'"),
+    Known(_NO_NAME[0], _NO_FUNCTION, "ImportError: cannot import name 'mian' from 'talk.talker'",
+          proof=_entry_of_function, where=(here,),
+          given={"setup.py": _ENTRY.format("talk.talker:mian"), "talk/talker.py": "def main(): pass"}),
+    Known(_NO_NAME[1], _NO_FUNCTION, "AttributeError: module 'talk.talker' has no attribute 'mian'",
+          proof=_entry_of_function, where=(here,),
+          given={"setup.py": _ENTRY.format("talk.talker:mian"), "talk/talker.py": "def main(): pass"}),
+    Known(_NO_NAME[0], _NO_SUCH_NAME, "ImportError: cannot import name 'Strin' from 'std_msgs.msg'"),
+    Known(_NO_NAME[1], _NO_SUCH_NAME, "AttributeError: module 'rclpy' has no attribute 'spinn'"),
+    Known(r"'module' object is not callable",
+          "The entry point names a module but no function in it. End it with `:main`: `{entry}:main`.",
+          "TypeError: 'module' object is not callable", proof=_bare_entry, where=(here,),
+          given={"setup.py": _ENTRY.format("talk.talker")}),
+    Known(r"NoneType|callable", "{cause}", _NOT_A_FUNCTION, proof=because(called_callback), where=(here,),
+          given={"talk/talker.py": "node.create_timer(1, tick())\ndef tick(): pass"}),
+    Known(r"ParameterNotDeclaredException", "{cause}",
+          "rclpy.exceptions.ParameterNotDeclaredException: ('Invalid access to undeclared parameter(s): x',)",
+          proof=_said(undeclared), where=(here,)),
+    Known("", "{cause}", "TypeError: unsupported operand: 'int' and not 'Parameter'",
+          proof=_said(value_forgotten), where=(here,),
+          given={"talk/talker.py": "print(1 + node.get_parameter('x'))"}),
+    Known(r"^TypeError$", "{cause}", "TypeError", proof=because(no_response), where=(here,),
+          given={"talk/talker.py": _SERVER.format("pass")}),
+    Known(r"^TypeError$", "{cause}", "TypeError", proof=because(not_the_response), where=(here,),
+          given={"talk/talker.py": _SERVER.format("return request")}),
+    Known(r"'\w+_Request' object has no attribute", "{cause}",
+          "AttributeError: 'Ask_Request' object has no attribute 'answer'",
+          proof=because(fields_of_the_request), where=(here,),
+          given={"talk/talker.py": _SERVER.format("request.answer = 1")}),
+    Known(r"'NoneType' object has no attribute", "{cause}",
+          "AttributeError: 'NoneType' object has no attribute 'sum'",
+          proof=because(result_too_early), where=(here,),
+          given={"talk/talker.py": "future.result().sum"}),
+    Known(_NOT_STARTED,
+          "Call `rclcpp_init()` of `sas_common` first, before `rclcpp_Node(...)` makes the node.",
+          "rclpy.exceptions.NotInitializedException: rclpy.init() has not been called.", proof=_is_of_sas,
+          given={"talk/client.py": "node = rclcpp_Node('client')"}),
+    Known(_LOST_SUPER, f"{_NO_NODE} {_SUPER}",
+          "AttributeError: 'Talker' object has no attribute 'declare_parameter'"),
+    Known(_MADE_BY_SUPER, _SUPER, "AttributeError: 'Talker' object has no attribute '_Node__handle'"),
+    Known(_NOT_STARTED, "Call `rclpy.init()` at the beginning of `main()`, before the node is made.",
+          "rclpy.exceptions.NotInitializedException: cannot create node"),
+    Known(r"Context\.init\(\) must only be called once", "Call `rclpy.init()` only once, in `main()`.",
+          "RuntimeError: Context.init() must only be called once"),
+    Known(r"__init__\(\) missing.*node_name", "A node needs a name: `super().__init__('name_of_the_node')`.",
+          "TypeError: Node.__init__() missing 1 required positional argument: 'node_name'"),
+    Known(r"missing.*'qos_profile'", "The queue depth is missing: add it as the last argument, `, 10)`.",
+          "TypeError: Node.create_publisher() missing 1 required positional argument: 'qos_profile'"),
+    Known(r"object\.__init__\(\) takes exactly one argument", _NO_NODE,
+          "TypeError: object.__init__() takes exactly one argument (the instance to initialize)"),
+    Known(r"ParameterAlreadyDeclaredException",
+          "Declare each parameter once, in `__init__`, not in a callback, which runs many times.",
+          "rclpy.exceptions.ParameterAlreadyDeclaredException: Parameter(s) already declared: ['x']"),
+    Known(r"InvalidParameterTypeException",
+          "A parameter has the type of its default value: `0.5` is a double, `1` an integer, `'0.5'` a "
+          "string.",
+          "rclpy.exceptions.InvalidParameterTypeException: Trying to set parameter 'x' to '1' of type"),
+    Known(r"in parameters list is not a str",
+          "It takes a name and a value: `declare_parameter('name', 0.5)`.",
+          "TypeError: First element 1 at index 0 in parameters list is not a str."),
+    Known(r"'(?:function|method)' object has no attribute",
+          "A function is named but not called: `get_logger()` needs its parentheses.",
+          "AttributeError: 'method' object has no attribute 'info'"),
+    Known(r"InvalidNodeName",
+          "A node's name may contain only letters, digits and `_`, and must not begin with a digit.",
+          "rclpy.exceptions.InvalidNodeNameException: Invalid node name: node name must not contain"),
+    Known(r"InvalidTopicName",
+          "A topic's name may contain only letters, digits, `_` and `/`. No part of it may begin "
+          "with a digit.",
+          "rclpy.exceptions.InvalidTopicNameException: Invalid topic name: topic name token must not start"),
+    Known(r"has no attribute '_TYPE_SUPPORT'",
+          "Pass the type itself, without quotes. Import it from its package first.",
+          "AttributeError: type object 'str' has no attribute '_TYPE_SUPPORT'"),
+    Known(r"circular import", "Two files import each other. Move what both need to a third one.",
+          "ImportError: cannot import (most likely due to a circular import)"),
+    Known(r"SyntaxError",
+          "Python cannot read the file. Check this line and the end of the line before it.",
+          "SyntaxError: invalid syntax"),
+    Known(r"IndentationError", "Check the spaces at the beginning of this line: use four for each level.",
+          "IndentationError: unexpected indent"),
+    Known(r"TabError",
+          "This line begins with a tab, other lines with spaces. Use four spaces for each level.",
+          "TabError: inconsistent use of tabs and spaces in indentation"),
+    Known(r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given",
+          "Compare this call with `def {name}(...)`, which takes fewer arguments. `self` counts as one.",
+          "TypeError: Talker.say() takes 1 positional argument but 2 were given"),
+    Known(r'can only concatenate str \(not "(?:int|float)"',
+          "This line adds a number to a text: use an f-string.",
+          'TypeError: can only concatenate str (not "int") to str'),
+    Known(r'can only concatenate str \(not "NoneType"',
+          "This line adds `None` to a text: a value was not given yet, or a function returned nothing.",
+          'TypeError: can only concatenate str (not "NoneType") to str'),
+    Known(r'can only concatenate str \(not "(?P<type>[\w.]+)"',
+          "This line adds a `{type}` to a text: use an f-string.",
+          'TypeError: can only concatenate str (not "list") to str'),
+    Known(r"'property' object has no attribute",
+          "This asks a class, not an object of it. Make an object with `()`, as in `Some.Request()`.",
+          "AttributeError: 'property' object has no attribute 'quote'"),
+    Known(r"'NoneType' object has no attribute '(?P<name>\w+)'",
+          "What comes before `.{name}` is `None` here: it was not given a value yet, or a function returned "
+          "nothing.",
+          "AttributeError: 'NoneType' object has no attribute 'info'"),
+    Known(r"name '(?P<name>\w+)' is not defined", "Add `import {name}` at the top of the file.",
+          "NameError: name 'time' is not defined", proof=_not_imported,
+          given={"talk/talker.py": "timer = 1\ntime.sleep(timer)\n"}),
+    Known(r"name '(?P<name>\w+)' is not defined",
+          "`{name}` gets its value where this line cannot see it, or later than this line runs.",
+          "NameError: name 'count' is not defined", proof=_given_elsewhere, where=(here,),
+          given={"talk/talker.py": "print(count)\n\ndef main():\n    count = 0\n"}),
+    Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",
+          "`{name}` gets its value later than this line runs. Set it before.",
+          "AttributeError: 'Talker' object has no attribute 'count'", proof=_given_later, where=(here,),
+          given={"talk/talker.py": "class Talker(Node):\n    def __init__(self):\n        self.count = 0\n"}),
+    Known(r"has no attribute '(?P<name>\w+)'|name '(?P<plain>\w+)' is not defined",
+          ("You probably mean `{near}`.",
+           "Check the spelling of `{name}`: nothing of that name exists here."),
+          "AttributeError: 'Talker' object has no attribute 'cuont'", proof=_misspelled,
+          given={"talk/talker.py": "self.count = 0\n"}),
+    Known("", "The error came from this line of your code.",
+          "ValueError: something of the program's own"),
+)  # fmt: skip

@@ -1,0 +1,318 @@
+"""Mistakes that Python accepts and that the code itself proves, each beside the symptom that it explains."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterable
+
+from course.evidence.sources import Sources
+from course.explain.callbacks import callbacks, called_callback, in_callbacks, long_period
+from course.explain.engine import Cause
+from course.explain.python_code import called_name, calls, nodes, number, trees
+from course.explain.service_causes import blocking_call, spin_in_callback
+from course.model.feedback import Location
+
+_Def = ast.FunctionDef | ast.AsyncFunctionDef
+_CONSTRUCTORS = ("_init_", "__init_", "_init__", "__int__")
+# What learners write without parentheses, besides their own functions.
+_METHODS = {"spin", "ok", "is_set", "done", "shutdown", "try_shutdown", "destroy_node", "cancel", "is_alive"}
+_SELDOM = ("once", "skip_first", "throttle_duration_sec")
+_LOGS = ("debug", "info", "warn", "warning", "error", "fatal")
+_GROUPS = ("callback_group", "ReentrantCallbackGroup", "MutuallyExclusiveCallbackGroup")
+
+
+def first(sources: Sources, *causes: Callable[[Sources], Cause | None]) -> Cause | None:
+    """Return the first of these causes that the code proves."""
+    return next((found for cause in causes if (found := cause(sources))), None)
+
+
+def python_timer_cause(sources: Sources) -> Cause | None:
+    """Why no callback runs: no timer, one without a function, or a callback that never returns."""
+    if not calls(sources, "create_timer") and not calls(sources, "Thread"):
+        return Cause(
+            "The code makes no timer: call `self.create_timer(0.5, self.timer_callback)` in `__init__`."
+        )
+    return first(
+        sources,
+        called_callback,
+        long_period,
+        misnamed_constructor,
+        rate_in_callback,
+        await_in_callback,
+        uncalled,
+    )
+
+
+def misnamed_constructor(sources: Sources) -> Cause | None:
+    """`def _init_(self)`, which nothing calls."""
+    for file, node in nodes(sources):
+        if not isinstance(node, ast.ClassDef):
+            continue
+        methods = {part.name: part for part in node.body if isinstance(part, _Def)}
+        wrong = next((name for name in _CONSTRUCTORS if name in methods and not calls(sources, name)), None)
+        if wrong and "__init__" not in methods:
+            return Cause(
+                f"Python never calls `{wrong}`. The constructor is called `__init__`, with two underscores "
+                "on each side of `init`.",
+                (Location(file, methods[wrong].lineno),),
+            )
+    return None
+
+
+def shadowed_import(sources: Sources) -> Cause | None:
+    """A learner's class with the same name as an import in the same file."""
+    for file, tree in trees(sources):
+        imported = {
+            alias.asname or alias.name: node.lineno
+            for node in tree.body
+            if isinstance(node, ast.ImportFrom)
+            for alias in node.names
+        }
+        for node in tree.body:
+            if isinstance(node, ast.ClassDef) and imported.get(node.name, node.lineno) < node.lineno:
+                line = imported[node.name]
+                return Cause(
+                    f"Your class `{node.name}` hides what line {line} imports under the same name. "
+                    f"Give your class a different name, such as `{node.name}Node`.",
+                    (Location(file, node.lineno), Location(file, line)),
+                )
+    return None
+
+
+def uncalled(sources: Sources) -> Cause | None:
+    """`node.is_ready` or `rclpy.spin` without the parentheses that call it."""
+    stored = {n.attr for _, n in nodes(sources) if isinstance(n, ast.Attribute) and _is_stored(n)}
+    plain = {node.name for _, node in nodes(sources) if isinstance(node, _Def) and not node.decorator_list}
+    names = (plain | _METHODS) - stored
+    for file, node in nodes(sources):
+        for part in _asked(node):
+            if isinstance(part, ast.Attribute) and part.attr in names:
+                written = ast.unparse(part)
+                return Cause(
+                    f"`{written}` only names the function, and does not call it: write `{written}()`, with "
+                    "parentheses.",
+                    (Location(file, part.lineno),),
+                )
+    return None
+
+
+def _is_stored(node: ast.Attribute) -> bool:
+    return isinstance(node.ctx, ast.Store)
+
+
+def _asked(node: ast.AST) -> tuple[ast.expr, ...]:
+    """The values that a statement or a condition uses."""
+    if isinstance(node, ast.Expr):
+        return (node.value,)
+    if isinstance(node, ast.If | ast.While | ast.IfExp | ast.Assert):
+        return (node.test,)
+    if isinstance(node, ast.BoolOp):
+        return tuple(node.values)
+    return (node.operand,) if isinstance(node, ast.UnaryOp) else ()
+
+
+def rate_in_callback(sources: Sources) -> Cause | None:
+    """`rate.sleep()`, for a rate from `create_rate`, in a callback."""
+    rates = {
+        ast.unparse(target)
+        for _, node in nodes(sources)
+        if isinstance(node, ast.Assign) and _calls(node.value, "create_rate")
+        for target in node.targets
+    }
+    waits = [
+        Location(file, node.lineno)
+        for file, node in nodes(sources)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "sleep"
+        if ast.unparse(node.func.value) in rates or _calls(node.func.value, "create_rate")
+    ]
+    found = [place for place in in_callbacks(sources, "sleep") if place in waits]
+    return _in(
+        found,
+        "`sleep()` of a rate never returns inside a callback: the node must spin for the rate to go on, and "
+        "it is busy with this callback. Remove it, and let a timer call the function again and again.",
+    )
+
+
+def _calls(node: ast.AST, name: str) -> bool:
+    return isinstance(node, ast.Call) and called_name(node) == name
+
+
+def _in(places: Iterable[Location], text: str) -> Cause | None:
+    where = tuple(places)
+    return Cause(text, where[:2]) if where else None
+
+
+def long_sleep(sources: Sources, at_least: float = 0.0) -> Cause | None:
+    """A sleep of at least `at_least` seconds in a callback."""
+    inside = in_callbacks(sources, "sleep")
+    for call in calls(sources, "sleep"):
+        value = number(sources, call.argument(0, "secs"))
+        if call.where in inside and value is not None and value >= at_least:
+            return Cause(
+                f"The callback sleeps for {value:g} s, and the node does nothing else meanwhile. Remove the "
+                "`sleep`: the timer alone sets the pace.",
+                (call.where,),
+            )
+    return None
+
+
+def spin_in_a_thread(sources: Sources) -> Cause | None:
+    """`Thread(target=rclpy.spin, ...)`."""
+    threads = ((call.where, call.argument(1, "target")) for call in calls(sources, "Thread"))
+    spinning = (where for where, target in threads if target and "spin" in ast.unparse(target))
+    return _in(
+        spinning,
+        "Call `rclpy.spin(node)` in `main()` itself, in the main thread: only there does Ctrl+C arrive as "
+        "KeyboardInterrupt. A thread of its own does not see it, and spins on while ROS shuts down.",
+    )
+
+
+def other_response(sources: Sources) -> Cause | None:
+    """A server's callback that fills one response object but returns another."""
+    for callback in callbacks(sources, "create_service"):
+        inside = list(ast.walk(callback.node))
+        filled = {_root(n) for n in inside if isinstance(n, ast.Attribute) and _is_stored(n)} - {"self", ""}
+        made = {
+            ast.unparse(target)
+            for n in inside
+            if isinstance(n, ast.Assign) and _calls(n.value, "Response")
+            for target in n.targets
+        }
+        ends = [n for n in inside if isinstance(n, ast.Return) and isinstance(n.value, ast.Name)]
+        wrong = [n for n in ends if isinstance(n.value, ast.Name) and n.value.id not in filled]
+        if filled & (made | set(callback.parameters[1:])) and wrong and len(wrong) == len(ends):
+            used, given = sorted(filled)[0], ast.unparse(wrong[0].value or wrong[0])
+            return Cause(
+                f"`{callback.node.name}` fills `{used}`, but returns `{given}`. Return the one that you "
+                "fill.",
+                (Location(callback.file, wrong[0].lineno),),
+            )
+    return None
+
+
+def _root(node: ast.expr) -> str:
+    """`response` for `response.point.x`."""
+    while isinstance(node, ast.Attribute):
+        node = node.value
+    return node.id if isinstance(node, ast.Name) else ""
+
+
+def await_in_callback(sources: Sources) -> Cause | None:
+    """`await` in a callback while all callbacks share one group, so the answer cannot be processed."""
+    if any(group in text for text in sources.files.values() for group in _GROUPS):
+        return None
+    for callback in callbacks(sources):
+        waits = [node.lineno for node in ast.walk(callback.node) if isinstance(node, ast.Await)]
+        if waits:
+            return Cause(
+                "What `await` waits for cannot come while this callback runs: the node's callbacks take "
+                "turns, and the answer would be the next one. Use `call_async` without `await`, and read the "
+                "answer in `future.add_done_callback(...)`.",
+                (Location(callback.file, waits[0]),),
+            )
+    return None
+
+
+def logged_seldom(sources: Sources) -> Cause | None:
+    """`info(..., once=True)` and the like."""
+    for name in _LOGS:
+        for call in calls(sources, name):
+            option = next((one for one in _SELDOM if one in call.keywords), None)
+            if option:
+                written = f"{option}={ast.unparse(call.keywords[option])}"
+                return Cause(
+                    f"`{written}` suppresses most of the log messages: remove it to log each time.",
+                    (call.where,),
+                )
+    return None
+
+
+def accidental_tuple(sources: Sources) -> Cause | None:
+    """`self.period = 0.5,`, which makes it a tuple."""
+    for file, node in nodes(sources):
+        value = node.value if isinstance(node, ast.Assign) else None
+        if not isinstance(value, ast.Tuple) or len(value.elts) != 1:
+            continue
+        if value.col_offset == value.elts[0].col_offset:  # without parentheses
+            text = ast.unparse(value.elts[0])
+            return Cause(
+                f"The comma at the end of this line makes a tuple of `{text}`: remove the comma.",
+                (Location(file, value.lineno),),
+            )
+    return None
+
+
+def late_lambda(sources: Sources) -> Cause | None:
+    """A lambda that uses the variable of the loop around it; when called, it sees the last value."""
+    for file, loop in nodes(sources):
+        if not isinstance(loop, ast.For):
+            continue
+        names = {part.id for part in ast.walk(loop.target) if isinstance(part, ast.Name)}
+        for node in (part for line in loop.body for part in ast.walk(line)):
+            if isinstance(node, ast.Lambda):
+                used = {part.id for part in ast.walk(node.body) if isinstance(part, ast.Name)}
+                own = {argument.arg for argument in node.args.args}
+                for name in sorted((names & used) - own):
+                    return Cause(
+                        f"This lambda looks up `{name}` when it is called, after the loop: then it has its "
+                        f"last value. Keep each value: `lambda ..., {name}={name}: ...`, or `partial`.",
+                        (Location(file, node.lineno),),
+                    )
+    return None
+
+
+def wrong_guard(sources: Sources) -> Cause | None:
+    """`if __name__ == "main":` without the underscores around `main`."""
+    for file, node in nodes(sources):
+        if isinstance(node, ast.Compare) and ast.unparse(node.left) == "__name__":
+            with_ = node.comparators[0]
+            if isinstance(with_, ast.Constant) and with_.value != "__main__":
+                return Cause(
+                    f"`__name__` is never {with_.value!r}: it is `'__main__'`, with two underscores on each "
+                    "side, when the file is run.",
+                    (Location(file, node.lineno),),
+                )
+    return None
+
+
+def shut_down_inside(sources: Sources) -> Cause | None:
+    """A callback that ends the program."""
+    for name in ("shutdown", "exit", "_exit", "try_shutdown", "destroy_node"):
+        found = in_callbacks(sources, name)
+        if found:
+            return Cause(
+                f"A callback calls `{name}`, which ends the node: remove that call.",
+                found[:1],
+            )
+    return None
+
+
+def several_timers(sources: Sources) -> Cause | None:
+    """Two timers that call the same function, or one that is created again and again."""
+    again = in_callbacks(sources, "create_timer")
+    if again:
+        return Cause(
+            "A callback makes a new timer each time it runs. Make the timer once, in `__init__`.", again[:1]
+        )
+    first_of: dict[str, Location] = {}
+    for call in calls(sources, "create_timer"):
+        callback = call.argument(1, "callback")
+        name = ast.unparse(callback) if callback else ""
+        if name in first_of:
+            return Cause(f"Two timers call `{name}`: remove one of the two.", (call.where, first_of[name]))
+        first_of[name] = call.where
+    return None
+
+
+def made_again(sources: Sources, maker: str) -> Cause | None:
+    """`maker`, such as `create_publisher`, called in a callback."""
+    return _in(
+        in_callbacks(sources, maker),
+        f"A callback calls `{maker}` each time it runs. Call it once, in `__init__`, and keep what it "
+        "returns: `self.publisher = ...`.",
+    )
+
+
+def standstill(sources: Sources) -> Cause | None:
+    """Why a client asks once and then never again."""
+    return blocking_call(sources) or spin_in_callback(sources)

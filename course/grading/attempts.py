@@ -1,0 +1,95 @@
+"""When a grading is run again, and what its last attempt means: the one place that decides it.
+
+`check` repeats an attempt at once; `grade` and `validate` do so at the end, with nothing beside it. Then the
+last attempt counts: what the submission may have caused is its failure. The machine is never blamed on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from course.content import Exercise
+from course.grading.author import BUILDS
+from course.grading.load import load_grader
+from course.grading.outcomes import failed, passed, skipped
+from course.model import replace
+from course.model.feedback import Feedback
+from course.model.result import CheckResult, Doubt, Outcome, Result, Verdict, verdict_of
+
+ATTEMPTS = 3
+# Seconds. A program that had to wait longer than this cannot be judged by when it did something.
+MOST_LAG = 0.1
+_ADVICE = "Look for something that your program sends, prints or creates in very large amounts."
+
+
+def doubt_of(result: Result) -> Doubt | None:
+    """Why what did not pass may not be the learner's failure; None where nothing says so."""
+    doubts = {result.doubt, *(check.doubt for check in result.checks)} - {None}
+    late = result.timing.lag > MOST_LAG and (result.verdict is Verdict.NOT_PASSED or bool(doubts))
+    if Doubt.BUSY in doubts or late:
+        return Doubt.BUSY
+    return Doubt.SPOILT if Doubt.SPOILT in doubts else next(iter(doubts), None)
+
+
+def deserves_another(result: Result, attempt: int) -> bool:
+    """Whether to run it again. attempt: which one this was, from 1."""
+    doubtful = result.verdict is Verdict.OUR_ERROR or doubt_of(result) is not None
+    return doubtful and attempt < ATTEMPTS
+
+
+def concluded(
+    result: Result, attempt: int, exercise: Exercise, solution_passes: Callable[[], bool]
+) -> Result:
+    """What counts, when this attempt was the last one, and ran alone; an earlier one stays as it is.
+
+    solution_passes: grades the course's own solution on this machine. Only if that works is something
+    that went wrong on our side the submission's doing.
+    """
+    doubt = doubt_of(result) if attempt >= ATTEMPTS else None
+    if doubt is Doubt.BUSY:
+        return _too_busy(result)
+    if doubt is Doubt.KILLED:  # each time: nobody from outside does that
+        return replace(result, doubt=None)
+    if doubt is Doubt.SPOILT and solution_passes():
+        checks = tuple(_checks_of(result, exercise))
+        return replace(result, verdict=verdict_of(checks), checks=checks, fault=None, doubt=None)
+    return result
+
+
+def _too_busy(result: Result) -> Result:
+    lag = result.timing.lag
+    waited = f": a program had to wait {lag:.2f} s for a processor" if lag > MOST_LAG else ""
+    fault = Feedback(
+        summary=f"This machine was too busy to judge{waited}.",
+        advice="Try again when less else runs on it. `grade --jobs 1` runs one grading at a time.",
+    )
+    return replace(result, verdict=Verdict.OUR_ERROR, fault=fault, doubt=Doubt.BUSY)
+
+
+def _checks_of(result: Result, exercise: Exercise) -> Iterator[CheckResult]:
+    """The checks, with what went wrong on our side as failures; all of them where nothing was judged."""
+    if result.fault is not None:
+        yield from _unjudged(result.fault, exercise)
+    for check in result.checks:
+        if check.doubt and check.feedback:
+            yield replace(check, outcome=Outcome.FAILED, feedback=_caused(check.feedback), doubt=None)
+        else:
+            yield check
+
+
+def _unjudged(fault: Feedback, exercise: Exercise) -> Iterator[CheckResult]:
+    """The first check fails; none of those after it could be looked at."""
+    first: CheckResult | None = None
+    for spec in load_grader(exercise.grader, exercise.id).checks.values():
+        if spec.id == BUILDS:
+            yield passed(spec)  # else nothing would have run
+        elif first is None:
+            first = failed(spec, _caused(fault))
+            yield first
+        else:
+            yield skipped(spec, f'needs "{first.title}"')
+
+
+def _caused(fault: Feedback) -> Feedback:
+    seen = f"the same in each of {ATTEMPTS} attempts; the course's own solution can be judged here"
+    return Feedback(f"Your program cannot be judged: {fault.summary}", seen=seen, advice=_ADVICE)

@@ -1,0 +1,194 @@
+"""A submission's new result, when its recording is judged again, and what differs from the old one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+
+from course.content import Exercise, answers_file
+from course.grading.protocol import Judged, Judgment, ScenarioState, Unjudged
+from course.grading.quiz.questions import check_quiz, with_questions
+from course.model import replace
+from course.model.result import CheckResult, Outcome, Result, Verdict, verdict_of
+
+_WHY = 200
+
+
+def regraded(
+    before: Result, exercise: Exercise, judgment: Judgment | None, answers: Path, seed: int | None
+) -> Result:
+    """The result of an exercise that is judged again.
+
+    judgment: of its recording; None for an exercise of questions alone (`load.runs_programs`). answers: a
+    folder in which the submission's answers lie as in a course home. seed: the one it was graded with.
+    What was measured while the submission ran (timing, containment) stays as it was.
+    """
+    if judgment is None:
+        return replace(check_quiz(exercise, answers, seed), timing=before.timing)
+    result = replace(
+        before,
+        verdict=Verdict.OUR_ERROR if judgment.fault else verdict_of(judgment.checks),
+        checks=judgment.checks,
+        fault=judgment.fault,
+        doubt=None,
+        notes=_without_answers(before.notes, exercise),
+        bonus=exercise.bonus,
+    )
+    return with_questions(result, exercise, answers, seed)
+
+
+def lacks(before: Result, after: Result, rejudged: Judged | Unjudged) -> str | None:
+    """Why the evidence does not suffice for the checks of now, in one line; None when it does.
+
+    It does not suffice where there is no recording to judge; where a check ran into anything but a
+    failure: it asks for what was not recorded; and where the scenario is not the one that made the
+    recording, and a check says something else than before: a new one may pass or fail for want of what
+    today's scenario would have done. The same scenario would bring the same evidence, so its checks count.
+    """
+    if isinstance(rejudged, Unjudged):
+        return rejudged.what
+    if rejudged.judgment.fault:  # no evidence helps a grader that cannot be run
+        return None
+    for check in after.checks:
+        if check.outcome is Outcome.ERROR and check.feedback:
+            return f'"{check.title}" cannot be judged from this recording: {check.feedback.summary}'
+    if rejudged.scenario is ScenarioState.SAME:
+        return None
+    known = {check.id: check.outcome for check in before.checks}
+    judged = {check.id for check in rejudged.judgment.checks}
+    moved = next((c for c in after.checks if c.id in judged and known.get(c.id) is not c.outcome), None)
+    if moved is None:
+        return None
+    how = "ended otherwise before" if moved.id in known else "is new"
+    return f'{_OTHERWISE[rejudged.scenario]}, and "{moved.title}" {how}.'
+
+
+_OTHERWISE = {
+    ScenarioState.CHANGED: "The scenario has changed since",
+    ScenarioState.UNKNOWN: "The recording does not say which scenario made it",
+}
+
+
+def _without_answers(notes: tuple[str, ...], exercise: Exercise) -> tuple[str, ...]:
+    """Without what was noted of the answers: they are judged again, too."""
+    return tuple(note for note in notes if not note.startswith(f"{answers_file(exercise.id)}:"))
+
+
+class MoveCause(str, Enum):
+    """What made the marks move. GRADER: nothing could be judged, now or before."""
+
+    ADDED = "check added"
+    GONE = "check gone"
+    OUTCOME = "outcome"
+    POINTS = "points"
+    GRADER = "grader"
+
+
+@dataclass(frozen=True)
+class Move:
+    """One check that brings other points than before, or other points can be had for.
+
+    check: its id; empty when it is about the whole exercise. before, after: points earned. most_before,
+    most_after: points that could be had (0 for a bonus check, and where the check was not applicable or
+    not there). why: one line.
+    """
+
+    check: str
+    title: str
+    cause: MoveCause
+    before: float
+    after: float
+    most_before: float
+    most_after: float
+    why: str
+
+
+def moves(before: Result, after: Result) -> tuple[Move, ...]:
+    """How the marks moved from one result to the other; in the order of the checks, those gone at the end.
+
+    A check whose feedback alone is another one has not moved.
+    """
+    old = {check.id: check for check in before.checks}
+    new = {check.id: check for check in after.checks}
+    return (
+        *_of_the_grader(before, after),
+        *(move for check in after.checks for move in _of_a_check(old.get(check.id), check)),
+        *(move for check in before.checks if check.id not in new for move in _of_a_check(check, None)),
+    )
+
+
+def _of_the_grader(before: Result, after: Result) -> Iterator[Move]:
+    if (before.fault is None) is (after.fault is None):
+        return
+    why = f"could not be judged: {after.fault.summary}" if after.fault else "could not be judged before"
+    yield Move(
+        "",
+        "the exercise",
+        MoveCause.GRADER,
+        before.points,
+        after.points,
+        before.max_points,
+        after.max_points,
+        _line(why),
+    )
+
+
+def _of_a_check(old: CheckResult | None, new: CheckResult | None) -> Iterator[Move]:
+    cause, why = _why(old, new)
+    one = new or old
+    if cause is not None and one is not None:
+        yield Move(
+            one.id,
+            one.title,
+            cause,
+            old.earned if old else 0.0,
+            new.earned if new else 0.0,
+            _most(old),
+            _most(new),
+            _line(why),
+        )
+
+
+def _why(old: CheckResult | None, new: CheckResult | None) -> tuple[MoveCause | None, str]:
+    if new is None:
+        return MoveCause.GONE, "this check is gone"
+    if old is None:
+        return MoveCause.ADDED, f"new check: {_said(new)}"
+    if old.outcome is not new.outcome:
+        points = f" ({_points(old, new)})" if _worth(old) != _worth(new) else ""
+        return MoveCause.OUTCOME, f"{old.outcome.value} → {_said(new)}{points}"
+    if _worth(old) != _worth(new):
+        return MoveCause.POINTS, _points(old, new)
+    return None, ""
+
+
+def _said(check: CheckResult) -> str:
+    """The outcome, and what it was because of."""
+    because = check.feedback.summary if check.feedback else check.skipped_because
+    told = because and check.outcome is not Outcome.PASSED
+    return f"{check.outcome.value}: {because}" if told else check.outcome.value
+
+
+def _worth(check: CheckResult) -> tuple[float, bool]:
+    return check.points, check.bonus
+
+
+def _points(old: CheckResult, new: CheckResult) -> str:
+    return f"worth {_amount(new)}, was {_amount(old)}"
+
+
+def _amount(check: CheckResult) -> str:
+    return f"{check.points:g}{' as a bonus' if check.bonus else ''}"
+
+
+def _most(check: CheckResult | None) -> float:
+    if check is None or check.bonus or check.outcome is Outcome.NOT_APPLICABLE:
+        return 0.0
+    return check.points
+
+
+def _line(text: str) -> str:
+    line = " ".join(text.split())
+    return line if len(line) <= _WHY else f"{line[: _WHY - 1]}…"

@@ -1,0 +1,282 @@
+"""The recording process: runs one scenario, apart from everything else. Checks are judged elsewhere.
+
+Started by `grading.supervisor` with these arguments: the descriptor of the result pipe, that of the file for
+the recording, and a folder for scratch files. When a cause is looked for, the last one is the descriptor of
+the recording that was judged, and what is recorded is that one with notes of this run. The task comes as one
+line on standard input, which stays open: when it closes, the parent is gone, and this process ends all that
+it started and itself.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import json
+import os
+import shutil
+import signal
+import sys
+import threading
+import time
+from collections.abc import Iterator, Mapping
+from functools import partial
+from itertools import islice
+from pathlib import Path, PurePosixPath
+from socket import socket
+
+import course
+from course.arena.arena import open_arena
+from course.arena.scratch_home import HOME, Place, ScratchHome, lay_home, place_without_sandbox
+from course.errors import DamagedData, MissingHere
+from course.evidence.home_files import HomeEntry, read_entries
+from course.evidence.mcap_file import read, write
+from course.evidence.recording import Recording
+from course.evidence.sources import Sources, read_sources
+from course.evidence.timeline import Timeline
+from course.files import wipe
+from course.grading.author import Grader
+from course.grading.load import load_grader
+from course.grading.outcomes import doubt_about, our_error
+from course.grading.protocol import Channel, RecordingOutcome, RecordingTask, Stage
+from course.grading.scenario_digest import scenario_digest
+from course.isolation.identity import cpu_seconds
+from course.isolation.isolation_plan import PROGRAMS, IsolationPlan, for_sanitizers
+from course.isolation.launcher import fork_launcher
+from course.isolation.linux import PR_SET_DUMPABLE, process_control
+from course.isolation.none import adopt_orphans, end_descendants
+from course.isolation.sandbox import Sandbox, open_sandbox
+from course.isolation.watchdog import most_of
+from course.model import codec, replace
+from course.model.events import Acted, Drawn, Event, LimitReached, Observed
+from course.model.feedback import Feedback
+
+# What saving needs; it loads while the scenario waits for the learner's program.
+_SAVING = "mcap.writer"
+# In the home of programs: what they note when a cause is looked for; so many files, and characters of each.
+_NOTES, _MOST_PROGRAMS, _MOST_NOTES = ".ros2course-notes", 20, 200_000
+_OBSERVER = Path(course.__file__).parent / "arena/observer_program.py"
+
+
+def main() -> int:
+    _listen_to_signals()
+    launcher = fork_launcher()  # before there is a second thread
+    process_control(PR_SET_DUMPABLE, 0)  # where nothing else keeps them apart, no program reads our memory
+    results, file = int(sys.argv[1]), int(sys.argv[2])
+    judged = int(sys.argv[4]) if len(sys.argv) > 4 else None
+    for descriptor in filter(None, (results, file, judged)):
+        os.set_inheritable(descriptor, False)
+    channel = Channel(results)
+    adopt_orphans()
+    # While the task is still being made. What fails here fails again, and is told, when it is used.
+    for module in ("course.evidence.recorder", "course.api"):
+        with contextlib.suppress(ImportError):
+            importlib.import_module(module)
+    line = sys.stdin.buffer.readline()
+    if not line:
+        return 0  # the parent changed its mind
+    task = codec.from_json(line, RecordingTask, "the task")
+    folder = Path(sys.argv[3])
+    threading.Thread(target=_end_with_parent, args=(folder,), daemon=True).start()
+    try:
+        channel.tell(_outcome(task, channel, file, folder, launcher, judged))
+    finally:
+        end_descendants()
+        wipe(folder)
+    sys.stdout.flush()
+    # Threads of the middleware may take their time to end; there is nothing left to wait for.
+    os._exit(0)  # noqa: TID251 - see above; everything has been cleaned up
+
+
+def _listen_to_signals() -> None:
+    """As in front of a terminal, for us and all that we start.
+
+    Who was started in the background has inherited to ignore SIGINT, and would hand that on
+    to the learner's programs: none of them would hear Ctrl+C.
+    """
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
+
+
+def _end_with_parent(folder: Path) -> None:
+    sys.stdin.read()
+    end_descendants()
+    wipe(folder)
+    os._exit(1)  # noqa: TID251 - the main thread may be anywhere; nothing is left to clean up
+
+
+def _outcome(
+    task: RecordingTask, channel: Channel, file: int, folder: Path, launcher: socket, judged: int | None
+) -> RecordingOutcome:
+    try:
+        recording, lag = _record(task, channel, folder, launcher)
+        used = cpu_seconds(_groups(task))
+        if judged is not None:
+            recording = _with_notes(judged, recording)
+        _save(recording, task, file)
+    except MissingHere as error:
+        return RecordingOutcome(fault=Feedback(error.what, advice=error.next_step), missing=True)
+    except Exception as error:  # noqa: BLE001 - whatever a scenario runs into is our error, kept and shown
+        return RecordingOutcome(fault=our_error(error), doubt=doubt_about(error))
+    return RecordingOutcome(recording.duration, lag=lag, cpu=used)
+
+
+def _save(recording: Recording, task: RecordingTask, file: int) -> None:
+    began = time.time_ns() - round(recording.duration * 1e9)
+    scenario = scenario_digest(Path(task.grader), task.exercise, task.looks_at)
+    try:
+        with open(file, "wb") as stream:
+            write(replace(recording, scenario=scenario), stream, began_ns=began)
+    except OSError as error:
+        what = f"The recording could not be written: {error.strerror}."
+        raise MissingHere(what, "Make room for temporary files, or name another folder in TMPDIR.") from error
+
+
+def _with_notes(judged: int, observed: Recording) -> Recording:
+    """The judged recording, and at its end what was noted in the run that looked for a cause."""
+    before = read(os.pread(judged, os.fstat(judged).st_size, 0), "the judged recording")
+    notes = (replace(event, t=before.duration) for event in observed.events if isinstance(event, Observed))
+    return replace(before, events=(*before.events, *notes))
+
+
+def _groups(task: RecordingTask) -> list[Path]:
+    return [Path(group) for group in task.sandbox.control_groups] if task.sandbox else []
+
+
+def _record(task: RecordingTask, channel: Channel, folder: Path, launcher: socket) -> tuple[Recording, float]:
+    """Run the scenario, unless nothing was built that it could run; and how busy the machine was (s)."""
+    grader = load_grader(Path(task.grader), task.exercise)
+    timeline = Timeline()
+    home = Path(task.home)
+    looked_at = read_entries(home, task.looks_at)
+    texts = (entry.path for entry in looked_at if entry.kind == "file")
+    sources = read_sources(home, (*task.roots, *texts), trusted=task.local)
+    definitions: dict[str, str] = {}
+    duration = lag = 0.0
+    for event in _told(task):
+        timeline.add(event)
+    if grader.scenario_function is not None and task.packages.failure is None:
+        channel.tell(Stage("watching your program", running=True))
+        laid = (*looked_at, *read_entries(home, (".bashrc",)))
+        open_place = partial(_open_place, task, grader, folder, launcher, timeline, laid)
+        with (
+            open_place({}) as place,
+            open_arena(
+                timeline,
+                task.packages,
+                _watching(task, sources, folder) if task.observed else task.environment,
+                task.python,
+                folder / PROGRAMS,
+                plain=task.plain,
+                ros=grader.ros,
+                learners_home=home,
+                ours=_ours(folder),
+                place=place,
+                another=open_place,
+                groups=_groups(task),
+            ) as arena,
+        ):
+            threading.Thread(target=importlib.import_module, args=(_SAVING,), daemon=True).start()
+            try:
+                grader.scenario_function(arena)
+            except Exception:
+                # Whatever a scenario runs into when all programs were killed: the recording says why.
+                if isinstance(place.start, Sandbox):
+                    place.start.look()  # what just reached a limit may be what we ran into
+                if not any(timeline.of(LimitReached)):
+                    raise
+            arena.require_ours()
+            place.require_ours()
+            duration, lag = timeline.now(), arena.worst_lag
+            definitions = arena.ros.definitions
+    events = timeline.events()
+    recording = Recording(
+        task.exercise, events, definitions, sources, task.packages, duration, looked_at, task.local
+    )
+    return recording, lag
+
+
+def _ours(folder: Path) -> Path:
+    """For what the learner's programs may read and not write."""
+    ours = folder / "ours"
+    ours.mkdir(exist_ok=True, parents=True)
+    return ours
+
+
+def _watching(task: RecordingTask, sources: Sources, folder: Path) -> Mapping[str, str]:
+    """The environment of programs that `observer_program` watches from inside."""
+    place = _ours(folder) / "observer"
+    place.mkdir()
+    shutil.copyfile(_OBSERVER, place / "sitecustomize.py")
+    home = folder / PROGRAMS / HOME
+    told = {
+        "roots": [*(package.prefix for package in task.packages.built), str(home)],
+        "names": sorted({PurePosixPath(name).name for name in sources.files}),
+        "folder": str(home / _NOTES),
+    }
+    (place / "observer.json").write_text(json.dumps(told), encoding="utf-8")
+    return {**task.environment, "PYTHONPATH": f"{place}:{task.environment.get('PYTHONPATH', '')}"}
+
+
+def _noted(home: ScratchHome) -> Iterator[Observed]:
+    """What programs noted there, as far as it has the form of a note. They may have written anything."""
+    for file in islice(home.matching(f"{_NOTES}/*"), _MOST_PROGRAMS):
+        for line in (home.text(file) or "")[:_MOST_NOTES].splitlines():
+            with contextlib.suppress(DamagedData):
+                yield codec.from_json(line, Observed, "a note")
+
+
+@contextlib.contextmanager
+def _open_place(
+    task: RecordingTask,
+    grader: Grader,
+    folder: Path,
+    launcher: socket,
+    timeline: Timeline,
+    laid: tuple[HomeEntry, ...],
+    files: Mapping[str, str],
+) -> Iterator[Place]:
+    """Where the learner's programs run, and none has run yet. laid, files: what is in their home."""
+
+    def fill(scratch: Path) -> None:
+        lay_home(Path(task.home), laid, scratch / HOME, files)
+
+    if task.sandbox is None:
+        with place_without_sandbox(folder / PROGRAMS, fill) as place, _notes_of(place, task, timeline):
+            yield place
+        return
+    plan = _plan(task.sandbox, grader, folder)
+
+    def note(limit: str) -> None:
+        timeline.add(LimitReached(timeline.now(), limit, most_of(plan.limits, limit)))
+
+    with open_sandbox(plan, launcher, folder / PROGRAMS, note, fill) as (sandbox, scratch):
+        place = Place(sandbox, ScratchHome(scratch), sandbox.require_ours)
+        with _notes_of(place, task, timeline):
+            yield place
+
+
+@contextlib.contextmanager
+def _notes_of(place: Place, task: RecordingTask, timeline: Timeline) -> Iterator[None]:
+    """At its end, what was noted in this place is on the time line, if that is what this run is for."""
+    try:
+        yield
+    finally:
+        for note in _noted(place.home) if task.observed else ():
+            timeline.add(note)
+
+
+def _plan(sandbox: IsolationPlan, grader: Grader, folder: Path) -> IsolationPlan:
+    limits = for_sanitizers(sandbox.limits) if grader.sanitizers else sandbox.limits
+    shown = (*sandbox.shown, str(_ours(folder)))
+    return replace(sandbox, shown=shown, limits=limits, own_network=not grader.ros)
+
+
+def _told(task: RecordingTask) -> Iterator[Event]:
+    """What was known of a mystery before the recording began."""
+    if task.seed is not None:
+        yield Drawn(0.0, task.seed)
+    yield from (Acted(0.0, name, detail) for name, detail in task.acts)
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

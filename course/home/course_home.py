@@ -1,0 +1,223 @@
+"""The course home, the folder that plays `~` for a learner: making it, finding it, and its course."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import secrets
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from course.content.layout import STATE, WORKSPACE
+from course.errors import StorageError, UsageError
+from course.files import locked, sweep, write_atomic
+from course.home.storage import inside, storing, write_new
+
+SCHEMA_VERSION = 1
+MARKER = "home.json"
+
+
+@dataclass(frozen=True)
+class CourseHome:
+    """A folder made by `create_home`. `path` is absolute."""
+
+    path: Path
+
+    @property
+    def state(self) -> Path:
+        """What the course keeps for itself: progress, backups, the marker."""
+        return self.path / STATE
+
+    @property
+    def workspace(self) -> Path:
+        return self.path / WORKSPACE
+
+    def seed(self) -> int:
+        """The learner's own random number (63 bits), made once: what mysteries are drawn from."""
+        return read_marker(self.path)
+
+    @contextlib.contextmanager
+    def lock(self) -> Iterator[None]:
+        """One command at a time changes the files of a home; another one waits."""
+        file = inside(self.path, f"{STATE}/lock")
+        with contextlib.ExitStack() as stack:
+            with storing("the course home cannot be written"):
+                stack.enter_context(locked(file))
+            yield
+
+
+def is_home(path: Path) -> bool:
+    """Whether `create_home` made this folder."""
+    try:
+        return (path / STATE / MARKER).is_file()
+    except PermissionError:
+        return False
+
+
+def read_marker(path: Path) -> int:
+    """The seed that the marker holds. Raises StorageError when it cannot be read, UsageError when too new."""
+    file = path / STATE / MARKER
+    with storing("the course home cannot be read"):
+        content = file.read_bytes()
+    try:
+        marker = json.loads(content)
+        schema, seed = int(marker["schema"]), int(marker["seed"])
+    except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError):  # whatever they made of it
+        raise StorageError(f"{file} is damaged", f"`ros2course init {path}` makes it again") from None
+    if schema > SCHEMA_VERSION:
+        raise UsageError(f"{path} was made by a newer ros2course", "upgrade ros2course, then try again")
+    return seed
+
+
+VARIABLE = "ROS2COURSE_HOME"
+DEFAULT_NAME = "ros2course"
+
+
+def find_home(
+    option: Path | None = None, environ: Mapping[str, str] | None = None, cwd: Path | None = None
+) -> CourseHome:
+    """--home, else ROS2COURSE_HOME, else the current folder or one above it, else ~/ros2course.
+
+    One that is named must be a course home: no other is taken in its place. Raises UsageError.
+    """
+    environ = os.environ if environ is None else environ
+    cwd = _here() if cwd is None else cwd
+    if option is not None:
+        return _named(_full(option, environ, cwd), "--home")
+    if environ.get(VARIABLE):
+        return _named(_full(Path(environ[VARIABLE]), environ, cwd), VARIABLE)
+    default = default_home(environ)
+    for folder in (cwd, *cwd.parents, default):
+        if is_home(folder):
+            return CourseHome(folder)
+    raise UsageError(f"there is no course home here, nor at {default}", "make one: ros2course init")
+
+
+def default_home(environ: Mapping[str, str] | None = None) -> Path:
+    """Where `init` makes a home unless told otherwise."""
+    return _user_home(os.environ if environ is None else environ) / DEFAULT_NAME
+
+
+def _here() -> Path:
+    try:
+        return Path.cwd()
+    except FileNotFoundError:
+        raise UsageError("the folder you stand in was deleted", "go to another one: cd") from None
+
+
+def _named(path: Path, by: str) -> CourseHome:
+    if is_home(path):
+        return CourseHome(path)
+    reason = "is not a course home" if path.exists() else "does not exist"
+    raise UsageError(f"{path} (from {by}) {reason}", f"make one there: ros2course init {path}")
+
+
+def _full(path: Path, environ: Mapping[str, str], cwd: Path) -> Path:
+    """Absolute. A `~` reaches us from files and editors, where no shell has replaced it."""
+    if path.parts[:1] == ("~",):
+        path = _user_home(environ).joinpath(*path.parts[1:])
+    return Path(os.path.normpath(cwd / path))
+
+
+def _user_home(environ: Mapping[str, str]) -> Path:
+    return Path(environ["HOME"]) if environ.get("HOME") else Path.home()
+
+
+FOLDERS = (
+    f"{WORKSPACE}/src",
+    "ros2_tutorials_preamble/python",
+    "sas_tutorial_workspace",
+    "cmake_tutorial",
+)
+BASHRC = """\
+# bash reads this file each time you open a terminal in your course home.
+# It is yours. The lessons will ask you to add lines at its end.
+"""
+OnNew = Callable[[Path], None]
+
+
+def create_home(path: Path, *, on_new: OnNew | None = None) -> CourseHome:
+    """Make `path` a course home, or complete the one that is there.
+
+    on_new: told of each folder and file that was made, so that a second call tells of nothing.
+    Raises UsageError when the path cannot be one, StorageError when it cannot be written.
+    """
+    home = CourseHome(Path(os.path.normpath(path.absolute())))
+    _refuse(home.path)
+    tell = on_new or (lambda _new: None)
+    with storing(f"the course home {home.path} cannot be made"):
+        for folder in ("", *FOLDERS, STATE):
+            _make_folder(home.path, folder, tell)
+        with home.lock():
+            sweep(home.path)
+            sweep(home.state)
+            _make_file(home.path, ".bashrc", BASHRC, tell)
+            _make_marker(home, tell)  # last: what carries it is complete
+    return home
+
+
+def _refuse(path: Path) -> None:
+    if path.exists() and not path.is_dir():
+        raise UsageError(f"{path} is a file", "give the name of a new folder: ros2course init DIR")
+    _damaged(path)  # raises for a home that is too new for us
+    if not (path / STATE).exists() and _is_own_home(path):
+        advice = f"choose a folder inside it: ros2course init {path / 'ros2course'}"
+        raise UsageError(f"{path} is your own home, which the course leaves alone", advice)
+
+
+def _damaged(path: Path) -> bool:
+    """Whether there is a marker that says nothing. Raises UsageError for one of a newer ros2course."""
+    try:
+        if is_home(path):
+            read_marker(path)
+    except StorageError:
+        return True
+    return False
+
+
+def _is_own_home(path: Path) -> bool:
+    return path.exists() and Path.home().exists() and path.samefile(Path.home())
+
+
+def _make_folder(home: Path, name: str, tell: OnNew) -> None:
+    folder = inside(home, name) if name else home
+    if not folder.is_dir():
+        folder.mkdir(parents=True, exist_ok=True)
+        tell(folder)
+
+
+def _make_file(home: Path, name: str, content: str, tell: OnNew) -> None:
+    file = inside(home, name)
+    if write_new(file, content.encode()):
+        tell(file)
+
+
+def _make_marker(home: CourseHome, tell: OnNew) -> None:
+    """A damaged one is kept aside; its seed cannot be had back, so a new one is drawn."""
+    if _damaged(home.path):
+        (home.state / MARKER).replace(home.state / f"home.damaged-{secrets.token_hex(4)}.json")
+    content = json.dumps({"schema": SCHEMA_VERSION, "seed": secrets.randbits(63)}, indent=2)
+    _make_file(home.path, f"{STATE}/{MARKER}", content + "\n", tell)
+
+
+_COURSE_FILE = "course.txt"
+
+
+def remember_course(home: CourseHome, folder: Path) -> None:
+    """From now on commands in this home are about the course in `folder`."""
+    with storing("the course home cannot be written"):
+        write_atomic(inside(home.path, f"{home.state.name}/{_COURSE_FILE}"), f"{folder.absolute()}\n")
+
+
+def remembered_course(home: CourseHome) -> Path | None:
+    """The folder that was remembered. Raises UsageError when it is gone."""
+    file = home.state / _COURSE_FILE
+    with storing("the course home cannot be read"):
+        text = file.read_text(encoding="utf-8", errors="replace").strip() if file.is_file() else ""
+    folder = Path(text) if text else None
+    if folder is not None and not folder.is_dir():
+        step = f"say where it is now: ros2course init {home.path} --course DIR"
+        raise UsageError(f"the course of this home is gone: {folder}", step)
+    return folder

@@ -1,0 +1,231 @@
+"""Zip and tar archives: their members, in order, and the traps of each kind.
+
+Only the list of members is the standard library's; what is written where is decided by `unpack`, so that no
+version's way of extracting matters.
+"""
+
+from __future__ import annotations
+
+import bz2
+import contextlib
+import gzip
+import io
+import lzma
+import stat
+import tarfile
+import zipfile
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import IO, Any, Literal, cast
+
+from course.home.opening.findings import BROKEN_UPLOAD, SOURCES_ONLY, Limits, Meter, Refused, reading
+
+Kind = Literal["file", "folder", "link", "hard link", "other"]
+
+
+@dataclass(frozen=True)
+class Member:
+    """name, target: as the archive has them, so not to be trusted.
+
+    open: reads a file's content; to be called before the next member is asked for.
+    target: where a link leads. packed: bytes in the archive, where it is known.
+    """
+
+    name: str
+    kind: Kind
+    open: Callable[[], AbstractContextManager[IO[bytes]]]
+    executable: bool = False
+    target: str = ""
+    packed: int = 0
+
+
+OPENERS: dict[bytes, Callable[[Path], Any]] = {
+    b"\x1f\x8b": gzip.GzipFile,
+    b"BZh": bz2.BZ2File,
+    b"\xfd7zXZ\0": lzma.LZMAFile,
+}
+_STEP = 1 << 16
+# tarfile reads a header's extras (long names, attributes) in one go, and searches them slowly.
+_LARGEST_EXTRA = 1 << 15
+_HEADERS_OF_ONE = 1 << 19
+
+
+@contextlib.contextmanager
+def tar_members(archive: Path, meter: Meter) -> Iterator[Iterator[Member]]:
+    """The members in order; each is read, or not, before the next is asked for. Raises Refused."""
+    with archive.open("rb") as file:
+        start = file.read(6)
+    opener = next((opener for magic, opener in OPENERS.items() if start.startswith(magic)), None)
+    with opener(archive) if opener else archive.open("rb") as raw:
+        yield _members(_Forward(raw, meter))
+
+
+def _members(stream: _Forward) -> Iterator[Member]:
+    with reading():
+        tar = tarfile.TarFile(fileobj=cast("IO[bytes]", stream), errorlevel=2)
+    while True:
+        stream.begin_headers()
+        with reading():
+            info = tar.next()
+        if info is None:
+            break
+        stream.begin_content()
+        yield _member(tar, info)
+    if stream.last.strip(b"\0"):  # tarfile takes anything for the end; a whole archive ends with zeros
+        raise Refused("The archive is broken.", BROKEN_UPLOAD)
+    with reading():
+        stream.drain()
+
+
+def _member(tar: tarfile.TarFile, info: tarfile.TarInfo) -> Member:
+    def content() -> IO[bytes]:
+        return cast("IO[bytes]", tar.extractfile(info))
+
+    return Member(info.name, _kind(info), content, bool(info.mode & 0o100), info.linkname)
+
+
+def _kind(info: tarfile.TarInfo) -> Kind:
+    if info.isdir():
+        return "folder"
+    if info.issym():
+        return "link"
+    if info.islnk():
+        return "hard link"
+    return "file" if info.isreg() and not info.issparse() else "other"
+
+
+class _Forward:
+    """Reads forward only, counting all that passes; steps back by one byte, which tarfile does."""
+
+    def __init__(self, raw: IO[bytes], meter: Meter) -> None:
+        self.last = b""  # what was read last
+        self._raw = raw
+        self._meter = meter
+        self._at = 0
+        self._back = False
+        self._headers: int | None = 0
+
+    def begin_headers(self) -> None:
+        self._headers = 0
+
+    def begin_content(self) -> None:
+        self._headers = None
+
+    def tell(self) -> int:
+        return self._at - self._back
+
+    def seek(self, to: int) -> None:
+        if to == self._at - 1 and self.last:
+            self._back = True
+        elif to < self.tell():
+            raise tarfile.ReadError("a member that begins before the one before it ends")
+        while self.tell() < to:
+            if not self._read(min(_STEP, to - self.tell())):
+                raise EOFError
+
+    def drain(self) -> None:
+        """To the end, where gzip, bzip2 and xz keep the sums that tell whether all of it was right."""
+        while self._read(_STEP):
+            pass
+
+    def read(self, size: int) -> bytes:
+        if self._headers is not None:
+            self._headers += size
+            if not 0 <= size <= _LARGEST_EXTRA or self._headers > _HEADERS_OF_ONE:
+                raise tarfile.ReadError("a header larger than any that is meant well")
+        return self._read(size) if size else b""
+
+    def _read(self, size: int) -> bytes:
+        before = self.last[-1:] if self._back else b""
+        self._back = False
+        fresh = self._raw.read(size - len(before))
+        self._at += len(fresh)
+        self.last = before + fresh
+        self._meter.passing(self._at)
+        return self.last
+
+
+_ENCRYPTED, _UTF8 = 0x1, 0x800
+_UNIX = 3
+_LONGEST_TARGET = 4096
+# An entry of the list of contents is 46 bytes, its name, and some extras.
+_LIST_BYTES_PER_FILE = 256
+# Other methods have no bound on what a few bytes become at once.
+_METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+
+
+@contextlib.contextmanager
+def zip_members(archive: Path, limits: Limits) -> Iterator[list[Member]]:
+    """The members, readable in any order while the block lasts. Raises Refused."""
+    with _Bounded(archive, max(65536, limits.files * _LIST_BYTES_PER_FILE)) as stream:
+        with reading():
+            opened = zipfile.ZipFile(stream)
+        with opened:
+            infos = opened.infolist()
+            _refuse(infos)
+            yield [_zip_member(opened, info) for info in infos]
+
+
+class _Bounded(io.BufferedReader):
+    """A file of which no more than `most` bytes are read at once.
+
+    zipfile reads the list of contents in one go, and makes an object of each entry.
+    """
+
+    def __init__(self, file: Path, most: int) -> None:
+        super().__init__(io.FileIO(file))
+        self._most = most
+        self._size = file.stat().st_size
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        wanted = self._size - self.tell() if size is None or size < 0 else size
+        if wanted > self._most:
+            raise Refused("Its list of contents is longer than any submission's.", SOURCES_ONLY)
+        return super().read(size)
+
+
+def _refuse(infos: Iterable[zipfile.ZipInfo]) -> None:
+    end = 0
+    for info in sorted(infos, key=lambda info: info.header_offset):
+        if info.flag_bits & _ENCRYPTED:
+            raise Refused("The archive is encrypted.", "Ask for it without a password.", info.filename)
+        if info.compress_type not in _METHODS:
+            what = "The archive is compressed in a way that is not opened here."
+            raise Refused(what, "Ask for an ordinary zip (method `deflate`).", info.filename)
+        if info.header_offset < end:
+            raise Refused("Its files overlap within the archive, as in traps.", SOURCES_ONLY, info.filename)
+        end = info.header_offset + 30 + len(info.orig_filename) + info.compress_size
+
+
+def _zip_member(opened: zipfile.ZipFile, info: zipfile.ZipInfo) -> Member:
+    mode = info.external_attr >> 16 if info.create_system == _UNIX else 0
+    name = _name(info)
+    kind = _zip_kind(name, mode)
+    target = _target(opened, info) if kind == "link" else ""
+    executable = bool(mode & stat.S_IXUSR)
+    return Member(name, kind, partial(opened.open, info), executable, target, info.compress_size)
+
+
+def _zip_kind(name: str, mode: int) -> Kind:
+    if name.endswith("/") or stat.S_ISDIR(mode):
+        return "folder"
+    if stat.S_ISLNK(mode):
+        return "link"
+    return "file" if stat.S_ISREG(mode) or stat.S_IFMT(mode) == 0 else "other"
+
+
+def _target(opened: zipfile.ZipFile, info: zipfile.ZipInfo) -> str:
+    with reading(), opened.open(info) as content:
+        return content.read(_LONGEST_TARGET).decode("utf-8", "surrogateescape")
+
+
+def _name(info: zipfile.ZipInfo) -> str:
+    """With slashes (some Windows programs write backslashes), and in UTF-8 where it says so or not."""
+    name = info.orig_filename.split("\0")[0]
+    if not info.flag_bits & _UTF8:
+        with contextlib.suppress(UnicodeError):  # then it really is of an old DOS
+            name = name.encode("cp437").decode("utf-8")
+    return name.replace("\\", "/")

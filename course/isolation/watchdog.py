@@ -1,0 +1,149 @@
+"""Sees when a submission uses up more than it may: by its control groups, or by looking at its processes."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import threading
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
+
+import psutil
+
+from course.isolation import identity
+from course.isolation.isolation_plan import ResourceLimits
+
+PERIOD = 0.2
+# Which limit was reached.
+MEMORY, PROCESSES, CPU, DISK = "memory", "processes", "cpu", "disk"
+_PAGE = 4096
+_MANY = 0.2
+
+
+def most_of(limits: ResourceLimits, limit: str) -> float:
+    """What a submission may have of it: bytes, a number, or seconds."""
+    known = {MEMORY: limits.memory, PROCESSES: limits.processes, CPU: limits.cpu, DISK: limits.scratch}
+    return known[limit]
+
+
+class Watchdog:
+    """Asked from time to time. root: pid whose descendants are the submission's, with itself,
+    and all in a namespace that it is the first process of.
+
+    groups: its control groups. scratch: says how many bytes it has written, and how many it may.
+    cpu: seconds of computing, when it was last asked.
+    """
+
+    def __init__(
+        self,
+        limits: ResourceLimits,
+        groups: Sequence[Path],
+        root: int,
+        scratch: Callable[[], tuple[int, int]],
+    ) -> None:
+        self._limits = limits
+        self._groups = groups
+        self._root = root
+        self._scratch = scratch
+        self.cpu = 0.0
+
+    def look(self) -> str | None:
+        """The limit that has been reached, or None."""
+        used, most = self._scratch()
+        if used >= most:
+            return DISK
+        return self._by_groups() if self._groups else self._by_processes()
+
+    def _by_groups(self) -> str | None:
+        self.cpu = identity.cpu_seconds(self._groups)
+        # First: so many take all the memory, too.
+        if identity.refused_processes(self._groups):
+            return PROCESSES
+        if identity.memory_kills(self._groups):
+            return MEMORY
+        return CPU if self.cpu > self._limits.cpu else None
+
+    def _by_processes(self) -> str | None:
+        memory, threads, seconds = 0, 0, 0.0
+        for process in _tree(self._root):
+            with contextlib.suppress(psutil.Error):
+                memory += process.memory_info().rss
+                threads += process.num_threads()
+                seconds += sum(process.cpu_times()[:4])
+        self.cpu = seconds
+        if threads >= self._limits.processes:  # the kernel refuses what goes far beyond
+            return PROCESSES
+        if memory > self._limits.memory:
+            # What they share counts for each of them: so many are too many, whatever they need.
+            return PROCESSES if threads >= self._limits.processes * _MANY else MEMORY
+        return CPU if seconds > self._limits.cpu else None
+
+
+@contextlib.contextmanager
+def watching(watchdog: Watchdog, on_breach: Callable[[str], None]) -> Iterator[Callable[[], None]]:
+    """Look in a thread of its own; `on_breach` is called once. Yields what looks at once, from any thread."""
+    over, one_at_a_time = threading.Event(), threading.Lock()
+
+    def look() -> None:
+        with one_at_a_time:
+            breach = None if over.is_set() else watchdog.look()
+            if breach is not None:
+                over.set()
+                on_breach(breach)
+
+    def watch() -> None:
+        while not over.wait(PERIOD):
+            look()
+
+    thread = threading.Thread(target=watch, name="watchdog", daemon=True)
+    thread.start()
+    try:
+        yield look
+    finally:
+        look()  # what ended a program, or made starting one fail, may be what it was ended for
+        over.set()
+        thread.join()
+
+
+def filesystem(folder: Path, further: Sequence[Path] = ()) -> Callable[[], tuple[int, int]]:
+    """For a file system of the submission's own: full means too much.
+
+    Each file counts as a page at least, as on a disk: empty ones take the kernel's memory. further: other
+    file systems, of which the number of files counts.
+    """
+
+    def used() -> tuple[int, int]:
+        status = os.statvfs(folder)
+        size = status.f_blocks * status.f_frsize
+        taken = size - status.f_bavail * status.f_frsize
+        return max(taken + _PAGE, _PAGE * sum(map(_files, (folder, *further)))), size
+
+    return used
+
+
+def _files(folder: Path) -> int:
+    try:
+        status = os.statvfs(folder)
+    except OSError:  # not to be seen from here, or gone
+        return 0
+    return status.f_files - status.f_ffree
+
+
+def _tree(root: int) -> Iterable[psutil.Process]:
+    """What is below that process, and what else is in its namespace: programs are put in from outside."""
+    found: dict[int, psutil.Process] = {}
+    with contextlib.suppress(psutil.Error):
+        top = psutil.Process(root)
+        found.update((process.pid, process) for process in (top, *top.children(recursive=True)))
+        namespace = _namespace(root)
+        if namespace not in (None, _namespace(os.getpid())):
+            every = psutil.process_iter()
+            found.update((process.pid, process) for process in every if _namespace(process.pid) == namespace)
+    return found.values()
+
+
+def _namespace(pid: int) -> str | None:
+    try:
+        return os.readlink(f"/proc/{pid}/ns/pid")  # noqa: PTH115 - it leads to no file
+    except OSError:
+        return None

@@ -1,1 +1,0 @@
-"""Pictures of evidence in the terminal: the time line, signals, and who publishes to whom."""

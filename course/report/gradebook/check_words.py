@@ -1,0 +1,119 @@
+"""A check in words, for every format that shows texts; those of the terminal, where it has them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from course.model.gradebook import HandMark
+from course.model.result import CheckResult, Feedback, Outcome
+from course.report.console import number
+from course.report.gradebook.sheets import EXCUSED, MARKED, Mark, Sheet, tidy
+from course.report.verdict import HEADLINES, LABEL_WIDTH, MARKS, comparison, total_of
+
+NOTHING = "Nothing was handed in for this exercise."
+
+
+def mark_of(check: CheckResult) -> str:
+    """`ok`, `no`, `--`, `..` or `!!`, as beside a check on the terminal."""
+    return MARKS[check.outcome][0]
+
+
+def headline(mark: Mark) -> str:
+    """The verdict on an exercise, without its points: `Not passed yet`."""
+    if mark.result is None or mark.verdict in (EXCUSED, MARKED):
+        return mark.verdict.capitalize()
+    return HEADLINES[mark.result.verdict][0]
+
+
+def total(mark: Mark) -> str:
+    """`5 of 12 points`; empty where there are none to give."""
+    if mark.points is None:
+        return ""
+    if mark.result and mark.points == tidy(mark.result.points):
+        return total_of(mark.result)
+    return f"{score(mark.points, mark.max_points)} points"
+
+
+def decisions(mark: Mark) -> Iterator[str]:
+    """What people decided about an exercise, a sentence each: `By hand: +1 point. Well named.`"""
+    titles = {check.id: check.title for check in (mark.result.checks if mark.result else ())}
+    yield from (_decision(each, titles) for each in mark.by_hand if each != HandMark(excused=True))
+
+
+def decisions_on_all(sheet: Sheet) -> Iterator[str]:
+    """What people decided about the submission as a whole, and what lateness cost."""
+    yield from (_decision(each, {}) for each in sheet.by_hand)
+    if sheet.late:
+        yield late_words(sheet)
+
+
+def comments(sheet: Sheet) -> Iterator[str]:
+    """What people decided, those on an exercise with its id."""
+    yield from decisions_on_all(sheet)
+    yield from (f"{mark.exercise.id}: {said}" for mark in sheet.marks for said in decisions(mark))
+
+
+def _decision(mark: HandMark, titles: Mapping[str, str]) -> str:
+    parts = ["excused"] if mark.excused else []
+    if mark.points is not None:
+        parts.append(_points(mark.points))
+    if mark.bonus:
+        parts.append(f"{'+' if mark.bonus > 0 else '-'}{_points(abs(mark.bonus))}")
+    about = f" for `{titles.get(mark.check, mark.check)}`" if mark.check else ""
+    said = f"{mark.label}{about}: {', '.join(parts)}" if parts else f"Comment{about}"
+    return f"{said}. {mark.comment}".strip() if parts else f"{said}: {mark.comment}"
+
+
+def late_words(sheet: Sheet) -> str:
+    """`Handed in 2 days late: 10 points become 8.`"""
+    if sheet.lateness and not sheet.lateness.seconds:
+        return "It is not known when this was handed in; no points were taken away for it."
+    if sheet.raw_points == sheet.judged_points:
+        return f"Handed in {sheet.late}; this costs no points."
+    before, after = number(sheet.raw_points), number(sheet.judged_points)
+    return f"Handed in {sheet.late}: {before} points become {after}."
+
+
+def _points(value: float) -> str:
+    return f"{number(value)} {'point' if value == 1 else 'points'}"
+
+
+def score(points: float | None, most: float | None) -> str:
+    """`5 of 12`, or `-`."""
+    return "-" if points is None or most is None else f"{number(points)} of {number(most)}"
+
+
+def summary(sheet: Sheet) -> str:
+    """`5 of 24 points`, or that they are not known yet."""
+    if sheet.state == EXCUSED:
+        return EXCUSED
+    if sheet.points is None:
+        judged = score(sheet.judged_points, sheet.judged_max)
+        return f"not complete: {judged} points so far, and the course owes a verdict"
+    return f"{score(sheet.points, sheet.max_points)} points"
+
+
+def why(check: CheckResult) -> Feedback | None:
+    """What there is to say about a check that did not pass."""
+    if check.outcome is Outcome.PASSED:
+        return None
+    cause = check.skipped_because or "the cause is not known"
+    if check.outcome is Outcome.SKIPPED:
+        return Feedback(f"Not judged: {cause}")
+    if check.outcome is Outcome.NOT_APPLICABLE:
+        return Feedback(f"Does not count here: {cause}")
+    return check.feedback or Feedback("It did not pass.")
+
+
+def labeled(feedback: Feedback) -> Iterator[tuple[str, str]]:
+    """What stands below the cause, each with its label: expected, seen, in (places), try."""
+    yield from comparison(feedback)
+    yield from (("in", str(place)) for place in feedback.where)
+    if feedback.advice:
+        yield "try", feedback.advice
+
+
+def text_of(feedback: Feedback) -> str:
+    """All of it as plain text, a line for each part."""
+    parts = (f"{label.ljust(LABEL_WIDTH)}{text}" for label, text in labeled(feedback))
+    return "\n".join((feedback.summary, *parts, *(f"| {line}" for line in feedback.details)))

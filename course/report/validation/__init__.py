@@ -1,1 +1,0 @@
-"""Shows what was proven of a course: a table in the terminal, JUnit XML, annotations on its lines."""

@@ -1,0 +1,228 @@
+"""What the proofs came to: how many held, and what was found."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from course.content import Exercise
+from course.content.layout import ALTERNATIVE, LESSON, MISTAKES
+from course.content.lesson import read_lesson
+from course.content.mistakes import read_alternatives, read_mistakes
+from course.model.result import Outcome, Result
+from course.validate import Finding
+from course.validate.claims import Claims, failed_by, fault_of_grader, is_missing
+from course.validate.proofs import Proof, ProofKind, ProofResult
+
+_STEPS = {
+    ProofKind.SOLUTION: "correct the solution or the grader: the reference solution must earn all points",
+    ProofKind.ALTERNATIVE: "correct the grader, or the alternative: a right way must earn all points",
+    ProofKind.STARTER: "leave something to do in the starter, or let a check look at it",
+    ProofKind.MISTAKE: "correct the grader, or what the mistake claims: `caught_by`, `says`, `also_fails`",
+}
+_GRADER = "correct this line of the grader, then validate again"
+_STEADY = "let the check depend on nothing that changes by itself: timing, order, chance"
+
+
+@dataclass(frozen=True)
+class Counts:
+    """Of proofs of one kind: how many are done and held, how many are done, how many there are."""
+
+    held: int
+    done: int
+    total: int
+
+
+@dataclass(frozen=True)
+class Summary:
+    """One exercise. covered: how many of its `checks` a mistake failed. seconds: of all its gradings.
+
+    points: what can be had without bonus, None as long as that is not known. missing: what this machine
+    lacks to grade it, if it does.
+    """
+
+    exercise: str
+    kinds: dict[ProofKind, Counts]
+    covered: int
+    checks: int
+    points: float | None
+    seconds: float
+    missing: str | None = None
+
+
+class ProofResults:
+    """All that was proven up to now. proofs: all that there are; each may be proven in several turns."""
+
+    def __init__(self, exercises: Sequence[Exercise], proofs: Sequence[Proof], turns: int = 1) -> None:
+        self._exercises = {exercise.id: exercise for exercise in exercises}
+        self._proofs = proofs
+        self._turns = turns
+        self._proven: dict[Proof, list[ProofResult]] = {proof: [] for proof in proofs}
+        self._claims = Claims(exercises)
+        self._places = SourcePlaces()
+
+    def add(self, proven: ProofResult) -> bool | None:
+        """Whether it held; None when this machine lacks something to tell."""
+        self._proven[proven.proof].append(proven)
+        return None if is_missing(proven) else not self._claims.faults(proven)
+
+    @property
+    def again(self) -> int:
+        """How many gradings were done again, since the machine was too busy or for an error of ours."""
+        return sum(one.attempt - 1 for each in self._proven.values() for one in each)
+
+    @property
+    def lacking(self) -> bool:
+        """Whether anything could not be graded on this machine."""
+        return any(is_missing(one) for each in self._proven.values() for one in each)
+
+    def findings(self) -> list[Finding]:
+        """At most one for each proof and one for each grader, in the order of the course's files."""
+        judged = (
+            proof
+            for proof in self._proofs
+            if not any(fault_of_grader(one.result) for one in self._proven[proof])
+        )
+        found = [finding for proof in judged for finding in self._findings(proof)]
+        found = [*self._faults_of_graders(), *found]
+        return sorted(found, key=lambda one: (str(one.file), one.line or 0))
+
+    def findings_of(self, proof: Proof) -> list[Finding]:
+        return list(self._findings(proof))
+
+    def proven(self, proof: Proof) -> Sequence[ProofResult]:
+        return self._proven[proof]
+
+    def why_not(self, proof: Proof) -> str | None:
+        """Why it was not judged; None when it was."""
+        each = self._proven[proof]
+        lack = next((_lack(one.result) for one in each if is_missing(one)), None)
+        return lack if each else "It was stopped before."
+
+    def summaries(self) -> list[Summary]:
+        return [self._summary(exercise) for exercise in self._exercises]
+
+    def _findings(self, proof: Proof) -> Iterator[Finding]:
+        each = [one for one in self._proven[proof] if not is_missing(one)]
+        judged = sorted(each, key=lambda one: one.turn)
+        first: dict[object, ProofResult] = {}
+        for one in judged:
+            first.setdefault(_verdict(one.result), one)
+        if len(first) > 1:
+            rounds = "; ".join(f"round {one.turn}: {_said(one.result)}" for one in first.values())
+            yield self._finding(proof, f"{_called(proof)} was judged differently: {rounds}", _STEADY)
+            return
+        wrong = next((one for one in judged if self._claims.faults(one)), None)
+        if wrong is not None:
+            step = _STEPS[proof.kind]
+            if not wrong.laid and wrong.result.fault:
+                step = wrong.result.fault.advice or step
+            yield self._finding(proof, f"{_called(proof)}: {'; '.join(self._claims.faults(wrong))}", step)
+
+    def _faults_of_graders(self) -> Iterator[Finding]:
+        """One for each exercise, however many of its proofs ended there."""
+        for exercise in self._exercises:
+            own = (one for proof, each in self._proven.items() if proof.exercise == exercise for one in each)
+            faults = [fault for one in own if (fault := fault_of_grader(one.result))]
+            if faults:
+                first = min(faults, key=lambda fault: (fault.where[0].file, fault.where[0].line or 0))
+                what = f"{first.summary} {len(faults)} of {exercise}'s proofs could not be judged."
+                yield Finding(Path(first.where[0].file), first.where[0].line, what, _GRADER, exercise)
+
+    def _finding(self, proof: Proof, what: str, step: str) -> Finding:
+        file, line = self._places.of(self._exercises[proof.exercise], proof)
+        return Finding(file, line, what, step, proof.exercise)
+
+    def _summary(self, exercise: str) -> Summary:
+        own = [proof for proof in self._proofs if proof.exercise == exercise]
+        every = [one for proof in own for one in self._proven[proof]]
+        checks = {check.id for one in every for check in one.result.checks}
+        mistakes = [one for one in every if one.proof.kind is ProofKind.MISTAKE]
+        covered = {name for one in mistakes for name in failed_by(one.result)}
+        solved = next((one.result for one in every if one.proof.kind is ProofKind.SOLUTION), None)
+        return Summary(
+            exercise,
+            {kind: self._counts([proof for proof in own if proof.kind is kind]) for kind in ProofKind},
+            len(covered & checks),
+            len(checks),
+            solved.max_points if solved and solved.checks else None,
+            sum(one.seconds for one in every),
+            next((_lack(one.result) for one in every if is_missing(one)), None),
+        )
+
+    def _counts(self, proofs: Sequence[Proof]) -> Counts:
+        done = [proof for proof in proofs if self._is_done(proof)]
+        return Counts(sum(not self.findings_of(proof) for proof in done), len(done), len(proofs))
+
+    def _is_done(self, proof: Proof) -> bool:
+        """A proof that failed once is done for, however many turns are to come."""
+        each = [one for one in self._proven[proof] if not is_missing(one)]
+        return len(each) == self._turns or any(self._claims.faults(one) for one in each)
+
+
+def _lack(result: Result) -> str:
+    return result.fault.summary if result.fault else "something is missing"
+
+
+def _called(proof: Proof) -> str:
+    if proof.kind is ProofKind.MISTAKE:
+        return f"mistake `{proof.name}`"
+    name = f" `{proof.name}`" if proof.name else ""
+    return f"the {proof.kind.value}{name} of {proof.exercise}"
+
+
+def _verdict(result: Result) -> tuple[object, ...]:
+    """What must not change from one grading to the next."""
+    return (result.verdict, *((check.id, check.outcome) for check in result.checks))
+
+
+def _said(result: Result) -> str:
+    """For example: not passed, failed: `rate`, skipped: `ids`, `texts`."""
+    by_outcome: dict[str, list[str]] = {}
+    for check in result.checks:
+        if check.outcome is not Outcome.PASSED:
+            by_outcome.setdefault(check.outcome.value, []).append(f"`{check.id}`")
+    parts = [f"{outcome}: {', '.join(names)}" for outcome, names in by_outcome.items()]
+    return ", ".join((result.verdict.value, *parts))
+
+
+Place = tuple[Path, int | None]
+
+
+class SourcePlaces:
+    """Reads each file once."""
+
+    def __init__(self) -> None:
+        self._lessons = cache(read_lesson)
+        self._mistakes = cache(read_mistakes)
+        self._alternatives = cache(lambda solution: tuple(read_alternatives(solution)))
+
+    def of(self, exercise: Exercise, proof: Proof) -> Place:
+        """The mistake, the alternative, or for the solution and the starter the exercise itself."""
+        if proof.kind is ProofKind.MISTAKE:
+            return self._of_mistake(exercise, proof.name)
+        if proof.kind is ProofKind.ALTERNATIVE:
+            return self._of_alternative(exercise, proof.name)
+        return self._of_exercise(exercise)
+
+    def _of_exercise(self, exercise: Exercise) -> Place:
+        reading = self._lessons(exercise.folder)
+        ids = [one["id"] for one in reading.data["exercises"]] if reading.data else []
+        found = exercise.id in ids and reading.document is not None
+        place = ("exercises", ids.index(exercise.id), "id") if found else ()
+        return exercise.folder / LESSON, reading.document.line(place) if reading.document else None
+
+    def _of_mistake(self, exercise: Exercise, name: str) -> Place:
+        reading = self._mistakes(exercise.folder)
+        ids = [mistake.id for mistake in reading.mistakes]
+        line = reading.document.line(("mistakes", ids.index(name), "id")) if reading.document else None
+        return exercise.folder / MISTAKES, line
+
+    def _of_alternative(self, exercise: Exercise, name: str) -> Place:
+        for reading in self._alternatives(exercise.solution):
+            if reading.alternative and reading.document and reading.alternative.name == name:
+                place = ("exercises", reading.alternative.exercises.index(exercise.id))
+                return reading.document.file, reading.document.line(place)
+        return exercise.solution / "alternatives" / name / ALTERNATIVE, None

@@ -1,0 +1,124 @@
+"""What is to be proven of a course: each proof is one grading of what the course itself supplies.
+
+A proof goes to a worker and comes back as plain data, a line of JSON each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from enum import Enum
+
+from msgspec import Struct
+
+from course.batch.pool import Work
+from course.content import Exercise
+from course.model.feedback import Feedback
+from course.model.result import Result, Verdict
+from course.validate.static.graders import read_graders
+
+
+class ProofKind(str, Enum):
+    """What is graded. The first two must earn all points, the third must not pass, the fourth be caught."""
+
+    SOLUTION = "solution"
+    ALTERNATIVE = "alternative"
+    STARTER = "starter"
+    MISTAKE = "mistake"
+
+
+@dataclass(frozen=True)
+class Proof:
+    """name: the alternative's or the mistake's, empty for the others."""
+
+    exercise: str
+    kind: ProofKind
+    name: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.exercise} {self.kind.value}" + (f" {self.name}" if self.name else "")
+
+
+def proofs(exercises: Iterable[Exercise]) -> tuple[Proof, ...]:
+    """All proofs, in the order in which they are best run: what takes long first.
+
+    Solutions come before all: they build what the others use, too, and are watched to their end.
+    Raises ContentError when mistakes or alternatives cannot be read.
+    """
+    weights = {exercise.id: _weight(exercise) for exercise in exercises}
+    every = [proof for exercise in exercises for proof in _proofs_of(exercise)]
+    return tuple(sorted(every, key=lambda proof: (_ORDER[proof.kind], -weights[proof.exercise])))
+
+
+_ORDER = {ProofKind.SOLUTION: 0, ProofKind.ALTERNATIVE: 1, ProofKind.MISTAKE: 2, ProofKind.STARTER: 2}
+
+
+def _proofs_of(exercise: Exercise) -> Iterator[Proof]:
+    # No tree of files solves what is about the learner's own machine.
+    if not exercise.local_only:
+        yield Proof(exercise.id, ProofKind.SOLUTION)
+    for other in exercise.alternatives():
+        yield Proof(exercise.id, ProofKind.ALTERNATIVE, other.name)
+    yield Proof(exercise.id, ProofKind.STARTER)
+    for mistake in exercise.mistakes():
+        yield Proof(exercise.id, ProofKind.MISTAKE, mistake.id)
+
+
+def _weight(exercise: Exercise) -> int:
+    """Roughly how long a grading takes: questions alone take no time, packages must be built."""
+    if exercise.questions and not exercise.packages:
+        return 0
+    return 1 + len(exercise.packages)
+
+
+def gradable(exercises: Iterable[Exercise]) -> tuple[Exercise, ...]:
+    """Those whose grader can be loaded. The others are told of by `texts`: nothing of them can be proven."""
+    graders = {exercise.grader for exercise in exercises if exercise.grader.is_file()}
+    broken = {grader for grader in graders if read_graders(grader).fault}
+    return tuple(exercise for exercise in exercises if exercise.grader not in broken)
+
+
+def starter_builds(exercise: Exercise) -> bool:
+    """Whether a learner begins with packages; else with an empty workspace."""
+    return exercise.starter.is_dir() and bool(exercise.packages)
+
+
+class ProofTask(Struct, frozen=True):
+    """turn: which time it is run, from 1. attempt: of this turn, from 1. course: its root.
+
+    folder: for what is laid out and recorded meanwhile. evidence: keep the recording in this file.
+    """
+
+    proof: Proof
+    turn: int
+    course: str
+    folder: str
+    attempt: int = 1
+    evidence: str | None = None
+
+
+class ProofResult(Struct, frozen=True):
+    """What came of a task. laid: False when what should be graded could not be put together.
+
+    seconds: from taking it up to its end.
+    """
+
+    proof: Proof
+    turn: int
+    attempt: int
+    result: Result
+    seconds: float
+    laid: bool = True
+
+
+def _fits(task: ProofTask, proven: ProofResult) -> bool:
+    return (proven.proof, proven.turn, proven.attempt) == (task.proof, task.turn, task.attempt)
+
+
+def _failed(task: ProofTask, how: str) -> ProofResult:
+    fault = Feedback(summary=f"The worker that graded it {how}.")
+    result = Result(task.proof.exercise, Verdict.OUR_ERROR, fault=fault)
+    return ProofResult(task.proof, task.turn, task.attempt, result, 0.0)
+
+
+PROOFS = Work("course.validate.prover", ProofResult, _fits, _failed)

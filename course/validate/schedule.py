@@ -1,0 +1,77 @@
+"""Runs proofs on this machine's worker processes, and never takes a busy machine for a wrong grader."""
+
+from __future__ import annotations
+
+import contextlib
+import tempfile
+from collections import deque
+from collections.abc import Generator, Iterator, Mapping, Sequence
+from pathlib import Path
+
+from course.batch.pool import Pool
+from course.content import Exercise
+from course.files import wipe
+from course.grading.attempts import ATTEMPTS
+from course.home.storage import storing
+from course.model import replace
+from course.validate.claims import Claims
+from course.validate.proofs import PROOFS, Proof, ProofResult, ProofTask
+
+
+def run(
+    root: Path,
+    exercises: Sequence[Exercise],
+    proofs: Sequence[Proof],
+    jobs: int,
+    turns: int = 1,
+    evidence: Mapping[Proof, Path] | None = None,
+) -> Generator[ProofResult, None, None]:
+    """Each proof once in each turn, with its last attempt, as they come.
+
+    root: of the course. evidence: files in which to keep recordings.
+    Whatever ends the iteration ends the gradings, in order.
+    """
+    with storing("there is no room for what is graded"):
+        folder = Path(tempfile.mkdtemp(prefix="ros2course-validate-"))
+    try:
+        kept = {proof: str(file) for proof, file in (evidence or {}).items()}
+        tasks = [
+            ProofTask(proof, turn + 1, str(root), str(folder), evidence=kept.get(proof))
+            for turn in range(turns)
+            for proof in proofs
+        ]
+        yield from _Schedule(Claims(exercises), tasks).proven(jobs)
+    finally:
+        wipe(folder)
+
+
+class _Schedule:
+    """First all, several at once; then what was doubtful."""
+
+    def __init__(self, claims: Claims, tasks: Sequence[ProofTask]) -> None:
+        self._claims = claims
+        self._waiting = deque(tasks)
+        self._sent: dict[tuple[Proof, int], ProofTask] = {}
+        self._later: list[ProofTask] = []
+
+    def proven(self, jobs: int) -> Iterator[ProofResult]:
+        # A second look with less beside it, and a third with nothing.
+        for at_once in (jobs, max(1, jobs // ATTEMPTS), 1):
+            yield from self._round(min(at_once, len(self._waiting)))
+            self._waiting, self._later = deque(self._later), []
+
+    def _round(self, at_once: int) -> Iterator[ProofResult]:
+        with contextlib.closing(Pool(PROOFS, at_once, self._next).results()) as results:
+            for proven in results:
+                task = self._sent.pop((proven.proof, proven.turn))
+                if self._claims.deserves_another(proven):
+                    self._later.append(replace(task, attempt=task.attempt + 1))
+                else:
+                    yield proven
+
+    def _next(self) -> ProofTask | None:
+        if not self._waiting:
+            return None
+        task = self._waiting.popleft()
+        self._sent[task.proof, task.turn] = task
+        return task

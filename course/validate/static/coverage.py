@@ -1,0 +1,109 @@
+"""Whether the mistakes name checks and questions that exist, and whether each check is named by one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from course.content import Exercise, Mistake, answers_file
+from course.content.document import Document, Place
+from course.spelling import did_you_mean
+from course.validate import Finding
+from course.validate.static.subject import Subject
+
+
+def proof_findings(subject: Subject) -> Iterator[Finding]:
+    for chapter, reading in subject.mistakes.items():
+        for index, mistake in enumerate(reading.mistakes):
+            exercise = subject.exercises.get(mistake.exercise)
+            if exercise is not None and reading.document is not None and exercise.folder == chapter:
+                yield from _unknown_checks(subject, reading.document, index, mistake)
+                yield from _unknown_questions(reading.document, index, mistake, exercise)
+    yield from _unknown_in_alternatives(subject)
+    for exercise in subject.exercises.values():
+        yield from _unproved(subject, exercise)
+
+
+def checks_of(subject: Subject, exercise: Exercise) -> Mapping[str, tuple[Path, int | None]] | None:
+    """Every check of the exercise with where it is declared; None when they are not known."""
+    graders = subject.graders.get(exercise.folder)
+    if graders is not None and graders.fault:
+        return None
+    grader = graders.of(exercise.id) if graders else None
+    if grader is None and not exercise.questions:
+        return None  # told once, as the grader that is missing
+    found: dict[str, tuple[Path, int | None]] = {}
+    for check in grader.checks if grader else ():
+        assert graders is not None
+        found[check] = (graders.file, graders.line_of(exercise.id, check))
+    document = subject.lessons[exercise.folder].document
+    index = subject.exercises_of(exercise.folder).index(exercise)
+    for number, question in enumerate(exercise.questions):
+        line = document.line(("exercises", index, "questions", number, "id")) if document else None
+        found.setdefault(question.id, (exercise.folder / "lesson.yaml", line))
+    return found
+
+
+def _unknown_checks(subject: Subject, document: Document, index: int, mistake: Mistake) -> Iterator[Finding]:
+    checks = checks_of(subject, subject.exercises[mistake.exercise])
+    if checks is None:
+        return
+    named: list[tuple[str, Place]] = [(mistake.caught_by, ("mistakes", index, "caught_by"))]
+    named += [(name, ("mistakes", index, "also_fails", n)) for n, name in enumerate(mistake.also_fails)]
+    for name, place in named:
+        if name not in checks:
+            what = f"`{mistake.id}`: {mistake.exercise} has no check `{name}`{did_you_mean(name, checks)}"
+            step = f"checks of the exercise: {', '.join(checks)}"
+            yield Finding(document.file, document.line(place), what, step, mistake.exercise)
+
+
+def _unknown_questions(
+    document: Document, index: int, mistake: Mistake, exercise: Exercise
+) -> Iterator[Finding]:
+    known = [question.id for question in exercise.questions]
+    for number, edit in enumerate(mistake.edits):
+        place: Place = ("mistakes", index, "edits", number)
+        for name in edit.answers or ():
+            if name not in known:
+                what = f"`{mistake.id}`: {exercise.id} has no question `{name}`{did_you_mean(name, known)}"
+                line = document.line((*place, "answers", name))
+                step = f"questions of the exercise: {', '.join(known) or 'none'}"
+                yield Finding(document.file, line, what, step, exercise.id)
+        if edit.answers and edit.file != answers_file(exercise.id):
+            what = f"`{mistake.id}`: the answers of {exercise.id} do not lie in `{edit.file}`"
+            line = document.line((*place, "file"))
+            yield Finding(document.file, line, what, f"write `{answers_file(exercise.id)}`", exercise.id)
+
+
+def _unknown_in_alternatives(subject: Subject) -> Iterator[Finding]:
+    for reading in subject.alternatives:
+        if reading.alternative is None or reading.document is None:
+            continue
+        solved = [subject.exercises.get(one) for one in reading.alternative.exercises]
+        known = [question.id for exercise in solved if exercise for question in exercise.questions]
+        for name in reading.alternative.answers:
+            if name not in known and None not in solved:
+                what = f"`{reading.alternative.name}` answers `{name}`, which none of its exercises asks"
+                step = f"their questions: {', '.join(known) or 'none'}"
+                line = reading.document.line(("answers", name))
+                yield Finding(reading.document.file, line, what + did_you_mean(name, known), step)
+
+
+def _unproved(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
+    """A check that no mistake fails may as well be one that passes everything."""
+    reading = subject.mistakes[exercise.folder]
+    if reading.problems:
+        return  # which mistakes there are is not known
+    own = [mistake for mistake in reading.mistakes if mistake.exercise == exercise.id]
+    named = {name for mistake in own for name in (mistake.caught_by, *mistake.also_fails)}
+    for check, (file, line) in (checks_of(subject, exercise) or {}).items():
+        if check not in named and _can_fail(subject, exercise, check):
+            what = f"no mistake fails check `{check}` of {exercise.id}"
+            step = f"add one to {exercise.folder.name}/mistakes.yaml, with `caught_by: {check}`"
+            yield Finding(file, line, what, step, exercise.id)
+
+
+def _can_fail(subject: Subject, exercise: Exercise, check: str) -> bool:
+    graders = subject.graders.get(exercise.folder)
+    declared = graders.declaration(exercise.id) if graders else None
+    return all(one.can_fail for one in (declared.checks if declared else ()) if one.id == check)

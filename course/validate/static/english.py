@@ -1,0 +1,99 @@
+"""Plain American English: what a translation leaves behind, long sentences, and terms used too early.
+
+A line with a false alarm says why: `<!-- plain: a town of this name -->`, in Python `# plain: ...`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+
+from course.model import replace
+from course.validate import Finding
+from course.validate.static.subject import Prose, Subject
+
+LONGEST = 30  # words in a sentence
+# A pattern, what to write instead, and an example that it must find.
+RULES = [
+    (r"\bblanks?\b", "space", "begins with two blanks"),
+    (r"\banew\b", "again", "Write it anew."),
+    (r"\bwhoever\b", "anyone who", "Whoever goes beyond is stopped."),
+    (r"[«»]", "straight quotes", "say «map»"),
+    (r"\b(?:stands|lies) (?:in|on|behind|beside|there)\b", "is in", "The file lies in `src`."),
+    (r"(?<!there )\bis no (?!longer\b|more\b|less\b)", "is not a", "`20` is no `float64`"),
+    (r"\bshall\b", "must", "What shall come before"),
+    (r"\b(?:a|an) (?!(?:little|lot|few)\b)\w+ more\b", "one more", "a folder more"),
+    (r"\bby lot\b", "at random", "drawn by lot"),
+    (r"\bsome times\b", "a few times", "Run it some times"),
+    (r"\bcomes? to an end\b", "ends", "The program does not come to an end."),
+    (r"\bknows? of\b", "knows about", "None of it knows of ROS yet"),
+    (r"\bbe it\b", "even", "A slip, be it a comma"),
+    (r"\bhas to do with\b", "is about", "what it has to do with it"),
+    (r"\b(?:behaviou|colou|neighbou|favou)r|"  # codespell:ignore
+     r"\b(?:initi|organ|recogn|real)is(?:e|ed|ing)\b|\blicence\b",  # codespell:ignore
+     "American spelling", "Its behaviour"),  # codespell:ignore
+]  # fmt: skip
+_ALLOWED = re.compile(r"(?:<!--|#|//) plain: \w")
+_CODE = re.compile(r"^ *```.*?^ *```|`[^`\n]+`", re.DOTALL | re.MULTILINE)
+
+
+def english_findings(texts: Iterable[Prose]) -> Iterator[Finding]:
+    for text in texts:
+        for line, what, step in (*odd_words(text.text), *long_sentences(text.text)):
+            yield Finding(text.file, text.at(line), what, step, text.exercise)
+
+
+def odd_words(text: str) -> Iterator[tuple[int, str, str]]:
+    """In a Markdown text, outside of code: the line, from 1; what is there; what to do."""
+    for number, line in enumerate(_without_code(text).splitlines(), 1):
+        for pattern, instead, _example in RULES:
+            found = re.search(pattern, line, re.IGNORECASE)
+            if found and not _ALLOWED.search(line):
+                yield number, f"`{found[0]}` is not plain American English", f"write: {instead}"
+
+
+def long_sentences(text: str) -> Iterator[tuple[int, str, str]]:
+    """In paragraphs and items of lists, not in tables: the line, from 1; what is there; what to do."""
+    plain = _without_code(text)
+    for paragraph in re.finditer(r"(?:(?!\n\s*\n|\n *(?:[-*|#>]|\d+\.) ).)+", plain, re.DOTALL):
+        for sentence in re.finditer(r"\S(?:(?![.!?:]\s).)*[.!?:]?", paragraph[0], re.DOTALL):
+            words = [word for word in sentence[0].split() if re.search(r"\w", word)]
+            is_table = paragraph[0].lstrip().startswith("|")
+            if len(words) > LONGEST and not is_table and not _ALLOWED.search(paragraph[0]):
+                line = plain.count("\n", 0, paragraph.start() + sentence.start()) + 1
+                start = " ".join(words[:5])
+                yield line, f"`{start} ...` has {len(words)} words", f"split it: at most {LONGEST} a sentence"
+
+
+def early_terms(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding]:
+    """Where a text uses one of `terms` before the lesson that explains it in bold."""
+    earlier: list[Prose] = []
+    for chapter, reading in subject.lessons.items():
+        own = [text for text in texts if text.file.is_relative_to(chapter)]
+        lesson = _without_code(own[0].text) if own else ""
+        for place, term in enumerate(reading.data["terms"] if reading.data else ()):
+            words = r"\s+".join(map(re.escape, term.split())) + "s?"
+            if bold := re.search(rf"\*\*{words}[.,]?\*\*", lesson, re.IGNORECASE):
+                what = f"`{term}` is used before {chapter.name} explains it"
+                for text in (*earlier, replace(own[0], text=lesson[: bold.start()])):
+                    for line in _lines_with(words, text):
+                        yield Finding(text.file, line, what, "explain it, or use other words", text.exercise)
+            elif reading.document:
+                line, what = reading.document.line(("terms", place)), f"the lesson does not explain `{term}`"
+                yield Finding(reading.document.file, line, what, f"write **{term}** where it does")
+        earlier += own
+
+
+def _lines_with(words: str, text: Prose) -> Iterator[int]:
+    """The lines of its file in which they begin, but for code and headings."""
+    plain = _without_code(text.text)
+    for found in re.finditer(rf"\b{words}\b", plain, re.IGNORECASE):
+        number = plain.count("\n", 0, found.start())
+        line = plain.splitlines()[number]
+        if not line.startswith("#") and not _ALLOWED.search(line):
+            yield text.at(number + 1)
+
+
+def _without_code(text: str) -> str:
+    """The text with its lines, and an X for each piece of code."""
+    return _CODE.sub(lambda found: "X" + "\n" * found[0].count("\n"), text)

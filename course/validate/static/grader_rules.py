@@ -1,0 +1,119 @@
+"""What is wrong with what grader modules declare."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from course.content import Exercise
+from course.grading.author import BUILDS
+from course.spelling import did_you_mean
+from course.validate import Finding
+from course.validate.static.graders import Declaration, DeclaredCheck, GraderModule
+from course.validate.static.subject import Subject
+
+Needs = Mapping[str, tuple[str, ...]]
+
+
+def grader_findings(subject: Subject) -> Iterator[Finding]:
+    for chapter, graders in subject.graders.items():
+        declared = [one for each in graders.declared for one in _declaration_findings(graders.file, each)]
+        yield from declared
+        if graders.fault and not (graders.by_declaration and declared):
+            yield graders.fault
+        if graders.fault is None and subject.lessons[chapter].data is not None:
+            yield from _strangers(subject, chapter, graders)
+            yield from _lacking(subject, chapter, graders)
+
+
+def _declaration_findings(file: Path, declared: Declaration) -> Iterator[Finding]:
+    first = {BUILDS: declared.line} if declared.builds else {}
+    for check in declared.checks:
+        if check.id in first:
+            what = f"{declared.exercise} has two checks `{check.id}`; the first is in line {first[check.id]}"
+            step = "give each an id of its own (`builds` comes by itself unless `builds=None`)"
+            yield Finding(file, check.line, what, step, declared.exercise)
+        first.setdefault(check.id, check.line)
+    if declared.whole:
+        yield from _need_findings(file, declared, first)
+
+
+def _need_findings(file: Path, declared: Declaration, lines: Mapping[str, int]) -> Iterator[Finding]:
+    needs = {check.id: check.needs or () for check in declared.checks}
+    for check in declared.checks:
+        for need in check.needs or ():
+            found = _need_problem(check, need, needs, lines)
+            if found:
+                yield Finding(file, check.line, *found, declared.exercise)
+
+
+def _need_problem(
+    check: DeclaredCheck, need: str, needs: Needs, lines: Mapping[str, int]
+) -> tuple[str, str] | None:
+    if need not in lines:
+        what = f"check `{check.id}` needs `{need}`, which is not a check{did_you_mean(need, lines)}"
+        return what, f"checks of this grader: {', '.join(lines)}"
+    circle = _way(needs, need, check.id)
+    if circle:
+        if check.id != min(circle):  # said once, not by each member of the circle
+            return None
+        what = f"check `{check.id}` needs itself: {' -> '.join((check.id, *circle))}"
+        return what, "take one of them out of `needs`"
+    if lines[need] > check.line:
+        what = f"check `{check.id}` needs `{need}`, which is only in line {lines[need]}"
+        return what, f"move `{need}` before it: checks are made in their order"
+    return None
+
+
+def _way(needs: Needs, start: str, goal: str, seen: frozenset[str] = frozenset()) -> tuple[str, ...]:
+    """The checks from `start` to `goal` along `needs`, or nothing."""
+    if start == goal:
+        return (start,)
+    for need in needs.get(start, ()):
+        way = _way(needs, need, goal, seen | {start}) if need not in seen | {start} else ()
+        if way:
+            return (start, *way)
+    return ()
+
+
+def _strangers(subject: Subject, chapter: Path, graders: GraderModule) -> Iterator[Finding]:
+    """GraderModule and mysteries of exercises that the chapter does not have, or of one exercise twice."""
+    known = [exercise.id for exercise in subject.exercises_of(chapter)]
+    for kind in (graders.graders, graders.mysteries):
+        for exercise, count in Counter(one.exercise for one in kind).items():
+            word = type(kind[0]).__name__
+            line = _line(graders, word, exercise)
+            if exercise not in known:
+                what = f"`{word}` of `{exercise}`, which its chapter does not have"
+                step = f"exercises of the chapter: {', '.join(known)}"
+                yield Finding(graders.file, line, what + did_you_mean(exercise, known), step)
+            elif count > 1:
+                what = f"{exercise} has {count} of `{word}`, and only the first is used"
+                yield Finding(graders.file, line, what, "keep one of them", exercise)
+
+
+def _line(graders: GraderModule, word: str, exercise: str) -> int | None:
+    texts = graders.file.read_text(encoding="utf-8", errors="replace").splitlines()
+    named = (f'{word}("{exercise}"', f"{word}('{exercise}'")
+    return next((i for i, text in enumerate(texts, 1) if any(name in text for name in named)), None)
+
+
+def _lacking(subject: Subject, chapter: Path, graders: GraderModule) -> Iterator[Finding]:
+    mysteries = {one.exercise for one in graders.mysteries}
+    for index, exercise in enumerate(subject.exercises_of(chapter)):
+        word = _lack(exercise, graders, mysteries)
+        if word:
+            document = subject.lessons[chapter].document
+            line = document.line(("exercises", index, "id")) if document else None
+            what = f"{graders.file.name} has no `{word}` of {exercise.id}"
+            step = f'add `{word}("{exercise.id}"...)` with its checks to {graders.file.name}'
+            yield Finding(chapter / "lesson.yaml", line, what, step, exercise.id)
+
+
+def _lack(exercise: Exercise, graders: GraderModule, mysteries: set[str]) -> str | None:
+    if any(question.computed for question in exercise.questions) and exercise.id not in mysteries:
+        return "Mystery"
+    if (exercise.packages or not exercise.questions) and graders.of(exercise.id) is None:
+        return "Grader"
+    return None

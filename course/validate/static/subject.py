@@ -1,0 +1,151 @@
+"""A course as the rules look at it: each of its files and texts read once, what cannot be read left out.
+
+What is left out is told by `course.content.problems`, so no rule has to tell it again.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from course.content import Course, Exercise, layout
+from course.content.document import Place
+from course.content.lesson import LessonReading, read_lesson
+from course.content.mistakes import AlternativeReading, MistakesReading, read_alternatives, read_mistakes
+from course.validate.static.graders import GraderModule, read_graders
+
+_NOT_OURS = {"__pycache__", ".pytest_cache", ".ruff_cache", ".mypy_cache", ".DS_Store"}
+
+
+@dataclass(frozen=True)
+class Subject:
+    course: Course
+
+    @cached_property
+    def chapters(self) -> tuple[Path, ...]:
+        return layout.chapter_folders(self.course.root)
+
+    @cached_property
+    def exercises(self) -> Mapping[str, Exercise]:
+        """All that can be read, by id."""
+        return {exercise.id: exercise for exercise in self.course.readable_exercises()}
+
+    def exercises_of(self, chapter: Path) -> tuple[Exercise, ...]:
+        return tuple(one for one in self.exercises.values() if one.folder == chapter)
+
+    @cached_property
+    def lessons(self) -> Mapping[Path, LessonReading]:
+        return {chapter: read_lesson(chapter) for chapter in self.chapters}
+
+    @cached_property
+    def mistakes(self) -> Mapping[Path, MistakesReading]:
+        return {chapter: read_mistakes(chapter) for chapter in self.chapters}
+
+    @cached_property
+    def alternatives(self) -> tuple[AlternativeReading, ...]:
+        folders = map(layout.solution_folder, self.chapters)
+        return tuple(reading for folder in folders for reading in read_alternatives(folder))
+
+    @cached_property
+    def graders(self) -> Mapping[Path, GraderModule]:
+        """By chapter, of those that have a grader module."""
+        files = {chapter: layout.grader_file(chapter) for chapter in self.chapters}
+        return {chapter: read_graders(file) for chapter, file in files.items() if file.is_file()}
+
+
+def files_in(folder: Path) -> Iterator[Path]:
+    """All files below a folder, but what tools leave behind."""
+    for path in sorted(folder.rglob("*")):
+        if not path.is_dir() and not _NOT_OURS & set(path.parts) and path.suffix != ".pyc":
+            yield path
+
+
+def text_of(file: Path) -> str | None:
+    """A file's text; None for one that has none, or cannot be read."""
+    try:
+        return file.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return None
+
+
+# `hints: |` and the like: the text begins in the next line.
+_BLOCK = re.compile(r"[|>][-+\d]*\s*$")
+
+
+@dataclass(frozen=True)
+class Prose:
+    """A Markdown text. line: of the file in which it begins. hint: its number, counted from the last (-1)."""
+
+    file: Path
+    line: int
+    text: str
+    exercise: str | None = None
+    hint: int | None = None
+
+    def at(self, line: int) -> int:
+        """The file's line of a line of the text."""
+        return self.line + line - 1
+
+
+def prose(subject: Subject) -> Iterator[Prose]:
+    """Not the choices and known wrong answers of a question: what they show may be wrong on purpose."""
+    for chapter in subject.chapters:
+        for name in (layout.LESSON_TEXT, "README.md"):
+            yield from _file(chapter / name)
+        for exercise in subject.exercises_of(chapter):
+            yield from _file(layout.exercise_text(chapter, exercise.id), exercise.id)
+        yield from _in_yaml(subject, chapter, _texts)
+
+
+def choices(subject: Subject) -> Iterator[Prose]:
+    """The choices and known wrong answers of questions, and why they are wrong."""
+    for chapter in subject.chapters:
+        yield from _in_yaml(subject, chapter, _choices)
+
+
+def _file(file: Path, exercise: str | None = None) -> Iterator[Prose]:
+    text = text_of(file)
+    if text is not None:
+        yield Prose(file, 1, text, exercise)
+
+
+# The texts of an exercise's data at a place, with the number of the hint where it is one.
+_Texts: TypeAlias = Callable[[dict[str, Any], Place], Iterator[tuple[Place, str, Any]]]
+
+
+def _in_yaml(subject: Subject, chapter: Path, texts: _Texts) -> Iterator[Prose]:
+    document = subject.lessons[chapter].document
+    if document is None:
+        return
+    lines = (text_of(document.file) or "").splitlines()
+    for index, exercise in enumerate(subject.exercises_of(chapter)):
+        for place, text, hint in texts(document.data["exercises"][index], ("exercises", index)):
+            line = document.line(place)
+            begins = line + 1 if len(lines) >= line and _BLOCK.search(lines[line - 1]) else line
+            yield Prose(document.file, begins, text, exercise.id, hint)
+
+
+def _texts(data: dict[str, Any], place: Place) -> Iterator[tuple[Place, str, int | None]]:
+    hints = data.get("hints", [])
+    for number, hint in enumerate(hints):
+        yield (*place, "hints", number), hint, number - len(hints)
+    for key in ("summary", "after"):
+        if data.get(key):
+            yield (*place, key), data[key], None
+    for number, question in enumerate(data.get("questions", [])):
+        for key in ("ask", "explain", "otherwise"):
+            if question.get(key):
+                yield (*place, "questions", number, key), question[key], None
+
+
+def _choices(data: dict[str, Any], place: Place) -> Iterator[tuple[Place, str, None]]:
+    for number, question in enumerate(data.get("questions", [])):
+        for kind in ("choices", "wrong"):
+            for index, choice in enumerate(question.get(kind, [])):
+                for key in ("text", "why"):
+                    if choice.get(key):
+                        yield (*place, "questions", number, kind, index, key), choice[key], None

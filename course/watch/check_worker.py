@@ -1,0 +1,60 @@
+"""The process that checks for `watch`: `python -m course.watch.check_worker DESCRIPTOR`; see `course.child`.
+
+It has loaded everything before it gets its first task. Told to end, it ends a check in order, as Ctrl+C does.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import signal
+from pathlib import Path
+
+from course.child import Tell, answer_tasks
+from course.content import open_course
+from course.errors import CourseError
+from course.home import CourseHome
+from course.model.result import Result, Verdict
+from course.rosenv import cache_dir, find_ros
+from course.watch.updates import Checked, CheckTask, Message, Said, SoFar, Stuck
+
+
+def main() -> int:
+    importlib.import_module("course.grading.check")
+    answer_tasks(CheckTask, checked, at_parents_end=signal.SIGTERM)
+    return 0
+
+
+def checked(task: CheckTask, tell: Tell) -> Message:
+    """The check's result; whatever goes wrong is told of, too. KeyboardInterrupt passes through."""
+    try:
+        return Checked(task.number, _result(task, tell))
+    except CourseError as error:
+        return Stuck(task.number, error.what, error.next_step or "")
+    except Exception as error:  # noqa: BLE001 - shown and kept; the next save is checked all the same
+        from course.grading.outcomes import our_error
+
+        return Checked(task.number, Result(task.exercise, Verdict.OUR_ERROR, fault=our_error(error)))
+
+
+def _result(task: CheckTask, tell: Tell) -> Result:
+    from course.grading.check import Request, check_exercise
+    from course.grading.load import runs_programs
+
+    home = CourseHome(Path(task.home))
+    exercise = open_course(Path(task.course), cache=cache_dir(os.environ) / "lessons").exercise(task.exercise)
+    request = Request(
+        exercise,
+        home.path,
+        ros=find_ros() if runs_programs(exercise) else None,
+        on_progress=lambda text: tell(Said(task.number, text)),
+        namespaces=task.namespaces,
+        evidence=home.state / "evidence" / f"{exercise.id}.mcap",
+        seed=home.seed() if exercise.questions or exercise.play else None,
+        so_far=lambda result: tell(SoFar(task.number, result)),
+    )
+    return check_exercise(request)
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

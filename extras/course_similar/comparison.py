@@ -1,0 +1,119 @@
+"""What is shown of a comparison, and the words for it that the terminal and the page share.
+
+Texts and names are a stranger's: each is made harmless where it becomes words.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from course.report import sanitize
+
+NO_VERDICT = (
+    "Alike is not a verdict: look at both sides, and ask. There may be one natural way to write it, two may "
+    "have worked together as they were allowed to, or both may have used the same source."
+)
+# Of one that is longer, the rest is counted.
+_NAME = 100
+_FILE = 400
+
+
+@dataclass(frozen=True)
+class Passage:
+    """Lines `first` to `last` (from 1, both included) of a file, without their line ends."""
+
+    file: str
+    first: int
+    lines: tuple[str, ...]
+
+    @property
+    def last(self) -> int:
+        return self.first + len(self.lines) - 1
+
+
+@dataclass(frozen=True)
+class Match:
+    """The same in both, except for names, texts, numbers, comments and spaces."""
+
+    one: Passage
+    other: Passage
+
+
+@dataclass(frozen=True)
+class Side:
+    """share: of this side's own code, what is in the other's too (0 to 1). lines: how many lines that is."""
+
+    name: str
+    share: float
+    lines: int
+
+
+@dataclass(frozen=True)
+class Pair:
+    """matches: the longest first. more: matches that are left out here."""
+
+    one: Side
+    other: Side
+    matches: tuple[Match, ...]
+    more: int = 0
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """pairs: those that are alike, most alike first. more: such pairs that are left out here.
+
+    compared: submissions with code of their own. threshold: from which share on a pair is shown (0 to 1).
+    without: names of submissions that have no code of their own to compare. remarks: what was left out.
+    """
+
+    pairs: tuple[Pair, ...]
+    compared: int
+    threshold: float
+    more: int = 0
+    without: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+
+def name_of(side: Side) -> str:
+    return sanitize.one_line(side.name, _NAME)
+
+
+def share_of(side: Side) -> str:
+    """`83 %, 34 lines`."""
+    return f"{side.share:.0%}".replace("%", " %") + f", {counted(side.lines, 'line')}"
+
+
+def place_of(passage: Passage) -> str:
+    """`src/package/node.py:3-20`."""
+    return f"{sanitize.one_line(passage.file, _FILE)}:{passage.first}-{passage.last}"
+
+
+def code_of(passage: Passage) -> list[tuple[int, str]]:
+    """Line numbers and lines."""
+    return [(number, sanitize.one_line(line)) for number, line in enumerate(passage.lines, passage.first)]
+
+
+def headline(comparison: Comparison) -> str:
+    found = len(comparison.pairs) + comparison.more
+    share = f"{comparison.threshold:.0%}".replace("%", " %")
+    pairs = "No pair is" if not found else "1 pair is" if found == 1 else f"{found} pairs are"
+    compared = counted(comparison.compared, "submission")
+    return f"{compared} compared. {pairs} alike: {share} or more of one's own code is in the other, too."
+
+
+def more_pairs(comparison: Comparison) -> str:
+    return f"{counted(comparison.more, 'more pair')} not shown here: `--most` raises the number."
+
+
+def without(comparison: Comparison) -> str:
+    """Whose code could not be compared; "" when there is nobody."""
+    if not comparison.without:
+        return ""
+    names = ", ".join(sanitize.one_line(name, _NAME) for name in comparison.without[:10])
+    more = len(comparison.without) - 10
+    tail = f" and {more} more" if more > 0 else ""
+    return f"Too little code of their own to compare, beside what the course gives: {names}{tail}."
+
+
+def counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

@@ -1,0 +1,206 @@
+"""Why another package cannot use the learner's library: what the learner's package does not export."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from course.api import (
+    BuiltPackage,
+    Command,
+    CppError,
+    Feedback,
+    Location,
+    Sources,
+    commands,
+    cpp_files,
+    first_error,
+    listed,
+    places_of,
+)
+
+_OTHERS = "Your package builds, but a package that uses it does not"
+_TARGETS = re.compile(r"(?<![\w:])\w+::\w+")
+_NO_TARGET = re.compile(r"imported targets are referenced, but are missing|but the target was not found")
+_NO_FOLDER = re.compile(r"non-existent path")
+_NO_FILE = re.compile(r"references the file|this file does not exist")
+_HEADER = re.compile(r"^(?P<header>\S+): No such file or directory$")
+_SHOWN = 4
+
+
+def not_configured(lines: Sequence[str], package: BuiltPackage, sources: Sources) -> Feedback:
+    """The cause of CMake's errors in a package that finds the learner's with `find_package`."""
+    said = re.sub(r"\s+", " ", " ".join(lines))
+    every = commands(sources, package.source)
+    if _NO_TARGET.search(said):
+        return _dependencies(said, package, every)
+    if _NO_FOLDER.search(said):
+        return _headers(package, every)
+    if _NO_FILE.search(said):
+        return _library(package, every)
+    return Feedback(
+        summary=f"{_OTHERS}: `find_package({package.name})` fails.",
+        where=(_lists(package),),
+        advice="Compare the arguments of `ament_export_...` and `install` with the lesson's example.",
+        details=tuple(line for line in lines if line.strip())[-_SHOWN:],
+    )
+
+
+def not_compiled(lines: Sequence[str], package: BuiltPackage, sources: Sources) -> Feedback:
+    """The cause of the compiler's or the linker's errors in such a package."""
+    error = first_error(lines, lambda file: _own(file, package, sources))
+    every = commands(sources, package.source)
+    if error is None:
+        return Feedback(
+            summary=f"{_OTHERS}.",
+            where=(_lists(package),),
+            advice="Use your library from a small package of your own, and read the first error.",
+            details=tuple(lines)[-_SHOWN:],
+        )
+    if error.kind == "compiler":
+        if found := _HEADER.match(error.text):
+            return _no_header(found["header"], package, every, sources)
+        return _code(error, package, sources)
+    return _unlinked(error, package, every, sources)
+
+
+def not_loaded(library: str, package: BuiltPackage, sources: Sources) -> Feedback:
+    """The program finds the library only with the folders that colcon adds."""
+    exports = _named(commands(sources, package.source), "ament_export_targets")
+    return Feedback(
+        summary=f"A program in another package cannot find `{library}` when it starts.",
+        expected="LD_LIBRARY_PATH contains the library's folder after sourcing",
+        where=tuple(one.where for one in exports[:1]) or (_lists(package),),
+        advice=(
+            "`ament_export_targets(... HAS_LIBRARY_TARGET)` adds the library's folder to "
+            "LD_LIBRARY_PATH. Without it, only colcon does so."
+        ),
+    )
+
+
+def _dependencies(said: str, package: BuiltPackage, every: Sequence[Command]) -> Feedback:
+    exports = _named(every, "ament_export_dependencies")
+    links = [one for one in every if one.name in ("target_link_libraries", "ament_target_dependencies")]
+    known = {word for one in exports for word in one.words}
+    # CMake names only the first one; it would complain about the others once that one is found.
+    linked = (word for one in links[:1] for word in one.words)
+    every_target = (*_TARGETS.findall(said), *(word for word in linked if _TARGETS.fullmatch(word)))
+    foreign = [n for n in dict.fromkeys(every_target) if not n.startswith(f"{package.name}::")]
+    targets = [name for name in foreign if _package_of(name) not in known] or foreign[:1]
+    names = list(dict.fromkeys(map(_package_of, targets)))
+    where = (*exports[:1], *(one for one in links if set(one.words) & {*targets, *names}))
+    return Feedback(
+        summary=f"{_OTHERS}: it cannot find {listed(targets)}, which your library needs.",
+        expected=f"ament_export_dependencies({' '.join(names)})",
+        seen="no such line" if not exports else f"ament_export_dependencies({' '.join(exports[0].words)})",
+        where=tuple(one.where for one in where) or (_lists(package),),
+        advice=(
+            f"Add `ament_export_dependencies({' '.join(names)})` before `ament_package()`: then CMake "
+            "finds these along with your library."
+        ),
+    )
+
+
+def _package_of(target: str) -> str:
+    """`Qt5Core` for `Qt5::Core`, `Eigen3` for `Eigen3::Eigen`."""
+    package, _, part = target.partition("::")
+    return f"{package}{part}" if package == "Qt5" else package
+
+
+def _headers(package: BuiltPackage, every: Sequence[Command]) -> Feedback:
+    installs = [one for one in _named(every, "install") if one.words[:1] == ("DIRECTORY",)]
+    return Feedback(
+        summary=f"{_OTHERS}: the header is not installed where your package says it is.",
+        expected=f"include/{package.name}/ in the folder where the package is installed",
+        where=tuple(one.where for one in installs[:1]) or (_lists(package),),
+        advice=(
+            "`install(DIRECTORY include/ DESTINATION include)`: the `/` means to copy the folder's contents."
+        ),
+    )
+
+
+def _library(package: BuiltPackage, every: Sequence[Command]) -> Feedback:
+    installs = [one for one in _named(every, "install") if one.words[:1] == ("TARGETS",)]
+    return Feedback(
+        summary=f"{_OTHERS}: the library itself is not where your package says it is.",
+        where=tuple(one.where for one in installs[:1]) or (_lists(package),),
+        advice="`install(TARGETS ... LIBRARY DESTINATION lib)` puts a shared library in the folder `lib`.",
+    )
+
+
+def _no_header(header: str, package: BuiltPackage, every: Sequence[Command], sources: Sources) -> Feedback:
+    if not header.startswith(f"{package.name}/"):
+        return Feedback(
+            summary=f"{_OTHERS}: your header includes `{header}`, which is not found there.",
+            where=places_of(sources, rf"#\s*include\s*[<\"]\s*{re.escape(header)}")[:2] or (_lists(package),),
+            advice=(
+                "Include it in the .cpp file that uses it, or name its package in "
+                "`ament_export_dependencies`."
+            ),
+        )
+    installed = [one for one in _named(every, "install") if one.words[:1] == ("DIRECTORY",)]
+    if not installed:
+        return _headers(package, every)
+    exports = [one for one in every if one.name.startswith("ament_export_") and "depend" not in one.name]
+    includes = _named(every, "target_include_directories")
+    return Feedback(
+        summary=f"{_OTHERS}: it cannot find `{header}`.",
+        where=tuple(one.where for one in (*exports, *includes, *installed))[:2],
+        advice=(
+            "Other packages look in the folder of `INSTALL_INTERFACE`: `install(DIRECTORY include/ "
+            "...)` must install to that folder."
+        )
+        if exports
+        else f"Export the library: `ament_export_targets(export_{package.name} HAS_LIBRARY_TARGET)`.",
+    )
+
+
+def _code(error: CppError, package: BuiltPackage, sources: Sources) -> Feedback:
+    """The other program uses something that the header does not offer in this form."""
+    headers = [Location(file) for file in cpp_files(sources) if "/include/" in file]
+    place = (Location(error.file, error.line),) if error.file else tuple(headers[:1])
+    return Feedback(
+        summary=f"Another package cannot use the class as the task says: {error.text[:70]}.",
+        where=place or (_lists(package),),
+        advice=(
+            "Compare the header with the task: names, arguments, `static`, and `const` after "
+            "functions that change nothing."
+        ),
+        details=tuple(re.sub(r"^/\S*/", "", line) for line in error.details),
+    )
+
+
+def _unlinked(error: CppError, package: BuiltPackage, every: Sequence[Command], sources: Sources) -> Feedback:
+    name = error.text.split("(")[0].rpartition("::")[2] or error.text
+    exported = _named(every, "ament_export_targets") or _named(every, "ament_export_libraries")
+    if not exported:
+        return Feedback(
+            summary=f"{_OTHERS}: your library is not exported, so nothing defines `{error.text}`.",
+            where=(_lists(package),),
+            advice=f"Add `ament_export_targets(export_{package.name} HAS_LIBRARY_TARGET)`, and "
+            "`EXPORT` with that name to the `install` of the library.",
+        )
+    return Feedback(
+        summary=f"Your header declares `{error.text}`, but nothing in the library defines it.",
+        where=places_of(sources, rf"\b{re.escape(name)}\s*\(")[:2] or (_lists(package),),
+        advice=(
+            "Define it in a .cpp file that `add_library` lists, with the same arguments, and with "
+            "`Class::` before its name if it is a member."
+        ),
+    )
+
+
+def _own(file: str, package: BuiltPackage, sources: Sources) -> str | None:
+    """The learner's source of an installed header."""
+    if not file.startswith(package.prefix):
+        return None
+    name = file.partition("/include/")[2]
+    return next((own for own in cpp_files(sources) if name and own.endswith(f"/{name}")), None)
+
+
+def _named(every: Sequence[Command], name: str) -> list[Command]:
+    return [one for one in every if one.name == name]
+
+
+def _lists(package: BuiltPackage) -> Location:
+    return Location(f"{package.source}/CMakeLists.txt")

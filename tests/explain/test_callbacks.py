@@ -1,0 +1,145 @@
+"""Functions that ROS calls back: why they are not called, and what is in them."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.evidence.sources import Sources
+from course.explain.callbacks import (
+    callbacks,
+    called_callback,
+    in_callbacks,
+    long_period,
+    never_spun,
+)
+from course.explain.languages import timer_places
+from course.explain.python_slips import python_timer_cause
+from tests.golden import golden
+
+FILE = "src/talk/talk/talker.py"
+TICK = "def tick(self):\n    self.count += 1\n"
+MAKER = "def make(self):\n    return self.tick\ndef stop(self):\n    return\n"
+
+
+def sources(text: str) -> Sources:
+    return Sources({FILE: text})
+
+
+def test_no_timer_at_all() -> None:
+    golden(python_timer_cause(sources("rclpy.spin(node)")))
+
+
+@pytest.mark.parametrize(
+    "argument", ["self.tick", "tick", "callback=self.tick", "lambda: self.tick()", "partial(self.tick, 1)"]
+)
+def test_a_timer_that_is_right(argument: str) -> None:
+    assert python_timer_cause(sources(f"self.create_timer(0.5, {argument})\n{TICK}")) is None
+
+
+@pytest.mark.parametrize(
+    ("argument", "is_called"),
+    [
+        ("self.tick()", True),
+        ("callback=self.tick()", True),
+        ("self.timer_callback()", True),  # not to be found, but its name says what it is
+        ("on_timer()", True),
+        ("self.stop()", True),  # returns, but nothing
+        ("self.make()", False),  # returns a function
+        ("functools.partial(self.timer_callback)", False),
+        ("unknown()", False),
+        ("self.tick", False),
+    ],
+)
+@pytest.mark.parametrize("taker", ["create_timer(0.5, {})", "create_subscription(String, 'talk', {}, 10)"])
+def test_a_callback_that_is_called(taker: str, argument: str, is_called: bool) -> None:
+    if argument.startswith("callback=") and "String" in taker:
+        taker = "create_subscription(String, 'talk', qos_profile=10, {})"
+    cause = called_callback(sources(f"\nself.{taker.format(argument)}\n{TICK}{MAKER}"))
+    assert (cause is not None) is is_called
+    if cause:
+        plain = argument.removeprefix("callback=").removesuffix("()")
+        assert f"`{plain}()` calls the function at once" in cause.text
+        assert f"without parentheses: `{plain}`" in cause.text
+        assert [str(place) for place in cause.where] == [f"{FILE}:2"]
+
+
+def test_a_callback_that_returns_a_function_in_the_end_is_right() -> None:
+    maker = "def callback_for(name):\n    def inner(): pass\n    return inner\n"
+    text = f"x.create_timer(0.5, self.callback_for('a'))\n{maker}"
+    assert called_callback(sources(text)) is None
+
+
+@pytest.mark.parametrize("period", ["500", "500.0", "timer_period_sec=1000", "self.period", "10"])
+def test_a_period_in_milliseconds(period: str) -> None:
+    golden(long_period(sources(f"self.period = 250\nself.create_timer({period}, callback=self.tick)")))
+
+
+@pytest.mark.parametrize("period", ["0.5", "9.99", "1 / 2", "f()", "0"])
+def test_a_period_in_seconds(period: str) -> None:
+    assert long_period(sources(f"self.create_timer({period}, self.tick)")) is None
+
+
+def test_a_called_callback_is_the_first_cause() -> None:
+    golden(python_timer_cause(sources(f"self.create_timer(500, self.tick())\n{TICK}")))
+
+
+def test_where_timers_are() -> None:
+    given = sources("create_timer(1, a)\n\nself.create_timer(1, b)")
+    assert [place.line for place in timer_places(given)] == [1, 3]
+
+
+def test_none_for_a_callback() -> None:
+    golden(called_callback(sources("\nself.create_timer(0.5, None)\n")))
+
+
+MADE = "class Talker(Node):\n    def __init__(self):\n        super().__init__('talker')\n"
+
+
+def test_nothing_spins() -> None:
+    golden(never_spun(sources(f"{MADE}Talker()\nwhile True:\n    time.sleep(1)\n")))
+
+
+@pytest.mark.parametrize("spin", ["rclpy.spin(node)", "executor.spin()", "spin_once(node)"])
+def test_something_does(spin: str) -> None:
+    assert never_spun(sources(f"{MADE}\n{spin}\n")) is None
+
+
+def test_a_constructor_that_spins() -> None:
+    golden(never_spun(sources(f"{MADE}        rclpy.spin(self)\n        self.create_timer(1, self.tick)\n")))
+
+
+@pytest.mark.parametrize(
+    "maker",
+    [
+        "create_timer(0.5, self.tick)",
+        "create_timer(0.5, callback=self.tick)",
+        "create_timer(0.5, lambda: self.tick(1))",
+        "create_timer(0.5, partial(self.tick, 1))",
+        "create_subscription(T, 'x', tick, 10)",
+        "create_service(T, 'x', self.tick)",
+        "future.add_done_callback(self.tick)",
+    ],
+)
+def test_a_function_that_is_handed_over(maker: str) -> None:
+    (found,) = callbacks(sources(f"{maker}\ndef tick(self, message):\n    pass\ndef other(): pass\n"))
+    assert (found.node.name, str(found.where), found.parameters) == ("tick", f"{FILE}:2", ("message",))
+
+
+def test_of_one_maker_only() -> None:
+    code = "create_timer(1, a)\ncreate_service(T, 'x', b)\ndef a(): pass\ndef b(request, response): pass\n"
+    assert [found.node.name for found in callbacks(sources(code), "create_service")] == ["b"]
+
+
+def test_what_a_callback_calls_counts_too() -> None:
+    code = (
+        "create_timer(1, tick)\n"
+        "def tick():\n    self.work()\n"
+        "def work(self):\n    time.sleep(1)\n    self.work()\n"
+        "def main():\n    time.sleep(1)\n"
+    )
+    assert [str(place) for place in in_callbacks(sources(code), "sleep")] == [f"{FILE}:5"]
+
+
+def test_nothing_is_called_back() -> None:
+    assert callbacks(sources("def tick(): pass")) == ()
+    assert in_callbacks(sources("def tick(): sleep(1)"), "sleep") == ()

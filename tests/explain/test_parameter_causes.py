@@ -1,0 +1,80 @@
+"""What is wrong with a node's parameters."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.evidence.sources import Sources
+from course.explain.parameter_causes import declared, named, read_once, undeclared, value_forgotten
+from tests.golden import golden
+
+FILE = "src/talk/talk/talker.py"
+ERROR = "rclpy.exceptions.ParameterNotDeclaredException: Invalid access to undeclared parameter(s): {}"
+
+
+def sources(text: str) -> Sources:
+    return Sources({FILE: text})
+
+
+@pytest.mark.parametrize("shown", ["qoute", "['qoute']"])
+def test_an_undeclared_parameter_that_is_a_slip(shown: str) -> None:
+    code = "self.declare_parameter('quote', 'a')\nself.get_parameter('qoute')\n"
+    golden(undeclared(ERROR.format(shown), sources(code)))
+
+
+def test_a_parameter_that_is_not_declared_at_all() -> None:
+    golden(undeclared(ERROR.format("quote"), sources("self.get_parameter('quote')")))
+
+
+def test_another_error() -> None:
+    assert undeclared("ValueError: no", sources("")) is None
+
+
+def test_names_that_are_declared() -> None:
+    code = "self.declare_parameter('a', 1)\nself.declare_parameters('', [('b', 'c'), ('d', 2)])\n"
+    assert declared(sources(code)) >= {"a", "b", "d"}
+    assert [place.line for place in named(sources(code), "d")] == [2]
+
+
+def test_a_parameter_that_is_read_once() -> None:
+    code = "self.quote = self.get_parameter('quote').value\ncreate_timer(1, self.tick)\ndef tick(self):\n    "
+    cause = read_once(sources(code + "pass\n"), "quote")
+    assert cause is not None
+    assert [place.line for place in cause.where] == [1]
+    assert read_once(sources(code + "self.get_parameter('quote')\n"), "quote") is None
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        "TypeError: float() argument must be a string or a real number, not 'Parameter'",
+        "AssertionError: The 'quote' field must be of type 'str'",
+        "TypeError: rclpy_resolve_name(): incompatible function arguments. The following",
+    ],
+)
+def test_a_value_that_is_forgotten(error: str) -> None:
+    for given in (
+        "period = {}\nself.create_timer(period, self.tick)\n",
+        "self.create_timer({}, self.tick)\n",
+    ):
+        cause = value_forgotten(error, sources(given.format("self.get_parameter('period')")))
+        assert cause is not None
+        assert "`self.get_parameter('period').value`" in cause.text
+        assert [place.line for place in cause.where] == [1]
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "period = self.get_parameter('period').value\n",
+        "period = self.get_parameter('period').get_parameter_value().double_value\n",
+        "period = self.get_parameter('period')\nself.create_timer(period.value, self.tick)\n",
+        "self.period = self.get_parameter('period')\nself.create_timer(self.period.value, self.tick)\n",
+    ],
+)
+def test_a_value_that_is_taken(code: str) -> None:
+    assert value_forgotten("TypeError: incompatible function arguments", sources(code)) is None
+
+
+def test_an_error_that_is_not_about_a_type() -> None:
+    assert value_forgotten("KeyError: 1", sources("x = self.get_parameter('period')")) is None

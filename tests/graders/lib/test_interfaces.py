@@ -1,0 +1,103 @@
+"""How .msg and .srv files differ from what was asked."""
+
+from __future__ import annotations
+
+import pytest
+
+from course.evidence.sources import Sources
+from course.model.feedback import Feedback
+from lib.interfaces import Section, compare, interface_file
+from tests.golden import golden
+
+PACKAGE = "words"
+MESSAGE: Section = (("int32", "id"), ("string", "text"), ("string", "author"))
+REQUEST: Section = ((f"{PACKAGE}/Quote", "quote"),)
+RESPONSE: Section = (("geometry_msgs/Point", "point"),)
+MSG, SRV = f"src/{PACKAGE}/msg/Quote.msg", f"src/{PACKAGE}/srv/Point.srv"
+
+
+def message(text: str) -> Feedback:
+    file = interface_file(Sources({MSG: text}), PACKAGE, "msg", "Quote")
+    return compare(file, (MESSAGE,), PACKAGE, "Quote")
+
+
+def service(text: str) -> Feedback:
+    file = interface_file(Sources({SRV: text}), PACKAGE, "srv", "Point")
+    return compare(file, (REQUEST, RESPONSE), PACKAGE, "Point")
+
+
+def where(feedback: Feedback) -> list[str]:
+    return [str(place) for place in feedback.where]
+
+
+@pytest.mark.parametrize(
+    ("text", "fields"),
+    [
+        ("int32 id\nstring text", [("int32", "id", 1), ("string", "text", 2)]),
+        ("\n# comment\n  int32   id  # number\n", [("int32", "id", 3)]),
+        ("int32 MOST=5\nint32 LEAST = 1\nint32 id", [("int32", "id", 3)]),
+        ("int32 id 5\nstring text \"a = b\"", [("int32", "id", 1), ("string", "text", 2)]),
+        ("string<=10 text\nint32[] a\nint32[3] b\nint32[<=3] c\nstring<=5[<=2] d", [
+            ("string<=10", "text", 1), ("int32[]", "a", 2), ("int32[3]", "b", 3), ("int32[<=3]", "c", 4),
+            ("string<=5[<=2]", "d", 5)]),
+        ("geometry_msgs/Point p\ngeometry_msgs/msg/Point[] q", [
+            ("geometry_msgs/Point", "p", 1), ("geometry_msgs/msg/Point[]", "q", 2)]),
+        ("", []),
+    ],
+)  # fmt: skip
+def test_fields(text: str, fields: list[tuple[str, str, int]]) -> None:
+    file = interface_file(Sources({MSG: text}), PACKAGE, "msg", "Quote")
+    assert file is not None
+    assert [(field.type, field.name, field.line) for field in file.sections[0]] == fields
+
+
+def test_sections_of_a_service() -> None:
+    file = interface_file(Sources({SRV: "int32 a\n ---  # then\nint32 b"}), PACKAGE, "srv", "Point")
+    assert file is not None
+    assert [[field.name for field in section] for section in file.sections] == [["a"], ["b"]]
+
+
+def test_a_file_that_is_not_there() -> None:
+    assert interface_file(Sources({MSG: ""}), PACKAGE, "msg", "Other") is None
+    golden(compare(None, (MESSAGE,), PACKAGE, "Quote"))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "int32 id\nstring tekst\nstring author",
+        "int32 id\nstring other\nstring author",
+        "int32 id\nbool x\nstring authors\nstring text",
+        "int32 id\nstring text",
+        "int32 id",
+        "",
+        "int32 id\nstring text\nstring author\nbool more",
+        "int64 id\nstring text\nstring author",
+        "int32 id\nstring<=9 text\nstring author",
+        "int32 id\nstring text\nstring[] author",
+        "string text\nint32 id\nstring author",
+    ],
+)
+def test_the_first_difference_of_a_message(text: str) -> None:
+    golden(message(text))
+
+
+def test_what_was_seen_is_written_as_what_was_expected() -> None:
+    golden(service("words/msg/Quote quotes\n---\ngeometry_msgs/Point point"))
+    golden(message(""))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Quote quotation\n---\ngeometry_msgs/Point point",
+        "words/msg/Quote quote\n---\ngeometry_msgs/Pose point",
+        "Quote quote\n---\n",
+        "geometry_msgs/Point point\n---\nQuote quote",
+        "Quote quote\n---\ngeometry_msgs/Point point",
+        "words/Quote quote\n---\ngeometry_msgs/msg/Point point",
+        "Quote quote",
+    ],
+)
+def test_the_first_difference_of_a_service(text: str) -> None:
+    golden(service(text))
