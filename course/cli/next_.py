@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 EXAMPLES = examples(
     ("next", "begin, or continue where you left off"),
-    ("next --lesson", "with the chapter's lesson once more"),
+    ("next --lesson", "with its part of the lesson once more"),
     ("next 18-publisher", "go to this exercise"),
     ("--home ~/ros2 next", "in another course home"),
 )
@@ -49,12 +49,12 @@ def next_(
             show_default=False,
         ),
     ] = None,
-    lesson: Annotated[bool, typer.Option("--lesson", help="Show the chapter's lesson again.")] = False,
+    lesson: Annotated[bool, typer.Option("--lesson", help="Show its part of the lesson again.")] = False,
     pager: Pager = False,
 ) -> None:
     """Show the next exercise and put its files in place.
 
-    Makes a course home if there is none. Shows a chapter's lesson the first
+    Makes a course home if there is none. Shows each part of a lesson the first
     time. Files that already exist are never changed.
     """
     console = open_console()

@@ -115,9 +115,9 @@ def not_passed_yet(session: CourseSession, exercise: Exercise) -> tuple[str, ...
 def unread(session: CourseSession, lessons: Iterable[Lesson]) -> Iterator[Lesson]:
     """Those that were not shown yet; each counts as shown once the next one is asked for."""
     for lesson in lessons:
-        if not session.progress.chapter_shown(lesson.chapter.slug):
+        if not session.progress.chapter_shown(lesson.id):
             yield lesson
-            session.progress.mark_chapter_shown(lesson.chapter.slug)
+            session.progress.mark_chapter_shown(lesson.id)
 
 
 def _current(session: CourseSession) -> Exercise | None:

@@ -15,14 +15,14 @@ from course.report.exercise_text import render_exercise, render_lesson
 EXAMPLES = examples(
     ("show", "the exercise you are at"),
     ("show 18-publisher", "another one"),
-    ("show 18-publisher --lesson", "with its chapter's lesson"),
+    ("show 18-publisher --lesson", "with its chapter's whole lesson"),
 )
 
 
 def show(
     ctx: typer.Context,
     exercise: CurrentExercise = None,
-    lesson: Annotated[bool, typer.Option("--lesson", help="Show the chapter's lesson first.")] = False,
+    lesson: Annotated[bool, typer.Option("--lesson", help="Show the chapter's whole lesson first.")] = False,
     pager: Pager = False,
 ) -> None:
     """Show the text of an exercise. Changes nothing."""
@@ -31,7 +31,7 @@ def show(
         shown = session.exercise(exercise)
         state = session.progress.state(shown.id)
         with paged(console) if pager else nullcontext():
-            for read in session.course.lessons(shown) if lesson else ():
+            for read in session.course.lessons(shown, whole=True) if lesson else ():
                 render_lesson(console, read.chapter, read.text)
             render_exercise(console, shown, session.home.path, state)
             if shown.questions:

@@ -32,7 +32,7 @@ def audit(root: Path) -> tuple[ContentError, ...]:
     for folder, reading in readings.items():
         if reading.data is not None:
             ids = tuple(exercise["id"] for exercise in reading.data["exercises"])
-            found += [*_text_problems(folder, reading.data), *_strays(folder, ids)]
+            found += [*_text_problems(folder, reading), *_strays(folder, ids)]
             found += [*_grader_and_solution(folder, reading), *proof_problems(folder, ids)]
     return tuple(sorted(found, key=lambda problem: (str(problem.file), problem.line or 0)))
 
@@ -46,7 +46,9 @@ def _same_number(folders: tuple[Path, ...]) -> Iterator[ContentError]:
             yield ContentError(what, "give each chapter a number of its own", file=folder)
 
 
-def _text_problems(folder: Path, data: dict[str, Any]) -> Iterator[ContentError]:
+def _text_problems(folder: Path, reading: LessonReading) -> Iterator[ContentError]:
+    assert reading.data is not None and reading.document is not None
+    data = reading.data
     files = [folder / layout.LESSON_TEXT]
     for exercise in data["exercises"]:
         files.append(layout.exercise_text(folder, exercise["id"]))
@@ -54,9 +56,24 @@ def _text_problems(folder: Path, data: dict[str, Any]) -> Iterator[ContentError]
         files += [folder / layout.PROGRAMS / name for name in names]
     for file in files:
         try:
-            read_text(file)
+            text = read_text(file)
         except ContentError as error:
             yield error
+            continue
+        if file.name == layout.LESSON_TEXT:
+            yield from _step_problems(reading.document, data, text)
+
+
+def _step_problems(document: Document, data: dict[str, Any], text: str) -> Iterator[ContentError]:
+    """Each `step` names a heading, after that of the exercise before."""
+    lines = text.splitlines()
+    for index, exercise in enumerate(data["exercises"]):
+        heading = f"## {exercise['step']}"
+        if exercise["step"] and heading not in lines:
+            what = f"lesson.md has no heading `{heading}`, or not after that of the step before"
+            yield document.error(what, "add it, or correct `step`", place=("exercises", index, "step"))
+        elif exercise["step"]:
+            lines = lines[lines.index(heading) + 1 :]
 
 
 def _strays(folder: Path, ids: tuple[str, ...]) -> Iterator[ContentError]:

@@ -13,6 +13,7 @@ import contextlib
 import hashlib
 import json
 import os
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -36,10 +37,11 @@ class ChapterRef:
 
 @dataclass(frozen=True)
 class Lesson:
-    """What is read of a chapter before its exercises; text: Markdown."""
+    """What is read before an exercise. text: Markdown. id: its name in the learner's progress."""
 
     chapter: ChapterRef
     text: str
+    id: str
 
 
 @dataclass(frozen=True)
@@ -53,13 +55,15 @@ class Exercise:
     starter, grader, solution: paths that may not exist (a quiz has no solution). questions: asked
     by `check`. play: the module of the exercise's mystery, if it has one. looks_at: more files,
     folders and patterns of the course home that the grader looks at. bonus: not needed to complete
-    the course. local_only: about the learner's own machine, so no part of a submission.
+    the course. local_only: about the learner's own machine, so no part of a submission. step: its
+    part of the chapter's lesson, by its heading; empty: the same part as the exercise before.
     """
 
     id: str
     title: str
     summary: str
     chapter: ChapterRef
+    step: str
     text: str
     hints: tuple[str, ...]
     after: str | None
@@ -168,8 +172,25 @@ def load_chapter(folder: Path, cache: LessonCache | None = None) -> Chapter:
     )
 
 
-def lesson_of(chapter: Chapter) -> Lesson:
-    return Lesson(ChapterRef(chapter.number, chapter.title, chapter.slug), chapter.text)
+def lesson_of(chapter: Chapter, exercise: Exercise | None = None) -> Lesson:
+    """All of it, or the step that belongs to `exercise`. Raises ContentError if its heading is missing."""
+    ref = ChapterRef(chapter.number, chapter.title, chapter.slug)
+    until = chapter.exercises[: chapter.exercises.index(exercise) + 1] if exercise else ()
+    steps = [one.step for one in chapter.exercises if one.step]
+    current = len([one for one in until if one.step]) - 1
+    if current < 0:
+        return Lesson(ref, chapter.text, chapter.slug)
+    places = [_place(chapter, step) for step in steps]
+    text = chapter.text[places[current] if current else 0 : (*places, None)[current + 1]]
+    return Lesson(ref, text, f"{chapter.slug}#{steps[current]}" if current else chapter.slug)
+
+
+def _place(chapter: Chapter, heading: str) -> int:
+    found = re.search(rf"^## {re.escape(heading)}$", chapter.text, re.MULTILINE)
+    if found is None:
+        file = chapter.folder / layout.LESSON_TEXT
+        raise ContentError(f"the heading `## {heading}` is missing", "add it, or correct `step`", file=file)
+    return found.start()
 
 
 def read_text(file: Path) -> str:
@@ -209,6 +230,7 @@ def _exercise(folder: Path, ref: ChapterRef, data: dict[str, Any]) -> Exercise:
         title=data["title"],
         summary=data["summary"],
         chapter=ref,
+        step=data["step"],
         text=read_text(layout.exercise_text(folder, data["id"])),
         hints=tuple(data["hints"]),
         after=data["after"],

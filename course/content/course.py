@@ -47,9 +47,9 @@ class Course:
             raise unknown(name, exercises)
         return exercises[found]
 
-    def lessons(self, exercise: Exercise) -> tuple[Lesson, ...]:
-        """The lesson of its chapter, behind those of chapters right before that have no exercises."""
-        own = lesson_of(self._load(exercise.folder))
+    def lessons(self, exercise: Exercise, *, whole: bool = False) -> tuple[Lesson, ...]:
+        """Its step of its chapter's lesson, or all of it, after those of chapters without exercises."""
+        own = lesson_of(self._load(exercise.folder), None if whole else exercise)
         return (*self._without_exercises(self._folders.index(exercise.folder)), own)
 
     def last_lessons(self) -> tuple[Lesson, ...]:

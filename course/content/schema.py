@@ -160,6 +160,11 @@ class ExerciseSchema(Strict):
     id: ExerciseId = Field(description="the chapter's two digits, a dash and a name: `18-publisher`")
     title: Line = Field(description="one line, shown as the exercise's heading")
     summary: Line = Field(description="one line that says what the learner will do")
+    step: Line = Field(
+        default="",
+        description="a heading (`##`) of lesson.md: `next` shows the lesson from there up to the next "
+        "exercise's `step`; the exercises without one belong to the step before",
+    )
     packages: list[Package] = Field(default=[], description="a list of ROS packages that are built for it")
     workspace: Workspace = Field(
         default=WORKSPACE, description=f"the workspace that these lie in; `{WORKSPACE}` if left out"

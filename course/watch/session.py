@@ -178,7 +178,7 @@ class Session:
             self.look = self._opened(begun)
 
     def _turn_text(self) -> None:
-        """The task; the chapter's lesson where the task is shown already."""
+        """The task; the lesson where the task is shown already."""
         exercise = self.look.exercise
         if isinstance(self.look.body, updates.TaskText):
             self._show(self._learner.lesson(exercise))
@@ -209,11 +209,11 @@ class Session:
         self.look = replace(self.look, body=body, remark="", first=None)
 
     def _opened(self, begun: Begun) -> Look:
-        """An exercise that was just come to: its task, or the lesson when it is the chapter's first."""
+        """An exercise that was just come to: its task, or the lesson when there is some to read."""
         self._number = 0
         exercise = begun.exercise
         self._own.wrote(str(file.relative_to(self._learner.home)) for file in begun.new)
-        body = self._learner.lesson(exercise) if begun.first_of_chapter else self._learner.task(begun)
+        body = self._learner.lesson(exercise) if begun.to_read else self._learner.task(begun)
         return Look(exercise, body, self._learner.last_result(exercise), remark=_how_to_begin(exercise))
 
 

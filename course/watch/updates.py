@@ -128,7 +128,7 @@ Event = Said | SoFar | Checked | Stuck | Saved | Key | SignalCame | Tick
 
 @dataclass(frozen=True)
 class LessonText:
-    """What is read before an exercise: its chapter's lesson, and any before that without exercises."""
+    """What is read before an exercise: its part of the lesson, and any chapter before without exercises."""
 
     exercise: Exercise
     lessons: tuple[Lesson, ...]
@@ -220,7 +220,7 @@ class Begun:
 
     exercise: Exercise
     new: tuple[Path, ...] = ()
-    first_of_chapter: bool = False
+    to_read: bool = False
 
 
 class Learner(Protocol):

@@ -34,3 +34,21 @@ def lesson(change: Change) -> Callable[[str, str], Path]:
 def mistakes(change: Change) -> Callable[[str, str], Path]:
     """`mistakes(old, new)`: the same for mistakes.yaml."""
     return lambda old, new: change("chapters/04-lanterns/mistakes.yaml", old, new)
+
+
+@pytest.fixture
+def steps(small_course: Path) -> Callable[[str, str], Path]:
+    """Give the lesson two steps, and the exercises these values of `step` ("": none)."""
+
+    def give(first: str, second: str) -> Path:
+        chapter = small_course / "chapters/04-lanterns"
+        with (chapter / "lesson.md").open("a") as lesson:
+            lesson.write("\n## One\n\nof one\n## Two\n\nof two\n")
+        file = chapter / "lesson.yaml"
+        for name, step in (("04-light", first), ("04-dim", second)):
+            if step:
+                entry = f"  - id: {name}\n"
+                file.write_text(file.read_text().replace(entry, f"{entry}    step: {step}\n"))
+        return small_course
+
+    return give

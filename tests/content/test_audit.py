@@ -56,6 +56,16 @@ def test_every_problem_is_told(small_course: Path, lesson: EditFile, mistakes: E
     ]
 
 
+@pytest.mark.parametrize(
+    ("first", "second", "told"),
+    [("One", "Two", []), ("", "Two", []), ("One", "Three", ["## Three"]), ("Two", "One", ["## One"])],
+)
+def test_steps_are_headings_in_order(steps: EditFile, first: str, second: str, told: list[str]) -> None:
+    problems_found = found(steps(first, second))
+    assert [problem.key for problem in problems_found] == ["exercises[1].step"] * len(told)
+    assert all(heading in str(problem) for heading, problem in zip(told, problems_found, strict=True))
+
+
 def test_a_misspelt_key_is_not_told_as_missing_too(small_course: Path, lesson: EditFile) -> None:
     lesson("title: Lanterns", "titel: Lanterns")
     assert only(small_course).what == "`titel` is not a key; did you mean `title`?"

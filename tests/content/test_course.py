@@ -38,6 +38,31 @@ def test_a_lesson_ends_with_the_official_pages(
     assert course.chapters()[0].text == lesson.text
 
 
+def test_each_exercise_has_its_step_of_the_lesson(steps: Callable[[str, str], Path]) -> None:
+    course = open_course(steps("One", "Two"))
+    light, dim = course.exercises()
+    (first,), (second,), (all_of_it,) = (
+        course.lessons(light),
+        course.lessons(dim),
+        course.lessons(light, whole=True),
+    )
+    assert (first.text.splitlines()[0], first.text.splitlines()[-1]) == ("# Lanterns", "of one")
+    assert (second.text, first.text + second.text) == ("## Two\n\nof two\n", all_of_it.text)
+    assert (first.id, second.id, all_of_it.id) == ("04-lanterns", "04-lanterns#Two", "04-lanterns")
+
+
+def test_an_exercise_without_a_step_belongs_to_the_one_before(steps: Callable[[str, str], Path]) -> None:
+    course = open_course(steps("One", ""))
+    light, dim = course.exercises()
+    assert course.lessons(light) == course.lessons(dim) == course.lessons(dim, whole=True)
+
+
+def test_a_step_is_a_heading_of_the_lesson(steps: Callable[[str, str], Path]) -> None:
+    course = open_course(steps("One", "Three"))
+    with pytest.raises(ContentError, match="`## Three` is missing"):
+        course.lessons(course.exercise("04-light"))
+
+
 def test_an_exercise_is_read_whole(small_course: Path) -> None:
     dim = open_course(small_course).exercise("04-dim")
     assert dim.chapter == ChapterRef(4, "Lanterns", "04-lanterns")
