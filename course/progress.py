@@ -176,7 +176,7 @@ class Progress(Database):
         return int(self._value("SELECT hints FROM exercises WHERE exercise = ?", exercise) or 0)
 
     def _stamp(self, exercise: str, column: Literal["begun_at", "passed_at"]) -> None:
-        """The first time stays."""
+        """Keep the first time."""
         self._run("INSERT OR IGNORE INTO exercises (exercise) VALUES (?)", exercise)
         self._run(
             f"UPDATE exercises SET {column} = coalesce({column}, ?) WHERE exercise = ?", now(), exercise
@@ -208,7 +208,7 @@ def _open(file: Path) -> tuple[sqlite3.Connection, tuple[str, ...]]:
 
 
 def _usable(file: Path) -> sqlite3.Connection:
-    """A connection to a whole file of our schema. Raises _Damaged when it is neither that nor empty."""
+    """A connection to a complete file of our schema. Raises _Damaged if it is neither that nor empty."""
     database = _connect(file)
     try:
         _prepare(database)
@@ -232,7 +232,7 @@ def _connect(file: Path) -> sqlite3.Connection:
 
 
 def _leave_wal(database: sqlite3.Connection) -> None:
-    """WAL needs shared memory, which some network disks lack: a home moved to one is converted."""
+    """WAL needs shared memory, which some network disks lack. Convert a home that was moved to one."""
     try:
         database.execute("PRAGMA locking_mode = EXCLUSIVE")  # which does without shared memory
         database.execute("PRAGMA journal_mode = DELETE")
@@ -264,7 +264,7 @@ _TABLES = frozenset({"attempts", "exercises", "chapters_shown", "current"})
 
 
 def _set_aside(file: Path) -> Path:
-    """Rename the file and its journals to names that are free; returns the new name."""
+    """Rename the file and its journals to unused names, and return the new name."""
     stamp, number = f"{datetime.now():%Y-%m-%dT%H-%M-%S}", 1
     aside = file.with_name(f"progress.damaged-{stamp}.sqlite3")
     while os.path.lexists(aside):

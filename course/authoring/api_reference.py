@@ -147,7 +147,7 @@ class Reference:
         return self._sources.setdefault(module, _Source(module))
 
     def _find(self, module: str, name: str) -> tuple[_Source, Definition | ast.expr | None]:
-        """Where a name is defined, and how; None for a module."""
+        """Where and how a name is defined; None for a module."""
         source = self._source(module)
         if name in source.definitions:
             return source, source.definitions[name]

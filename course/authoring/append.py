@@ -41,7 +41,7 @@ def _loaded(file: Path, text: str) -> Any:
 
 
 def _holds(new: str, old: Any, key: str, more: list[Any]) -> bool:
-    """Whether the new text says what the old one said, and more in that one list."""
+    """Whether the new text contains the old one, and only one list grew."""
     try:
         return bool(yaml.safe_load(new) == {**old, key: [*old[key], *more]})
     except yaml.YAMLError:
@@ -92,7 +92,7 @@ def with_code(file: Path, text: str, imports: str, code: str) -> str:
 
 
 def _imports(names: Iterable[tuple[str, str]]) -> Iterator[str]:
-    """Names of one module on one line if they fit, else one a line; modules each on a line."""
+    """Names of one module on one line if they fit, otherwise one per line. Each module has its own line."""
     for module, group in groupby(names, itemgetter(0)):
         short = [name for _, name in group]
         if not module:

@@ -97,7 +97,6 @@ def _chapter_plan(root: Path, chapter: NewChapter) -> Plan:
 
 
 def _taken(root: Path) -> dict[int, str]:
-    """The numbers of the chapters that are there."""
     folders = (folder.name for folder in layout.chapter_folders(root))
     return {int(match[1]): name for name in folders if (match := layout.CHAPTER_FOLDER.fullmatch(name))}
 

@@ -112,7 +112,7 @@ def _chapter(root: Path, name: str) -> Path:
 
 
 def _refuse_same_package(root: Path, exercise: ExerciseName) -> None:
-    """All chapters' packages meet in one workspace, that of the learner."""
+    """All chapters share the learner's workspace, so package names must be unique."""
     other = next(root.glob(f"solutions/*/{layout.WORKSPACE}/src/{exercise.package}"), None)
     if other is not None:
         what = f"there is a package {exercise.package} already: {other.relative_to(root)}"

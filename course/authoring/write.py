@@ -61,7 +61,7 @@ def _make(folder: Path, made: list[Path]) -> None:
 
 @contextlib.contextmanager
 def _undone_on_error() -> Iterator[list[Path]]:
-    """What was made goes again, the last first, when not all of it could be made."""
+    """After an error, remove everything that was made, in reverse order."""
     made: list[Path] = []
     try:
         yield made

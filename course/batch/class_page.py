@@ -194,7 +194,7 @@ def _urgency(page: ClassPage, key: Key) -> tuple[bool, Key]:
 
 @contextmanager
 def _drawing(found: ReadClass, wanted: Sequence[Key]) -> Iterator[Iterator[tuple[tuple[str, ...], int]]]:
-    """Pictures in the order in which they are wanted, and their size; drawn by several processes."""
+    """Pictures with their sizes, in order. Several processes draw them."""
     draw = partial(_pictures, found.clean)
     files = [found.recordings[key] for key in wanted]
     if len(wanted) < _FEW:
@@ -209,13 +209,12 @@ def _drawing(found: ReadClass, wanted: Sequence[Key]) -> Iterator[Iterator[tuple
 
 
 def _begin() -> None:
-    """These processes end with the one that began them, which ends them on Ctrl+C."""
+    """A worker ends with its parent, which handles Ctrl+C."""
     end_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _pictures(clean: Cleaner, key: Key, file: Path) -> tuple[tuple[str, ...], int]:
-    """And how large they will be in the page."""
     try:
         recording = load(file)
     except (BadRecording, StorageError):  # it may just be replaced; the verdict stands without it

@@ -51,7 +51,6 @@ def _answers(task: GradingTask, graded: Graded) -> bool:
 
 
 def _failed(task: GradingTask, how: str) -> Graded:
-    """Ours, whatever the submission did."""
     fault = Feedback(summary=f"The worker that graded it {how}.")
     return Graded(task.unit, Result(task.unit.exercise, Verdict.OUR_ERROR, fault=fault), 0.0)
 

@@ -80,7 +80,7 @@ class Pool(Generic[Task, Answer]):
                 thread.join(max(0.0, deadline - time.monotonic()))
 
     def _look_after(self) -> None:
-        """One thread looks after one worker. The kernel ends the worker with this thread, too."""
+        """One thread per worker. The kernel ends the worker when its thread ends."""
         try:
             with contextlib.closing(Worker(self._work)) as worker:
                 self._workers.append(worker)
@@ -129,7 +129,6 @@ class Worker(Generic[Task, Answer]):
             child.close(_END_TIME)
 
     def _fell(self, task: Task, how: str) -> Answer:
-        """The next task gets a new worker."""
         self.kill()
         self.close()
         return self._work.failed(task, how)

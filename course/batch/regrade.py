@@ -99,7 +99,7 @@ class _Regrading:
         return Regraded(done, tuple(self._moved), tuple(self._lacking))
 
     def _judged(self, jobs: int | None) -> Iterator[tuple[Key, Judged | Unjudged | None]]:
-        """None for an exercise of questions alone, whose answers are all the evidence there is."""
+        """None for an exercise with questions only, because its answers are the only evidence."""
         recorded = []
         for key, stored in self._stored.items():
             if stored.damaged:

@@ -45,7 +45,7 @@ def repair(folder: Path) -> bool:
 
 
 def _is_whole(database: sqlite3.Connection) -> bool:
-    """So is a file that is not a database, or not ours: opening it says that."""
+    """Also true for a file that is not our database: opening it reports that."""
     try:
         database.execute("SELECT COUNT(*) FROM gradings WHERE 0")
     except sqlite3.DatabaseError:
@@ -69,14 +69,14 @@ def _copy(old: sqlite3.Connection, new: sqlite3.Connection) -> None:
 
 
 def _readable(database: sqlite3.Connection, table: str) -> Iterator[Row]:
-    """Each row by itself: a damaged page is met by those that are on it."""
+    """Read each row separately, so that a damaged page affects only its own rows."""
     for number in _numbers(database, table):
         with contextlib.suppress(sqlite3.DatabaseError):
             yield from database.execute(f"SELECT * FROM {table} WHERE rowid = ?", (number,)).fetchall()
 
 
 def _numbers(database: sqlite3.Connection, table: str) -> Iterable[int]:
-    """Of all rows: as an index has them, or else all that may be."""
+    """The row numbers in an index, or all possible ones."""
     try:
         rows = database.execute(f"SELECT rowid FROM {table} INDEXED BY sqlite_autoindex_{table}_1").fetchall()
         return [number for (number,) in rows]

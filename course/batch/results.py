@@ -229,7 +229,7 @@ class Results(Database):
             yield self._stored(*row)
 
     def _stored(self, row: int, person: str, exercise: str) -> StoredGrading:
-        """Each by itself: what is wrong with one harms no other."""
+        """Store each one separately, so that an error in one does not affect the others."""
         statement = "SELECT attempt, result, evidence, seconds FROM gradings WHERE rowid = ?"
         try:
             ((attempt, text, evidence, seconds),) = self._run(statement, row)

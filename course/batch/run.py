@@ -63,7 +63,7 @@ class Homes:
                 wipe(self._folder / unit.person)
 
     def _keep(self, unit: Unit, exercise: Exercise, home: Path) -> None:
-        """Answers are judged as they stand, as is what `play` noted; the seed belongs to both."""
+        """Keep answers, the notes of `play`, and the seed that they depend on."""
         if not (exercise.questions or exercise.play):
             return
         acts = log_file(home / STATE, exercise.id).relative_to(home)
@@ -128,7 +128,7 @@ def results_folder(out: Path) -> Iterator[Results]:
 
 
 def _sweep(out: Path) -> None:
-    """Where reports and recordings are written. What submissions have left in WORK may be of any depth."""
+    """Clear the folder of reports and recordings. Submissions may leave deep trees in WORK."""
     with storing(f"results cannot be kept in {out}"):
         for folder in (out, *out.glob("*/"), *out.glob(f"{EVIDENCE}/*/")):
             sweep(folder)
@@ -230,7 +230,7 @@ class _Schedule:
 
 
 def _clear(evidence: Path) -> None:
-    """What is there is of another attempt, or half-written by one that was killed."""
+    """Remove files of another attempt, or of one that was killed."""
     for file in evidence.parent.glob(f"*{evidence.name}*"):
         file.unlink(missing_ok=True)
 

@@ -142,7 +142,7 @@ def manifest_place(package: Package, tag: str) -> Location:
 
 
 def _leads_out(workspace: Workspace, name: str) -> Found | None:
-    """It may be there, behind a link out of the course home, which nobody follows."""
+    """It may exist behind a link that leads out of the course home. Nobody follows such links."""
     source = workspace.root / "src"
     for place in (workspace.root, source, source / name):
         if place.is_symlink() and within(place, workspace.inside) is None:

@@ -134,7 +134,7 @@ class _Build:
         keys: Mapping[str, str],
         results: dict[str, InstalledPackage | BuildFailure],
     ) -> None:
-        """Fill in `results`: each step as soon as what it needs is built, until one fails."""
+        """Fill in `results`. Each step starts when its dependencies are built, until one fails."""
         running: dict[Future[InstalledPackage | BuildFailure], str] = {}
         with ThreadPoolExecutor(_WORKERS, "build") as pool:
             try:

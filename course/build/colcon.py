@@ -110,7 +110,7 @@ def _joined(names: Sequence[str]) -> str:
 
 
 def _kills() -> int | None:
-    """How many programs the kernel has killed for want of memory so far; None if it does not say."""
+    """How many programs the kernel has killed for lack of memory; None if unknown."""
     with contextlib.suppress(OSError, ValueError):
         for line in Path("/proc/vmstat").read_text(encoding="ascii").splitlines():
             if line.startswith("oom_kill "):

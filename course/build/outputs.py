@@ -56,7 +56,7 @@ def seal(top: Path, within: Path) -> Flaw | None:
 
 
 def _entries(top: Path) -> Iterator[tuple[Path, os.stat_result]]:
-    """With a stack of our own: Python's would end before the deepest tree does."""
+    """With an explicit stack, because a deep tree would exceed Python's."""
     waiting = [top] if top.is_dir() and not top.is_symlink() else []
     while waiting:
         folder = waiting.pop()
@@ -139,7 +139,7 @@ class DiskUsage:
 
 
 def _children(folder: str) -> list[os.DirEntry[str]]:
-    """None of a folder that is gone meanwhile; one that is shut can be counted once it is ours again."""
+    """Empty if the folder has disappeared. An unreadable one is counted after we own it again."""
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         return list(islice(entries, MOST_FILES + 1))
     return []

@@ -105,7 +105,7 @@ class PackageBuild:
             return failure or InstalledPackage(name, source, prefix, False, time.monotonic() - began)
 
     def _fill(self) -> BuildFailure | None:
-        """Everything that the entry is to have, or the log of a failure."""
+        """The whole content of the entry, or the log of a failure."""
         entry, package = self.entry, self.package
         copy_sources(package.folder, self.workspace.home, entry.kept)
         if content_key(entry.kept, entry.kept, self.needed, self.ros.identity) != self.key:
@@ -122,7 +122,7 @@ class PackageBuild:
         return None
 
     def _run_undisturbed(self) -> BuildFailure | None:
-        """Run the build, and again when a process of ours was killed, which is nothing that it can do."""
+        """Run the build, and again if one of our processes was killed, which the build could not cause."""
         for _ in range(_ATTEMPTS - 1):
             with suppress(Spoilt):
                 return self._run()
@@ -149,7 +149,7 @@ class PackageBuild:
     def _error(
         self, build: Build, ended: Ended, flaw: Flaw | None, usage: DiskUsage, killed: Killed
     ) -> BuildError | None:
-        """Whose fault it was; raises what this machine lacks."""
+        """Decide whose fault it was. Raises if this machine lacks something."""
         root = self.store.root
         if ended.limit == NO_ROOM:
             raise disk_full(root)
@@ -239,7 +239,7 @@ class PackageBuild:
 
 @contextmanager
 def _half_made(entry: StoreEntry) -> Iterator[None]:
-    """Leave nothing behind when something unforeseen happens."""
+    """Clean up after an unexpected error."""
     entry.begin()
     try:
         yield

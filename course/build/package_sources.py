@@ -87,7 +87,7 @@ def copy_sources(folder: Path, home: Path, to: Path) -> None:
 def _walk(
     folder: Path, prefix: str, home: Path, above: tuple[Path, ...]
 ) -> Iterator[tuple[str, SourceFile | None]]:
-    """Names of all files and folders; with each file, what it is."""
+    """The names of all files and folders, with the type of each file."""
     if prefix.count("/") > MOST_DEPTH:
         raise TooMuch(prefix.split("/")[0])
     with os.scandir(folder) as entries:

@@ -99,7 +99,7 @@ class _Move:
 
 
 def _changes(earlier: StoreEntry, entry: StoreEntry) -> dict[str, bytes] | None:
-    """New contents of installed files, by their names; None when it cannot be told which they are."""
+    """New contents of installed files by name; None if these files are unknown."""
     before, after = _modules(earlier.src), _modules(entry.kept)
     changed = {name for name in before if before[name] != after[name]}
     suspects = {PurePosixPath(name).name for name in changed}
@@ -123,7 +123,7 @@ def _modules(folder: Path) -> dict[str, bytes]:
 
 
 def _sources(installed: str, content: bytes, modules: dict[str, bytes]) -> list[str]:
-    """Modules that the installed file may be a copy of: the one at the end of its path, if it is there."""
+    """Modules that the installed file may be a copy of, judging by the end of its path."""
     base = PurePosixPath(installed).name
     possible = [name for name in modules if modules[name] == content and PurePosixPath(name).name == base]
     exact = [name for name in possible if installed.endswith(f"/{name}")]
@@ -177,7 +177,7 @@ def is_plain(folder: Path, names: Iterable[str]) -> bool:
 
 
 def _may_be_imported(name: PurePosixPath) -> bool:
-    """Whether setuptools could come upon it: setup.py runs with the package's folder first in its path."""
+    """Whether setuptools could import it: setup.py runs with the package's folder first in its path."""
     top = name.parts[0]
     if len(name.parts) == 1:
         return name.suffix == ".py" and top != "setup.py"

@@ -147,7 +147,7 @@ class _Watch:
 
 
 def _copy(pipe: int, log: BinaryIO) -> bool:
-    """Copy all that is there, a pipe's worth at most; False when there is nothing (more)."""
+    """Copy the available data, at most one pipe's capacity; False if there is none."""
     try:
         data = os.read(pipe, 1 << 20)
     except BlockingIOError:

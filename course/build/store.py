@@ -249,7 +249,7 @@ class Store:
                 yield *_noted(folder.path), folder.name
 
     def _remove(self, key: str) -> bool:
-        """False when somebody makes it or uses it."""
+        """False if somebody is making or using it."""
         files = (self._lock_file(key), self._use_file(key))
         with ExitStack() as stack:
             for file in files:
@@ -304,7 +304,7 @@ def disk_full(place: Path) -> DiskFull:
 
 
 def _is_current(file: Path, lock: int) -> bool:
-    """Whether this is still the lock file that others will open."""
+    """Whether others will open this same lock file."""
     with suppress(FileNotFoundError):
         return os.path.samestat(os.fstat(lock), file.stat())
     return False
@@ -322,7 +322,7 @@ def _noted_size(marker: Path) -> int:
 
 
 def _noted(folder: str) -> tuple[float, int]:
-    """When the entry in `folder` was last used, and its size. Asked of every entry after each build."""
+    """When the entry in `folder` was last used, and its size. Called for every entry after each build."""
     marker = f"{folder}/complete"
     try:
         return os.stat(marker).st_mtime, _noted_size(Path(marker))  # noqa: PTH116 - see above

@@ -104,7 +104,7 @@ def _texts(package: Package, workspace: Workspace, endings: tuple[str, ...]) -> 
 
 
 def _finds(text: bytes, name: bytes) -> bool:
-    """Whether CMake is told to find `name`; what is for tests only does not count, they are not built."""
+    """Whether CMake has to find `name`. Dependencies of tests do not count: no tests are built."""
     for_tests = False
     for line in text.splitlines():
         for_tests = bool(_TESTS.match(line)) or (for_tests and not _END.match(line))

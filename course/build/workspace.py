@@ -114,7 +114,7 @@ def read_package(folder: Path, home: Path, inside: Path | None) -> Package:
 
 
 def _manifest_bytes(file: Path, inside: Path | None) -> bytes | ManifestFault:
-    """Never waits, as for a pipe, and reads nothing but a plain file."""
+    """Read only a plain file, so that a pipe cannot block."""
     advice = "Put the plain text file itself in its place."
     target = within(file, inside)
     if target is None:
@@ -152,7 +152,7 @@ def package_folders(top: Path, inside: Path | None) -> Iterator[Path]:
 
 
 def _enters(folder: Path, inside: Path | None, seen: set[Path]) -> bool:
-    """Links could go round without end; colcon, too, takes each folder once."""
+    """Links could form a circle. Like colcon, enter each folder once."""
     if folder.name.startswith(".") or folder.name in _COLCON_FOLDERS:
         return False
     target = within(folder, inside)

@@ -66,7 +66,7 @@ def make_bundle(
 
 @contextlib.contextmanager
 def _made(given: Path | None) -> Iterator[Path]:
-    """The given wheel, or a new one that exists only as long as it is needed."""
+    """The given wheel, or a temporary one."""
     if given is not None and not given.is_file():
         raise UsageError(f"There is no {given}.", "Name a wheel, or leave --wheel out.")
     with tempfile.TemporaryDirectory(prefix="ros2course-wheel-") as folder:
@@ -88,7 +88,7 @@ def _make(folder: Path) -> Path:
 
 
 def _files_of(root: Path | None) -> Mapping[str, bytes]:
-    """The files of another course; none for the one that comes with `ros2course`."""
+    """Another course's files; none for the course that comes with `ros2course`."""
     if root is None:
         return {}
     files = (file for file in sorted(root.rglob("*")) if file.is_file() and "__pycache__" not in file.parts)

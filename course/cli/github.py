@@ -67,7 +67,7 @@ def _append(file: Path, text: str) -> None:
 
 
 def _in_repository(found: Found, submissions: Path, environ: Mapping[str, str]) -> Callable[[str], str]:
-    """Translates a file's path in the course home to the path in the clone that it came from."""
+    """Translates a path in the course home to the path in the clone."""
     clone = Path(environ.get("GITHUB_WORKSPACE") or submissions)
     top = os.path.relpath(submissions, clone)
 

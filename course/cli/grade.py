@@ -155,7 +155,7 @@ def _wait_for(arrivals: Arrivals | None, *, quiet: bool = False) -> None:
 
 
 def _tell(error: UsageError, before: str) -> str:
-    """Once, however often it comes again."""
+    """Print a message only once."""
     if error.what != before:
         render_problem(error_console(), error.what, spoken(error.next_step or ""))
     return error.what
@@ -170,7 +170,7 @@ def _grade_found(
     again: Callable[[], None],
     arrivals: Arrivals | None,
 ) -> None:
-    """Once: what is there now. again: see `signals`."""
+    """Grade the submissions that are there now. again: see `signals`."""
     try:
         planned = asked.plan(course, asked.out / WORK / "opened", arrivals)
         if not arrivals:
@@ -233,7 +233,7 @@ def _note(
 def _rounds(
     graders: Execution, asked: ClassRequest, console: Console, again: Callable[[], None]
 ) -> Iterator[Rounds | None]:
-    """What grades: a cluster's workers, or None for those of this machine. again: see `signals`."""
+    """The workers that grade: those of a cluster, or None for this machine's. again: see `signals`."""
     if graders.cluster is None:
         yield None
         return
@@ -279,7 +279,7 @@ def _row(planned: BatchPlan, place: int) -> SubmissionRow:
 def _book(
     results: Results, exercises: Sequence[Exercise], asked: BatchSettings, out: Path
 ) -> tuple[Gradebook, Cleaner]:
-    """The results as reports take them, and what keeps from reports what must not be in them."""
+    """The results for reports, and the cleaner that removes what reports must not contain."""
     decisions = decisions_in(out, people_of(results), exercises)
     of = (asked.title or TITLE, exercises, asked.began, datetime.now(timezone.utc), decisions)
     return gradebook(results, *of), cleaner(out, asked.submissions)
@@ -308,7 +308,7 @@ def _say_different(results: Results) -> None:
 
 
 def _say_unknown(book: Gradebook) -> None:
-    """Name the people whose time of handing in is not known."""
+    """Name the people whose submission time is unknown."""
     late = ((graded.person, graded.lateness) for graded in book.graded)
     people = [person.name or person.id for person, found in late if found and found.words.endswith(NOT_KNOWN)]
     if people:

@@ -81,7 +81,7 @@ def _exercise(options: Options, name: str, kind: ExerciseKind) -> tuple[Made, St
 
 
 def _root(options: Options) -> Path:
-    """The course to add to: the one given, else the current folder, and no other."""
+    """The given course, or the one in the current folder."""
     root = (options.course or Path()).absolute()
     if options.course is None and not is_course(root):
         raise UsageError("It is not clear which course it is for.", "Say which: `--course DIR`.")

@@ -32,5 +32,5 @@ def course_named(value: object) -> Path | None:
 
 
 def _path(value: object) -> Path | None:
-    """While completing, a value may still be the text that was typed."""
+    """During completion, a value may still be the typed text."""
     return Path(str(value)) if value else None

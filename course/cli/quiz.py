@@ -63,7 +63,6 @@ class Asking:
             raise
 
     def _open(self, known: Answers, *, again: bool) -> tuple[Question, ...]:
-        """The questions that are still to be asked."""
         given = {question.id: known.to(question.id) for question in self.questions}
         blank = tuple(question for question in self.questions if given[question.id] is None)
         if not again:
@@ -129,7 +128,7 @@ def _change(
     questions: tuple[Question, ...],
     change: Callable[[Answers], Mapping[str, tuple[str, ...]]],
 ) -> None:
-    """Change the current file, which another terminal or an editor may have changed meanwhile."""
+    """Change the current file, because another terminal or an editor may have changed it in the meantime."""
     with home.lock():
         known = read_answers(home.path, exercise.id) or Answers("")
         new = change(known)

@@ -87,7 +87,6 @@ def _judge_again(
 
 
 def _show(found: Regraded, out: Path, *, rerun: bool) -> None:
-    """out: as it was typed."""
     console = open_console()
     render_moves(console, [_row(one) for one in found.moved], found.judged)
     lacking = [(one.person, one.exercise, one.why) for one in found.lacking]

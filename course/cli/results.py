@@ -133,7 +133,7 @@ def canvas(ctx: typer.Context, folder: Folder) -> None:
 
 
 def _letters(ctx: typer.Context, folder: Path, lms: Lms) -> list[tuple[str, str, str]]:
-    """The LMS's number, name and letter of each; says who has none. Raises UsageError if nobody has."""
+    """Each person's number in the LMS, name, and letter. Raises UsageError if nobody has a number."""
     with Results.look(folder.absolute()) as stored:
         page = read_class(folder.absolute(), stored, course_of(options_of(ctx))).page
         numbers = _numbers(people_of(stored), {one.person: one.source for one in stored.submissions()}, lms)
@@ -154,7 +154,7 @@ def _letters(ctx: typer.Context, folder: Path, lms: Lms) -> list[tuple[str, str,
 
 
 def _numbers(people: Sequence[Person], sources: Mapping[str, str], lms: Lms) -> list[str]:
-    """The LMS's numbers, in the class's order. Without a submission, the id, if ids are these numbers."""
+    """The LMS's numbers in the class's order. Without a submission, the id, if ids are such numbers."""
     told = {one.id: lms_id(sources[one.id], lms) for one in people if not one.graded_as}
     found = {who: number for who, number in told.items() if number}
     ids_are_numbers = bool(found) and all(who == number for who, number in found.items())

@@ -48,7 +48,7 @@ def drawn(
 
 
 def _known(session: CourseSession) -> dict[Name, Question]:
-    """The questions of quizzes that were tried, without mysteries, whose nodes would have to run."""
+    """Questions of attempted quizzes, without mysteries, which need running nodes."""
     done = (one for one in session.course.readable_exercises() if one.play is None and one.questions)
     tried = [one for one in done if session.progress.attempts(one.id)]
     return {(one.id, question.id): question for one in tried for question in questions_of(session, one)}

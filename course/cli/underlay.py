@@ -42,7 +42,7 @@ def build_underlay(
 
 
 def _known(wanted: list[str] | None, ros: Ros) -> list[str]:
-    """The names to build: those that were asked for, or whatever is missing."""
+    """The requested names, or all that are missing."""
     if not wanted:
         return [package.name for package in missing_of_underlay(ros)]
     known = [package.name for package in compiled_of_underlay(ros)]

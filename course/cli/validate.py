@@ -210,7 +210,7 @@ def complaint(words: Sequence[str]) -> str | None:
 
 
 def _said_of(command: Any, context: Any, words: Sequence[str]) -> str | None:
-    """The same for a command, or for one that has commands of its own."""
+    """The same for one command, or for a group of commands."""
     said, rest = _parsed(command, context, words)
     if said or not rest:
         return said
@@ -229,7 +229,7 @@ def _group() -> Any:
 
 
 def _parsed(command: Any, context: Any, words: Sequence[str]) -> tuple[str | None, list[str]]:
-    """What is wrong with its options and arguments, and the words that are left over."""
+    """The errors in its options and arguments, and the remaining words."""
     try:
         given, rest, _order = command.make_parser(context).parse_args(list(words))
     except TyperException as error:

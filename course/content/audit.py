@@ -65,7 +65,6 @@ def _text_problems(folder: Path, reading: LessonReading) -> Iterator[ContentErro
 
 
 def _step_problems(document: Document, data: dict[str, Any], text: str) -> Iterator[ContentError]:
-    """Each `step` names a heading, after that of the exercise before."""
     lines = text.splitlines()
     for index, exercise in enumerate(data["exercises"]):
         heading = f"## {exercise['step']}"
@@ -77,7 +76,7 @@ def _step_problems(document: Document, data: dict[str, Any], text: str) -> Itera
 
 
 def _strays(folder: Path, ids: tuple[str, ...]) -> Iterator[ContentError]:
-    """Texts, starters and mysteries that no exercise uses, mostly misspelt ones."""
+    """Texts, starters, and mysteries that no exercise uses. Most are misspelled."""
     texts = {file: file.stem for file in folder.glob("*.md") if file.name != layout.LESSON_TEXT}
     starters = {path: path.name for path in folder.glob("starter/*")}
     plays = {path: path.stem for path in folder.glob("play/*") if path.name[0] not in "._"}
@@ -103,7 +102,7 @@ def _grader_and_solution(folder: Path, reading: LessonReading) -> Iterator[Conte
 
 
 def _is_quiz(folder: Path, exercise: dict[str, Any]) -> bool:
-    """Whether its questions alone are judged, for which no grader is needed."""
+    """Whether only its questions are judged; then it needs no grader."""
     return bool(exercise["questions"]) and layout.play_file(folder, exercise["id"]) is None
 
 
@@ -220,7 +219,7 @@ def _missing_deletes(document: Document, files: tuple[str, ...], solution: Path)
 def _edit_problems(
     document: Document, mistake: Mistake, place: Place, solution: Path
 ) -> Iterator[ContentError]:
-    """Each edit is judged by what those before it made of the solution."""
+    """Apply the edits in order: each one sees what the previous ones changed."""
     edited = Edited(solution)
     for index, edit in enumerate(mistake.edits):
         yield from _edit_problem(document, edit, (*place, index), edited)
@@ -250,7 +249,7 @@ def _edit_problem(document: Document, edit: Edit, place: Place, edited: Edited) 
 
 
 def _is_made(file: str, solution: Path) -> bool:
-    """Whether the file is in no solution: it is made when a trial home is laid."""
+    """Whether the trial home makes this file, so that no solution contains it."""
     built = solution / layout.BUILT
     text = built.read_text(encoding="utf-8") if built.is_file() else ""
     prefixes = _INSTALLED.findall(text)
@@ -258,7 +257,7 @@ def _is_made(file: str, solution: Path) -> bool:
 
 
 def _answers_problem(document: Document, edit: Edit, place: Place) -> Iterator[ContentError]:
-    """The question ids are proved by the exercise's own tests: a chapter's questions are not known here."""
+    """The exercise's own tests check the question ids, because this module does not know the questions."""
     folder, _, name = edit.file.rpartition("/")
     if folder != "answers" or not name.endswith(".yaml"):
         what = f"`answers` goes with an answers file, not with `{edit.file}`"

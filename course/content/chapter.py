@@ -141,7 +141,7 @@ class LessonCache:
         return lesson if isinstance(lesson, dict) else None
 
     def _keep(self, chapter: Path, proof: str, lesson: LessonData) -> None:
-        """A full or read-only disk only costs time at the next command."""
+        """If the disk is full or read-only, the next command only takes longer."""
         with contextlib.suppress(OSError):
             write_atomic(self._file(chapter), json.dumps({"proof": proof, "lesson": lesson}))
 
@@ -151,7 +151,7 @@ class LessonCache:
 
 
 def _proof(chapter: Path) -> str:
-    """A hash of all that decides what reading this lesson gives."""
+    """A hash of everything that the content of this lesson depends on."""
     here = Path(__file__).parent
     parts = [chapter / LESSON, *(here / name for name in _RULES)]
     return hashlib.sha256(b"\0".join(part.read_bytes() for part in parts)).hexdigest()

@@ -57,7 +57,6 @@ class Course:
         return self._without_exercises(len(self._folders))
 
     def _without_exercises(self, end: int) -> tuple[Lesson, ...]:
-        """Read upwards from there, no further than to the first chapter with exercises."""
         upwards = (self._load(folder) for folder in reversed(self._folders[:end]))
         return tuple(map(lesson_of, takewhile(lambda chapter: not chapter.exercises, upwards)))[::-1]
 
@@ -68,7 +67,6 @@ class Course:
                 yield from self._load(folder).exercises
 
     def _numbered(self, number: int | None) -> Iterator[Exercise]:
-        """The exercises of one chapter."""
         for folder in self._folders:
             if number is not None and folder.name.startswith(f"{number:02d}-"):
                 yield from self._load(folder).exercises
@@ -164,5 +162,5 @@ def _begins_name(wanted: str, candidate: str) -> bool:
 
 
 def _padded(wanted: str) -> str:
-    """`2-script` as `02-script`."""
+    """`2-script` becomes `02-script`."""
     return re.sub(r"^(\d)(?=-|$)", r"0\1", wanted)

@@ -99,7 +99,6 @@ def _syntax_error(file: Path, error: yaml.MarkedYAMLError) -> ContentError:
 
 
 def _step(node: yaml.Node | None, part: int | str) -> tuple[int, yaml.Node] | None:
-    """Line and value of one key or item."""
     if isinstance(node, yaml.SequenceNode) and isinstance(part, int) and part < len(node.value):
         item = node.value[part]
         return item.start_mark.line + 1, item
@@ -111,7 +110,7 @@ def _step(node: yaml.Node | None, part: int | str) -> tuple[int, yaml.Node] | No
 
 
 def _repeated_keys(file: Path, node: yaml.Node | None, visited: set[int]) -> Iterator[ContentError]:
-    """PyYAML silently lets the last of two equal keys win, but an author wants to know."""
+    """PyYAML silently uses the last of two equal keys, but an author wants to know."""
     if node is None or id(node) in visited:  # an alias may lead back to its own container
         return
     visited.add(id(node))

@@ -136,7 +136,7 @@ def _choice_problems(document: Document, item: dict[str, Any], place: Place) -> 
 
 
 def _spoilt(document: Document, item: dict[str, Any], place: Place) -> Iterator[ContentError]:
-    """An explanation that wrong answers get too must not hold what is right."""
+    """An explanation that is shown after wrong answers, too, must not contain the right one."""
     key = "otherwise" if item["otherwise"] else "explain"
     said = _tidy(item[key] or "")
     texts = [_tidy(text) for text in (item["text"] or item["all_of"])]

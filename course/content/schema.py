@@ -200,7 +200,7 @@ class ExerciseSchema(Strict):
     @field_validator("hints")
     @classmethod
     def _enough(cls, hints: list[str], info: ValidationInfo) -> list[str]:
-        """Fewer will do for a quiz: each of its questions explains itself."""
+        """A quiz may have fewer: each question has its own explanations."""
         writes_programs = info.data.get("questions") == [] or bool(info.data.get("packages"))
         if len(hints) < FEWEST_HINTS and writes_programs:
             raise wrong(f"must hold at least {FEWEST_HINTS} hints, not {len(hints)}")

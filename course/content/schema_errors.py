@@ -46,7 +46,7 @@ def validated(document: Document, schema: type[S]) -> tuple[S | None, tuple[Cont
 
 
 def _misspelt(schema: type[BaseModel], found: list[ErrorDetails]) -> set[Place]:
-    """Keys that are only missing because they are misspelt, which the unknown key's error says already."""
+    """Keys that are missing only because they are misspelled; the unknown key's error says so."""
     unknown = [details["loc"] for details in found if details["type"] == "extra_forbidden"]
     meant = (
         (*place[:-1], name)
@@ -94,7 +94,7 @@ def _complaint(details: ErrorDetails) -> str:
 
 
 def _kind(value: object) -> str:
-    """What an author sees in the file, rather than Python's name for it."""
+    """The word for it in YAML, not Python's name."""
     if value is None:
         return "empty"
     if isinstance(value, bool):
@@ -135,5 +135,5 @@ def _model_in(annotation: Any) -> type[BaseModel] | None:
 
 
 def _fields(schema: type[BaseModel]) -> dict[str, FieldInfo]:
-    """By the names used in files (`with`, where Python has `with_`)."""
+    """By their names in files: `with`, where Python has `with_`."""
     return {field.alias or name: field for name, field in schema.model_fields.items()}

@@ -100,7 +100,6 @@ def unempty(items: list[str]) -> list[str]:
 
 
 def _like(pattern: str) -> WithJsonSchema:
-    """What an editor is told of a text."""
     return WithJsonSchema({"type": "string", "pattern": pattern})
 
 

@@ -67,7 +67,7 @@ def _too_busy(result: Result) -> Result:
 
 
 def _checks_of(result: Result, exercise: Exercise) -> Iterator[CheckResult]:
-    """The checks, with what went wrong on our side as failures; all of them where nothing was judged."""
+    """The checks, with our own errors as failures. If nothing was judged, all of them."""
     if result.fault is not None:
         yield from _unjudged(result.fault, exercise)
     for check in result.checks:
@@ -78,7 +78,7 @@ def _checks_of(result: Result, exercise: Exercise) -> Iterator[CheckResult]:
 
 
 def _unjudged(fault: Feedback, exercise: Exercise) -> Iterator[CheckResult]:
-    """The first check fails; none of those after it could be looked at."""
+    """The first check fails, and those after it could not be judged."""
     first: CheckResult | None = None
     for spec in load_grader(exercise.grader, exercise.id).checks.values():
         if spec.id == BUILDS:

@@ -161,7 +161,7 @@ def attempt_exercise(request: Request, judge: Judge) -> Result:
 
 
 def _lacks_a_cause(result: Result, task: RecordingTask) -> bool:
-    """Whether Python ran, and something failed that nothing explains."""
+    """Whether Python ran, and a check failed without a known cause."""
     built = (f"{task.home}/{package.source}/setup.py" for package in task.packages.built)
     python = any(map(os.path.exists, built)) or not task.packages.built
     return python and result.fault is None and any(map(asks_why, result.checks))
@@ -280,7 +280,7 @@ def _sandbox(
 
 
 def _require_hidden(exercise: Exercise, ros: Ros) -> None:
-    """Raises OurFault where builds and programs of a submission could read the course."""
+    """Raise OurFault if builds and programs of a submission could read the course."""
     readable = _readable((exercise.grader, exercise.solution, exercise.folder), ros)
     if readable:
         what = f"{readable} lies among the files of the system, which submissions can read."
@@ -294,7 +294,6 @@ def _readable(places: tuple[Path, ...], ros: Ros) -> Path | None:
 
 
 def _places(request: Request, ros: Ros) -> MachinePlaces:
-    """What the recording process reads."""
     store, exercise = request.store.root, request.exercise
     engine = Path(course.__file__).parents[1]
     with contextlib.suppress(OSError):  # building says so
@@ -305,7 +304,6 @@ def _places(request: Request, ros: Ros) -> MachinePlaces:
 
 
 def _mystery(request: Request) -> dict[str, Any]:
-    """What the recording process is told of the exercise's mystery."""
     exercise = request.exercise
     if exercise.play is None or request.seed is None:
         return {}

@@ -57,7 +57,7 @@ def _modules_beside(folder: Path) -> Iterator[None]:
 
 
 def _taken(names: set[str]) -> dict[str, ModuleType]:
-    """Takes these modules, and those in them, out of those that Python knows."""
+    """Remove these modules and their submodules from sys.modules."""
     found = [name for name in sys.modules if name.partition(".")[0] in names]
     return {name: sys.modules.pop(name) for name in found}
 

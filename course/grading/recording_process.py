@@ -132,7 +132,7 @@ def _save(recording: Recording, task: RecordingTask, file: int) -> None:
 
 
 def _with_notes(judged: int, observed: Recording) -> Recording:
-    """The judged recording, and at its end what was noted in the run that looked for a cause."""
+    """The judged recording, followed by the notes of the run that looked for a cause."""
     before = read(os.pread(judged, os.fstat(judged).st_size, 0), "the judged recording")
     notes = (replace(event, t=before.duration) for event in observed.events if isinstance(event, Observed))
     return replace(before, events=(*before.events, *notes))
@@ -143,7 +143,7 @@ def _groups(task: RecordingTask) -> list[Path]:
 
 
 def _record(task: RecordingTask, channel: Channel, folder: Path, launcher: socket) -> tuple[Recording, float]:
-    """Run the scenario, unless nothing was built that it could run; and how busy the machine was (s)."""
+    """Run the scenario if there is something to run, and return how busy the machine was (s)."""
     grader = load_grader(Path(task.grader), task.exercise)
     timeline = Timeline()
     home = Path(task.home)
@@ -196,7 +196,7 @@ def _record(task: RecordingTask, channel: Channel, folder: Path, launcher: socke
 
 
 def _ours(folder: Path) -> Path:
-    """For what the learner's programs may read and not write."""
+    """A folder that the learner's programs can read but not write."""
     ours = folder / "ours"
     ours.mkdir(exist_ok=True, parents=True)
     return ours
@@ -218,7 +218,7 @@ def _watching(task: RecordingTask, sources: Sources, folder: Path) -> Mapping[st
 
 
 def _noted(home: ScratchHome) -> Iterator[Observed]:
-    """What programs noted there, as far as it has the form of a note. They may have written anything."""
+    """The valid notes of programs. They may have written anything."""
     for file in islice(home.matching(f"{_NOTES}/*"), _MOST_PROGRAMS):
         for line in (home.text(file) or "")[:_MOST_NOTES].splitlines():
             with contextlib.suppress(DamagedData):
@@ -257,7 +257,6 @@ def _open_place(
 
 @contextlib.contextmanager
 def _notes_of(place: Place, task: RecordingTask, timeline: Timeline) -> Iterator[None]:
-    """At its end, what was noted in this place is on the time line, if that is what this run is for."""
     try:
         yield
     finally:
@@ -272,7 +271,6 @@ def _plan(sandbox: IsolationPlan, grader: Grader, folder: Path) -> IsolationPlan
 
 
 def _told(task: RecordingTask) -> Iterator[Event]:
-    """What was known of a mystery before the recording began."""
     if task.seed is not None:
         yield Drawn(0.0, task.seed)
     yield from (Acted(0.0, name, detail) for name, detail in task.acts)

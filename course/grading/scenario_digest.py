@@ -63,7 +63,7 @@ def _declaration(tree: ast.Module, exercise: str) -> tuple[str, list[str]] | Non
 
 
 def _scenarios(tree: ast.Module, grader: str) -> Iterator[str]:
-    """The names of the functions that are decorated with the grader's `scenario`, or given to it."""
+    """The names of functions that are decorated with `scenario` or passed to it."""
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef) and any(_decorates(one, grader) for one in node.decorator_list):
             yield node.name
@@ -81,7 +81,7 @@ def _mystery(grader: Path, exercise: str) -> Iterator[str]:
 
 
 def _files_named(folder: Path, strings: set[str]) -> Iterator[str]:
-    """Texts of files right below a folder of the graders' folder whose names the scenario says."""
+    """Texts of files in the graders' folder that the scenario names."""
     for file in sorted(folder.glob("*/*")):
         if file.name in strings and file.is_file():
             yield file.read_text(encoding="utf-8", errors="replace")
@@ -140,7 +140,6 @@ class Definitions:
             self.texts.add(f"{package}.{alias.name}")
 
     def _module(self, file: Path) -> dict[str, list[ast.stmt]]:
-        """The statements at the top of a module by the names that they bind."""
         if file not in self._modules:
             found: dict[str, list[ast.stmt]] = {}
             for node in _statements(normal(parsed(file)).body):
@@ -150,7 +149,6 @@ class Definitions:
         return self._modules[file]
 
     def _file(self, module: str) -> Path | None:
-        """The file of a module that is followed."""
         root = Path(course.__file__).parents[1] if module.startswith(_ENGINE) else self._folder
         place = root.joinpath(*module.split("."))
         candidates = (place.with_suffix(".py"), place / "__init__.py")
@@ -177,7 +175,7 @@ def _is_ours(decorator: ast.expr) -> bool:
 
 
 def _statements(body: Sequence[ast.stmt]) -> Iterator[ast.stmt]:
-    """All that are run when the module is, those inside `if` and the like too."""
+    """All statements that run on import, including those inside `if` and the like."""
     for node in body:
         if isinstance(node, ast.If | ast.Try | ast.With | ast.For | ast.While):
             for part in ("body", "orelse", "finalbody"):

@@ -97,7 +97,7 @@ class Supervisor:
             wipe(Path(folder))
 
     def _start(self, write_end: int) -> contextlib.AbstractContextManager[IsolatedProcess]:
-        """In a session of its own: Ctrl+C at the terminal is for us alone; we end the process in order."""
+        """In its own session, so that Ctrl+C reaches only us, and we end the process in order."""
         descriptors = (write_end, self.recording.fileno())
         judged = (self._judged.fileno(),) if self._judged else ()
         return start(

@@ -75,7 +75,7 @@ def apply_mistake(exercise: Exercise, mistake: Mistake, home: Path) -> None:
 
 
 def _standing_on(course: Course, exercise: Exercise) -> tuple[Exercise, ...]:
-    """The exercise after all that it requires, each once, the first needed first."""
+    """The exercise after all exercises that it requires, each one once."""
     found: dict[str, Exercise] = {}
     for name in exercise.requires:
         found.update((needed.id, needed) for needed in _standing_on(course, course.exercise(name)))
@@ -134,5 +134,4 @@ def _replace(edit: Edit, mistake: Mistake, file: Path, where: Path) -> None:
 
 
 def _there(text: str, file: Path) -> str:
-    """What an edit says about a file, as it is in the trial home: see `_add_to`."""
     return on_this_machine(text) if file.name in ADDED_TO else text

@@ -61,6 +61,6 @@ def _added(before: list[str], addition: Path) -> list[str]:
 
 
 def _lines(file: Path) -> list[str]:
-    """Each with its line end; one that lacks it is marked as `diff` does."""
+    """The lines with their ends. A missing one at the end of the file is marked, as in `diff`."""
     *lines, last = file.read_bytes().decode(errors="replace").split("\n")
     return [f"{line}\n" for line in lines] + ([f"{last}\n\\ No newline at end of file\n"] if last else [])

@@ -115,7 +115,7 @@ def _named(path: Path, by: str) -> CourseHome:
 
 
 def _full(path: Path, environ: Mapping[str, str], cwd: Path) -> Path:
-    """Absolute. A `~` reaches us from files and editors, where no shell has replaced it."""
+    """Absolute. Paths from files and editors may still contain `~`, because no shell has expanded it."""
     if path.parts[:1] == ("~",):
         path = _user_home(environ).joinpath(*path.parts[1:])
     return Path(os.path.normpath(cwd / path))
@@ -168,7 +168,7 @@ def _refuse(path: Path) -> None:
 
 
 def _damaged(path: Path) -> bool:
-    """Whether there is a marker that says nothing. Raises UsageError for one of a newer ros2course."""
+    """Whether the marker is unreadable. Raises UsageError if a newer ros2course wrote it."""
     try:
         if is_home(path):
             read_marker(path)
@@ -195,7 +195,7 @@ def _make_file(home: Path, name: str, content: str, tell: OnNew) -> None:
 
 
 def _make_marker(home: CourseHome, tell: OnNew) -> None:
-    """A damaged one is kept aside; its seed cannot be had back, so a new one is drawn."""
+    """Keep a damaged marker under another name. Its seed is lost, so draw a new one."""
     if _damaged(home.path):
         (home.state / MARKER).replace(home.state / f"home.damaged-{secrets.token_hex(4)}.json")
     content = json.dumps({"schema": SCHEMA_VERSION, "seed": secrets.randbits(63)}, indent=2)

@@ -60,7 +60,7 @@ def reset(home: CourseHome, exercise: Exercise, *, now: datetime | None = None) 
 
 
 def _back_up(home: CourseHome, files: tuple[str, ...], name: str) -> Path | None:
-    """A complete backup or none: it is written under another name and renamed."""
+    """Write the backup under another name and rename it, so that it is complete or absent."""
     if not files:
         return None
     part = inside(home.path, f"{STATE}/backups/unfinished")
@@ -83,7 +83,7 @@ def _copy(source: Path, target: Path) -> None:
 
 
 def _claim(part: Path, name: str) -> Path:
-    """Rename to a name that no earlier backup has, even one of the same second."""
+    """Rename to an unused name, even within the same second."""
     backup, number = part.with_name(name), 2
     while os.path.lexists(backup):
         backup, number = part.with_name(f"{name}-{number}"), number + 1

@@ -83,7 +83,7 @@ def _new(target: Path, fill: Callable[[Path], None]) -> bool:
 
 
 def _name_it(part: Path, target: Path) -> bool:
-    """Give the finished file its name, unless somebody took the name meanwhile."""
+    """Rename the finished file, unless the name is taken in the meantime."""
     try:
         os.link(part, target, follow_symlinks=False)
     except FileExistsError:

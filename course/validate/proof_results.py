@@ -122,7 +122,7 @@ class ProofResults:
             yield self._finding(proof, f"{_called(proof)}: {'; '.join(self._claims.faults(wrong))}", step)
 
     def _faults_of_graders(self) -> Iterator[Finding]:
-        """One for each exercise, however many of its proofs ended there."""
+        """One per exercise, even if several of its proofs ended with our error."""
         for exercise in self._exercises:
             own = (one for proof, each in self._proven.items() if proof.exercise == exercise for one in each)
             faults = [fault for one in own if (fault := fault_of_grader(one.result))]
@@ -157,7 +157,7 @@ class ProofResults:
         return Counts(sum(not self.findings_of(proof) for proof in done), len(done), len(proofs))
 
     def _is_done(self, proof: Proof) -> bool:
-        """A proof that failed once is done for, however many turns are to come."""
+        """A proof that failed once is not repeated."""
         each = [one for one in self._proven[proof] if not is_missing(one)]
         return len(each) == self._turns or any(self._claims.faults(one) for one in each)
 
@@ -174,12 +174,11 @@ def _called(proof: Proof) -> str:
 
 
 def _verdict(result: Result) -> tuple[object, ...]:
-    """What must not change from one grading to the next."""
+    """The part of a result that must be the same in each grading."""
     return (result.verdict, *((check.id, check.outcome) for check in result.checks))
 
 
 def _said(result: Result) -> str:
-    """For example: not passed, failed: `rate`, skipped: `ids`, `texts`."""
     by_outcome: dict[str, list[str]] = {}
     for check in result.checks:
         if check.outcome is not Outcome.PASSED:

@@ -65,7 +65,7 @@ def _proofs_of(exercise: Exercise) -> Iterator[Proof]:
 
 
 def _weight(exercise: Exercise) -> int:
-    """Roughly how long a grading takes: questions alone take no time, packages must be built."""
+    """The approximate cost of a grading: questions cost nothing, builds cost most."""
     if exercise.questions and not exercise.packages:
         return 0
     return 1 + len(exercise.packages)

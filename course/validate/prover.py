@@ -132,7 +132,7 @@ def lay(
 
 
 def _predicted(exercise: Exercise, result: Result) -> Result:
-    """The result, with questions failed whose program prints something else than the right choice says."""
+    """Fail each question whose program prints something other than the right choice says."""
     found = {}
     for question in exercise.questions:
         if question.program and (said := wrong_about(question, printed(question.program, find_ros()))):

@@ -109,7 +109,7 @@ class _Watch:
 
     @contextlib.contextmanager
     def _signals(self) -> Iterator[None]:
-        """They are noted, and heeded between two events: none comes between taking and giving back."""
+        """Signals are noted and handled between two events, never while the terminal changes hands."""
         loop = asyncio.get_running_loop()
         for number in (*_ENDINGS, *_OTHERS):
             loop.add_signal_handler(number, self._events.put_nowait, SignalCame(number))
@@ -129,7 +129,7 @@ class _Watch:
         self._show(anew=True)
 
     def _pause(self) -> None:
-        """As Ctrl+Z pauses any program, with the terminal as it was. A check goes on meanwhile."""
+        """Pause as any program does after Ctrl+Z, with the terminal restored. A check continues."""
         loop = asyncio.get_running_loop()
         with self._terminal.lent():
             loop.remove_signal_handler(signal.SIGTSTP)
@@ -137,7 +137,7 @@ class _Watch:
             loop.add_signal_handler(signal.SIGTSTP, self._events.put_nowait, SignalCame(signal.SIGTSTP))
 
     def _ask(self, exercise: Exercise) -> bool:
-        """Questions are asked on the terminal as it was. False when Ctrl+C came back from them."""
+        """Ask the questions on the restored terminal. False after Ctrl+C."""
         loop = asyncio.get_running_loop()
         self._terminal.ignore_keys()
         with self._terminal.lent():
@@ -159,7 +159,7 @@ def _gone(home: CourseHome) -> UsageError:
 
 
 async def _first_of(*parts: Coroutine[Any, Any, int | None]) -> int:
-    """What the first to end returns, or raises; the others are cancelled, and have ended then."""
+    """Return or raise the result of the first that ends. Cancel the others and wait for them."""
     tasks = [asyncio.ensure_future(part) for part in parts]
     try:
         await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)

@@ -69,7 +69,7 @@ def _concerns(file: PurePosixPath, patterns: Iterable[str]) -> bool:
 
 
 def _fits(file: PurePosixPath, pattern: PurePosixPath) -> bool:
-    """As a shell would expand the pattern: a star stands for no hidden name."""
+    """Match the pattern as a shell does: `*` does not match a hidden name."""
     if len(file.parts) != len(pattern.parts):
         return False
     return all(

@@ -180,7 +180,7 @@ class Screen:
         return self._drawn[2]
 
     def _part(self, look: Look, body: list[Text], room: int) -> tuple[list[Text], int]:
-        """What fits, from the line where the learner is; and where the next part begins."""
+        """The lines that fit, starting at the learner's line, and the line where the next part starts."""
         first = min(look.first or _beginning(look.body, body, room), max(len(body) - 1, 0))
         if len(body) - first <= room:
             return body[first:], 0
@@ -192,7 +192,7 @@ class Screen:
 
 
 def _title(look: Look, width: int) -> Text:
-    """The exercise, and at the right edge what came of it last."""
+    """The exercise on the left, and its last result on the right."""
     came = Text()
     if look.result is not None:
         word, style = HEADLINES[look.result.verdict]
@@ -214,7 +214,6 @@ def _going_on(look: Look, now: float) -> Text:
 
 
 def _beginning(body: Body, lines: list[Text], room: int) -> int:
-    """A list begins where the learner is."""
     if not isinstance(body, Listing) or len(lines) <= room:
         return 0
     here = next((row for row, line in enumerate(lines) if line.plain.startswith(">")), 0)
@@ -222,7 +221,7 @@ def _beginning(body: Body, lines: list[Text], room: int) -> int:
 
 
 def _lines(body: Body, console: Console, typed: Typed) -> list[Text]:
-    """The body in lines, none of them wider than the console."""
+    """The lines of the body. None is wider than the console."""
     end: list[Text] = []
     try:
         render(body, console, typed)
@@ -267,7 +266,6 @@ def _console(width: int) -> Console:
 
 
 def _taken(console: Console) -> str:
-    """What was written on the console since."""
     assert isinstance(console.file, _Paper)
     written = console.file.getvalue()
     console.file.seek(0)

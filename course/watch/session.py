@@ -165,7 +165,7 @@ class Session:
             action()
 
     def _go_on(self) -> None:
-        """As `next`: to what is begun and not passed, so nothing is left out unseen."""
+        """Like `next`: go to an exercise that is not passed, so that none is skipped."""
         exercise = self.look.exercise
         if not self._learner.is_passed(exercise):
             self.look = replace(self.look, remark=f"{exercise.id} is not passed yet; n goes on when it is.")
@@ -178,7 +178,7 @@ class Session:
             self.look = self._opened(begun)
 
     def _turn_text(self) -> None:
-        """The task; the lesson where the task is shown already."""
+        """Show the task, or the lesson if the task is shown already."""
         exercise = self.look.exercise
         if isinstance(self.look.body, updates.TaskText):
             self._show(self._learner.lesson(exercise))
@@ -209,7 +209,7 @@ class Session:
         self.look = replace(self.look, body=body, remark="", first=None)
 
     def _opened(self, begun: Begun) -> Look:
-        """An exercise that was just come to: its task, or the lesson when there is some to read."""
+        """Show the task of an exercise, or first the part of the lesson that is still unread."""
         self._number = 0
         exercise = begun.exercise
         self._own.wrote(str(file.relative_to(self._learner.home)) for file in begun.new)

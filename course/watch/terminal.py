@@ -121,7 +121,7 @@ class Terminal:
         asyncio.get_running_loop().remove_reader(self._keys)
 
     def _write(self) -> None:
-        """As much as it takes now; the rest when it takes more."""
+        """Write as much as the terminal accepts now, and the rest later."""
         self._stop_waiting()
         while self._unwritten or self._next:
             if not self._unwritten:
@@ -149,7 +149,7 @@ class Terminal:
 
 
 def _opened_anew(descriptor: int) -> int | None:
-    """The same terminal, but never waited for. The shell shares our first way to it, and must wait."""
+    """Open the same terminal without blocking. The shell shares the first descriptor, which must block."""
     try:
         return os.open(os.ttyname(descriptor), os.O_WRONLY | os.O_NOCTTY | os.O_NONBLOCK | os.O_CLOEXEC)
     except OSError:  # not to be found by its name, as in some containers
@@ -172,7 +172,7 @@ def _as_pressed(attributes: list[object]) -> list[object]:
 
 
 def _set(descriptor: int, attributes: list[object]) -> None:
-    """Without waiting for what is still to be shown, which may be stopped."""
+    """Set it without waiting for pending output, which may be stopped."""
     while True:
         try:
             termios.tcsetattr(descriptor, termios.TCSANOW, attributes)  # type: ignore[arg-type]

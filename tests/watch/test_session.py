@@ -29,7 +29,7 @@ class Desk:
         return self.coming.pop(0) if self.coming else None
 
     def lesson(self, exercise: Exercise) -> updates.LessonText:
-        return updates.LessonText(exercise, (Lesson(exercise.chapter, "A lantern."),))
+        return updates.LessonText(exercise, (Lesson(exercise.chapter, "A lantern.", "04-lanterns"),))
 
     def task(self, begun: Begun) -> updates.TaskText:
         return updates.TaskText(begun.exercise, self.home, "begun", begun.new)

@@ -100,7 +100,7 @@ def _listed(row: Mapping[str, str]) -> Listed | None:
 
 
 def _own(uploads: Iterable[Upload], listed: Sequence[Listed]) -> dict[str, Upload]:
-    """By the listed id: first by an id, then by a name that only one listed person has."""
+    """Find the listed id by an id, or by a name that only one listed person has."""
     keys = {key: one.person.id for one in listed for key in one.keys}
     count = Counter(_plain(one.person.name) for one in listed)
     names = {_plain(one.person.name): one.person.id for one in listed}
@@ -124,7 +124,7 @@ def _plain(name: str) -> str:
 
 
 def _together(one: Listed, upload: Upload | None) -> Upload:
-    """Keeps the list's id, so that its own sheet can be filled in."""
+    """Keep the list's id, so that its own sheet can be filled in."""
     if upload is None:
         return Upload(replace(one.person, handed_in=None), "", (), (Remark(NOTHING_HANDED_IN),))
     at = one.person.handed_in or upload.person.handed_in
@@ -136,7 +136,7 @@ def _with(upload: Upload, what: str) -> Upload:
 
 
 def _counting(members: Sequence[Upload]) -> Upload | None:
-    """Of the members of a group, the one whose submission counts."""
+    """The member of a group whose submission counts."""
     handed_in = [one for one in members if one.parts]
     times = [one.person.handed_in for one in handed_in]
     if not handed_in or not all(times):

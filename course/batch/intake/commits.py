@@ -73,7 +73,7 @@ def _date_of(folder: Path, head: str) -> datetime | None:
 
 
 def _git(own: Path, how: str, head: str) -> str:
-    """Asked of a repository of our own, which borrows the clone's objects and nothing else."""
+    """Run git in our own repository, which borrows only the clone's objects."""
     environment = {
         "PATH": "/usr/local/bin:/usr/bin:/bin",
         "GIT_DIR": str(own),

@@ -84,7 +84,7 @@ class _Looking:
         return Found(source.person, source.shown, SubmissionKind.NOTHING, "", (), (), findings, (), ())
 
     def _within(self, parts: Sequence[Part]) -> tuple[Part, ...]:
-        """Archives in folders as they were handed in: a Moodle folder holds the uploaded zip."""
+        """Archives in the folders of submissions: a Moodle folder contains the uploaded zip."""
         tree = read_tree(parts, self._limits)
         near = [path for path in _archives(tree) if path.count("/") < _DEEPEST_ARCHIVE]
         newest = sorted(near, key=number_of_try, reverse=True)[:_MOST_ARCHIVES]
@@ -131,7 +131,7 @@ class _Looking:
         )
 
     def _lacking(self, tree: Tree, planned: Recognized) -> Iterator[Remark]:
-        """Packages of the course that it can only be built with, and does not bring."""
+        """Packages of the course that its build needs and that it does not contain."""
         course = {package for exercise in self._exercises for package in exercise.packages}
         for target, entry in made_of(tree, planned.places):
             if target.endswith("/package.xml") and target.startswith(SRC) and entry.size < LARGEST_MANIFEST:
@@ -154,7 +154,7 @@ class _Looking:
             yield Remark(NOT_OPENED, "Ask for one archive, with the files themselves in it.", where)
 
     def _present(self, tree: Tree, places: Iterable[Placement]) -> tuple[str, ...]:
-        """Exercises with a file that only they have, or, where others have all of theirs too, with all."""
+        """Exercises with a file of their own, or with all of their files if others share them."""
         laid = {target for target, entry in made_of(tree, places) if not entry.folder}
         owners = Counter(file for exercise in self._exercises for file in exercise.files)
         present = []
@@ -204,7 +204,7 @@ def lay_out(found: Found, home: Path, limits: Limits = USUAL) -> tuple[Remark, .
 
 
 def _lay_beneath(folder: Path, home: Path, place: str, notes: Notes) -> None:
-    """The files of a folder of the course that are not there yet."""
+    """Add the files of a course folder that are missing."""
     for file in sorted(folder.rglob("*")):
         target = home / place / file.relative_to(folder)
         if file.is_file() and "__pycache__" not in file.parts and not target.exists():

@@ -121,7 +121,7 @@ class _Naming:
         return replace(found, written=(*found.written, *written.items()))
 
     def _could_be(self, asked: Program) -> list[Program]:
-        """By its name; else those that create what it should, or of which that is not known."""
+        """By its name. Otherwise those that create what it should create, or about which that is unknown."""
         by_name = [one for one in self._programs if one.entry.name == asked.entry.name]
         free = [one for one in self._programs if one.entry.name not in self._taken]
         sure = [one for one in free if asked.kinds and asked.kinds <= one.kinds]
@@ -134,7 +134,7 @@ class _Naming:
         return Remark(UNCLEAR.format(asked.shown), where=could_be)
 
     def _edited(self, sure: dict[Program, Program]) -> dict[str, bytes]:
-        """The programs get their names in setup.py; nothing if that would change more."""
+        """Rename the programs in setup.py. Return nothing if that would change more."""
         folder = next(iter(sure.values())).folder
         setup = self._text(f"{folder}/setup.py")
         names = {own.entry.name: asked.entry.name for asked, own in sure.items()}
@@ -148,7 +148,7 @@ class _Naming:
         return {f"{folder}/setup.py": "".join(lines).encode(*_BYTES)}
 
     def _beside(self, sure: dict[Program, Program]) -> dict[str, bytes]:
-        """A package of the right name, with nothing in it but these programs of the other one."""
+        """A package with the right name that contains only these programs of the other one."""
         asked, own = next(iter(sure.items()))
         named = f"<name>{self._package}</name><exec_depend>{own.package}</exec_depend>"
         text = self._text(f"{own.folder}/package.xml").replace(f"<name>{own.package}</name>", named)

@@ -116,7 +116,7 @@ def _looked_at(home: Path, exercises: Iterable[Exercise]) -> Iterator[str]:
 
 
 def _packages(home: Path, exercises: Iterable[Exercise]) -> Iterator[str]:
-    """Their folders. A package of the workspace that one of them depends on comes along."""
+    """Folders of packages, including those in the workspace that they depend on."""
     for exercise in exercises:
         workspace = Workspace.scan(home / exercise.workspace, home)
         wanted = list(exercise.packages)

@@ -176,7 +176,7 @@ def _clones(told: dict[str, Label], clones: Iterable[str], slug: str) -> dict[st
 
 
 def _source(items: Sequence[Opened], told: dict[str, Label]) -> Upload:
-    """The newest part first, as far as the names tell."""
+    """The newest part first, judging by the names."""
     items = sorted(items, key=lambda item: _age(told[item.name]), reverse=True)
     first = told[items[0].name].person
     known = [late for item in items if (late := told[item.name].person.late) is not None]

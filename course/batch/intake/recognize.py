@@ -40,7 +40,7 @@ def roots_in(tree: Tree, known: Iterable[str]) -> tuple[Root, ...]:
 
 
 def _age(tree: Tree, path: str) -> int:
-    """0 for what is in the newest of several parts."""
+    """0 for a file in the newest of several parts."""
     top = path.partition("/")[0]
     return tree.parts.index(top) if top in tree.parts else 0
 
@@ -77,7 +77,7 @@ def loose(paths: Iterable[str], known: Iterable[str]) -> tuple[tuple[Placement, 
 
 
 def _fitting(path: str, by_name: Mapping[str, Iterable[str]]) -> list[str]:
-    """The known files that this one is most like: those with the most folders in common."""
+    """The known files that have the most folders in common with this one."""
     own = PurePosixPath(path).with_name(_name(path, by_name))
     alike = {other: _in_common(own, PurePosixPath(other)) for other in by_name.get(own.name, ())}
     return [other for other, count in alike.items() if count == max(alike.values())]
@@ -275,7 +275,7 @@ class _Recognizing:
         return Recognized(best.kind, path, packages, tuple(self._places), tuple(self._findings))
 
     def _whole(self) -> Iterator[Root]:
-        """The best root; for a home without a workspace, the best workspace too."""
+        """The best root. For a home without a workspace, also the best workspace."""
         best = self._roots[0]
         yield best
         has_workspace = f"{best.path}/{WORKSPACE}".lstrip("/") in self._tree.entries
@@ -310,7 +310,7 @@ class _Recognizing:
 
 
 def _package_name(tree: Tree, folder: str) -> str:
-    """As its package.xml says, so that a wrapper such as `repo-main` does not matter."""
+    """From its package.xml, so that a wrapper such as `repo-main` does not matter."""
     entry = tree.entries[f"{folder}/package.xml".lstrip("/")]
     data = content(replace(entry, size=min(entry.size, LARGEST_MANIFEST))) or b""
     own = folder.rpartition("/")[2]

@@ -153,7 +153,7 @@ class _Walk:
         self._inside(real, name, real, (real,))
 
     def _inside(self, folder: Path, prefix: str, top: Path, above: tuple[Path, ...]) -> None:
-        """What a folder holds, but for leftovers. `above`: the real folders that lead to it, itself too."""
+        """The content of a folder without leftovers. `above`: the real folders on the path, including this one."""
         try:
             names = self._names(folder)
         except OSError:
@@ -189,7 +189,7 @@ class _Walk:
             self._add(path, name, top, above)
 
     def _add(self, path: Path, name: str, top: Path, above: tuple[Path, ...]) -> None:
-        """A link counts as what it leads to, if that is inside `top`."""
+        """Treat a link as its target if that is inside `top`."""
         real = Path(os.path.realpath(path)) if path.is_symlink() else path
         if real is not path and not leads_inside(path, top):
             self.notes.add(LINK_OUT, name)

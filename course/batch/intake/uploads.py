@@ -79,7 +79,7 @@ def _rows(file: Path, needed: set[str]) -> list[tuple[int, dict[str, str]]]:
 
 
 def _text(file: Path) -> str:
-    """In UTF-8, or as Excel writes: UTF-16 with a mark, or Windows' own letters."""
+    """Decode UTF-8, or what Excel writes: UTF-16 with a mark, or a Windows code page."""
     with storing(f"{file.name} cannot be read"):
         if file.stat().st_size > _LARGEST:
             raise UsageError(f"{visible(file.name)} is too large for a roster", _FORM)
@@ -189,13 +189,13 @@ def entries_of(folder: Path) -> list[Path]:
 
 
 def _results_in(folder: Path) -> set[Path]:
-    """Not under a name that an LMS gave: people of its export always have a row."""
+    """Not under a name from an LMS: people in its export always have a row."""
     told = labels(path.name for path in folder.iterdir())
     return {folder / name for name in told if not told[name].is_lms and holds_only_results(folder / name)}
 
 
 def _opened(path: Path) -> Opened:
-    """An entry of a class's folder; without its path where a link leads to what cannot even be asked for."""
+    """An entry of a class's folder. It has no path if its link leads to an unreadable place."""
     try:
         path.is_dir()
     except OSError:  # a name that is too long, or a folder that is not ours to look into
@@ -204,7 +204,7 @@ def _opened(path: Path) -> Opened:
 
 
 def _archive(archive: Path, opened: Path, limits: Limits) -> Uploads:
-    """A zip may be a class's; a tar is one person's."""
+    """A zip may contain a whole class; a tar belongs to one person."""
     stem = archive_stem(archive.name)
     try:
         below = _wrapper(zip_names(archive, limits))
@@ -219,7 +219,7 @@ def _archive(archive: Path, opened: Path, limits: Limits) -> Uploads:
 
 
 def _wrapper(names: Iterable[str]) -> str | None:
-    """The folder of a zip that holds the submissions, "" for the zip itself; None for a single submission."""
+    """The folder in a zip that contains the submissions, "" for the zip itself; None for one submission."""
     paths = [name.split("/") for name in names]
     tops = {path[0] for path in paths}
     if ONE & tops:

@@ -148,7 +148,7 @@ class Judge:
         return self._process
 
     def _beside(self, exercise: Exercise) -> list[Exercise]:
-        """It, and the others of its module that were judged: one collection by pytest serves all."""
+        """All checks of its module that are judged, because pytest collects them once for all."""
         self._known[exercise.id] = exercise
         return [one for one in self._known.values() if one.grader == exercise.grader]
 

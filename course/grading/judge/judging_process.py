@@ -96,7 +96,7 @@ class _Work:
         signal.alarm(0)
 
     def _stop(self) -> None:
-        """pytest has ended, perhaps too early: others get another session."""
+        """pytest has ended, perhaps early. Other checks get a new session."""
         self._following = None
 
     def _recordings(self) -> Iterator[Recording]:
@@ -162,7 +162,7 @@ def _read(file: Path, exercise: str) -> Recording | Unjudged:
 
 
 def _why(error: BaseException) -> str:
-    """What the libraries found, which the error was raised from; it may quote the file."""
+    """The library's message behind the error, which may quote the file."""
     cause = error.__cause__ or error
     text = cause.strerror if isinstance(cause, OSError) else str(cause)
     return ascii(text or type(cause).__name__)[1:-1][:120]

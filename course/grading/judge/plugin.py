@@ -176,7 +176,7 @@ class JudgePlugin:
 
 
 def _result(spec: CheckSpec, call: pytest.CallInfo[None]) -> CheckResult | None:
-    """What this phase (setup, call or teardown) means for the check; None when it says nothing."""
+    """The result after this phase (setup, call, or teardown); None if the phase decides nothing."""
     if call.excinfo is None:
         return outcomes.passed(spec) if call.when == "call" else None
     error = call.excinfo.value

@@ -72,7 +72,7 @@ _OTHERWISE = {
 
 
 def _without_answers(notes: tuple[str, ...], exercise: Exercise) -> tuple[str, ...]:
-    """Without what was noted of the answers: they are judged again, too."""
+    """Without the recorded answers, because they are judged again."""
     return tuple(note for note in notes if not note.startswith(f"{answers_file(exercise.id)}:"))
 
 
@@ -165,7 +165,6 @@ def _why(old: CheckResult | None, new: CheckResult | None) -> tuple[MoveCause | 
 
 
 def _said(check: CheckResult) -> str:
-    """The outcome, and what it was because of."""
     because = check.feedback.summary if check.feedback else check.skipped_because
     told = because and check.outcome is not Outcome.PASSED
     return f"{check.outcome.value}: {because}" if told else check.outcome.value

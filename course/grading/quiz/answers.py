@@ -100,7 +100,7 @@ def _names(folder: Path) -> list[str]:
 
 
 def _read(home: Path, name: str) -> bytes | None:
-    """The file's bytes: a plain file inside the home, and not without end."""
+    """The content of a plain file in the home, up to a maximum size."""
     path = home / name
     # A pipe must not be waited for, and a link may lead to what is nobody's business.
     flags = os.O_RDONLY | os.O_NONBLOCK | os.O_NOFOLLOW | os.O_CLOEXEC
@@ -246,5 +246,5 @@ def _scalar(text: str) -> str:
 
 
 def _quoted(text: str) -> str:
-    """JSON's strings are YAML's double-quoted ones, but for what YAML takes for a line end or refuses."""
+    """JSON strings are valid double-quoted YAML, except for a few characters."""
     return _ODD.sub(lambda odd: f"\\u{ord(odd[0]):04x}", json.dumps(text, ensure_ascii=False))

@@ -129,7 +129,7 @@ def _some_choices(question: Question, given: Given) -> Feedback | None:
 
 
 def _chosen(question: Question, given: Given) -> tuple[str, ...]:
-    """Each choice that an answer names, also when several are written as one text."""
+    """Each choice that an answer names, even if several are written as one text."""
     one = len(given.texts) == 1 and chosen_by(question, given.texts[0])
     return given.texts if one or question.form == "choice" else items(given.texts, ("several words",))
 
@@ -180,7 +180,6 @@ def _number(question: Question, given: Given) -> Feedback | None:
 
 
 def _listed(question: Question, text: str) -> Feedback | None:
-    """A wrong answer that is known, with what is wrong about it."""
     whys = {known.answer: known.why for known in question.wrong}
     found = same(text, whys, exact=question.exact)
     return None if found is None else Feedback(summary=whys[found])

@@ -71,7 +71,7 @@ def wrong_about(question: Question, lines: Sequence[str]) -> str | None:
 
 
 def _says(choice: Choice, lines: Sequence[str]) -> bool:
-    """A choice has each line of the output in backquotes; of an error, its name is enough."""
+    """A choice has each line of the output in backquotes. For an error, its name is enough."""
     said = _CODE.findall(choice.text)
     return len(said) == len(lines) and all(
         line == word or (_ERROR.search(word) and line.startswith(f"{word}:"))

@@ -51,7 +51,7 @@ def _judged(
 
 
 def _none_of(questions: tuple[Question, ...], because: Feedback) -> Iterator[CheckResult]:
-    """The first question says why none could be judged."""
+    """The first question says why none was judged."""
     first, *others = questions
     yield failed(first, because)
     yield from (skipped(question, "there are no answers to judge") for question in others)

@@ -223,7 +223,7 @@ def _target(opened: zipfile.ZipFile, info: zipfile.ZipInfo) -> str:
 
 
 def _name(info: zipfile.ZipInfo) -> str:
-    """With slashes (some Windows programs write backslashes), and in UTF-8 where it says so or not."""
+    """With slashes instead of the backslashes of some Windows programs, and decoded as UTF-8."""
     name = info.orig_filename.split("\0")[0]
     if not info.flag_bits & _UTF8:
         with contextlib.suppress(UnicodeError):  # then it really is of an old DOS

@@ -99,7 +99,7 @@ class _Unpacking:
             self.notes.add(NO_FILE, member.name)
 
     def _copy(self, member: Member, target: Path) -> None:
-        """A hard link becomes a file of its own. No link has been made yet that could lead away."""
+        """Copy the target of a hard link. No link that leads outside has been made yet."""
         try:
             source = self._top / safe_path(member.target)
         except Unsafe:

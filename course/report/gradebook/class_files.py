@@ -155,7 +155,7 @@ def _check(check: CheckResult) -> dict[str, Any]:
 
 
 def _json(data: object, indent: int | None = None) -> str:
-    """JSON that may stand inside a web page's script too: no `<`."""
+    """JSON that is safe inside a script of a web page: without `<`."""
     return json.dumps(data, ensure_ascii=False, allow_nan=False, indent=indent).replace("<", "\\u003c")
 
 

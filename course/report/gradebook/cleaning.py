@@ -119,7 +119,7 @@ class Cleaner:
         return None if text is None else self.prose(text)
 
     def _plain(self, text: str) -> str:
-        """Cleaned first, so that an escape sequence inside a path does not hide it; cut only afterwards."""
+        """Clean first, so that an escape sequence in a path does not hide the path. Then cut."""
         shown = _NO_TEXT.sub(_visible, sanitize.clean(text[:_LOOKED_AT]))
         for secret in filter(None, self.secrets):
             shown = shown.replace(secret, _HIDDEN)
@@ -127,7 +127,7 @@ class Cleaner:
 
     @cached_property
     def _paths(self) -> re.Pattern[str]:
-        """Each path as a whole: `/tmp/home` is not part of `/tmp/homes`, nor of `~/tmp/home`."""
+        """Replace whole paths only: `/tmp/home` is not part of `/tmp/homes` or of `~/tmp/home`."""
         longest_first = sorted(self.places, key=len, reverse=True)
         paths = "|".join(re.escape(path) for path in longest_first)
         return re.compile(rf"(?:(?<![\w.~-])|(?<=-[IL]))(?:{paths})(?![\w-]|\.\w)")
@@ -144,7 +144,7 @@ def places_here() -> dict[str, str]:
 
 
 def _is_whole(result: Result) -> bool:
-    """Whether a fault is of the exercise as a whole, and not said already by one of its checks."""
+    """Whether the fault is about the whole exercise, and no check has reported it."""
     return all(check.outcome is not Outcome.ERROR for check in result.checks)
 
 

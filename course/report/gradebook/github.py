@@ -75,7 +75,7 @@ def _vagueness(place: Location | None) -> int:
 
 
 def _each_place_once(every: Iterable[_Found]) -> Iterator[_Found]:
-    """Several failures at one line are one thing to mend."""
+    """Several failures on one line are one thing to fix."""
     seen: set[tuple[Location | None, str]] = set()
     for found in every:
         key = (found.place, "" if found.place and found.place.line else found.feedback.summary)
@@ -137,7 +137,7 @@ def classroom50(
 
 
 def _classroom50_test(mark: Mark) -> dict[str, Any]:
-    """One for each exercise: what single checks bring is often less than a whole point."""
+    """One test per exercise, because a single check is often worth less than one point."""
     most = 0 if mark.exercise.bonus else _whole(mark.max_points or 0)
     return {
         "test-name": f"{mark.exercise.id}: {mark.exercise.title}",
@@ -283,7 +283,7 @@ def _verdict(mark: Mark) -> str:
 
 
 def _details(sheet: Sheet) -> Iterator[str]:
-    """What did not pass, an exercise at a time; the person's name stands above the first."""
+    """The failed checks by exercise. The person's name is above the first one."""
     heading = f"\n## {plain(sheet.person.name or sheet.person.id)}\n"
     for mark in sheet.marks:
         if mark.verdict != "passed":

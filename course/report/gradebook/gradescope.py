@@ -84,7 +84,7 @@ def _named(mark: Mark, place: str, title: str = "") -> dict[str, str]:
 
 
 def _scored(mark: Mark, check: CheckResult) -> dict[str, Any]:
-    """Nothing where there are no points to give, so that it neither counts nor looks failed."""
+    """Without points, return nothing: then the check does not count and does not look failed."""
     if not mark.counts or check.outcome in (Outcome.NOT_APPLICABLE, Outcome.ERROR):
         return {}
     is_bonus = check.bonus or mark.exercise.bonus

@@ -77,7 +77,7 @@ def _longest(text: str) -> int:
 
 
 def _gap(index: int, parts: list[str]) -> str:
-    """Two codes side by side would be one."""
+    """A space between two pieces of code, or they would become one."""
     return " " if 0 < index < len(parts) - 1 else ""
 
 

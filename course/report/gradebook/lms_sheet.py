@@ -162,7 +162,7 @@ class _Filling:
 
 
 def _factor(given: str, most: float, scale: bool | None) -> tuple[float, bool]:
-    """What to multiply points with; and whether the sheet writes a comma before the decimals."""
+    """The factor for points, and whether the sheet uses a decimal comma."""
     comma = "," in given
     try:
         theirs = float(given.replace(",", ".")) if given else most
@@ -175,7 +175,7 @@ def _factor(given: str, most: float, scale: bool | None) -> tuple[float, bool]:
 
 
 def _decoded(content: bytes) -> tuple[str, str]:
-    """The text, byte order mark included, and what turns it into the same bytes again."""
+    """The text with its byte order mark, and a function that encodes it into the same bytes."""
     for mark, encoding in ((codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be")):
         if content.startswith(mark):
             try:
@@ -233,7 +233,6 @@ def _blackboard(rows: list[list[Cell]], head: list[str], column: str) -> _Form:
 
 
 def _chosen(columns: Mapping[int, tuple[str, str]], wanted: str) -> int:
-    """columns: name and id of each that can be filled in."""
     plain = " ".join(wanted.split())
     names = {at: " ".join(name.split()) for at, (name, _) in columns.items()}
     fits = [at for at, (_, one) in columns.items() if plain in ("", one) or names[at].startswith(plain)]
@@ -246,7 +245,7 @@ def _chosen(columns: Mapping[int, tuple[str, str]], wanted: str) -> int:
 
 
 def _rows(text: str, delimiter: str) -> Iterator[list[Cell]]:
-    """Each row that is not empty, with the place of every cell."""
+    """Each row that is not empty, with the position of each cell."""
     at, row = (1 if text.startswith("\ufeff") else 0), list[Cell]()
     while at <= len(text):
         cell = _cell(text, at, delimiter)
@@ -273,7 +272,7 @@ def _cell(text: str, start: int, delimiter: str) -> Cell:
 
 
 def _edited(text: str, edits: Iterable[tuple[Cell, str]]) -> str:
-    """With these cells changed; a cell that stood in quotes stays in quotes."""
+    """Change these cells. A quoted cell stays quoted."""
     pieces, at = [], 0
     for cell, value in edits:
         quoted = text[cell.start : cell.start + 1] == '"' or "," in value

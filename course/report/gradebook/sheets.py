@@ -84,7 +84,7 @@ class Mark:
 
     @property
     def _set_points(self) -> float | None:
-        """Points that a person gave for the exercise as a whole; the last word counts."""
+        """Points that a person gave for the whole exercise. The last entry counts."""
         given = [each.points for each in self.by_hand if not each.check and each.points is not None]
         return given[-1] if given else None
 
@@ -198,13 +198,13 @@ def _sheet(graded: GradedSubmission, exercises: tuple[GradedExercise, ...], clea
 
 
 def _about(exercise: GradedExercise, by_hand: tuple[HandMark, ...]) -> tuple[HandMark, ...]:
-    """Who is excused from everything is excused from each exercise."""
+    """A person who is excused from everything is excused from each exercise."""
     whole = (HandMark(excused=True),) if any(each.excused and not each.exercise for each in by_hand) else ()
     return (*whole, *(each for each in by_hand if each.exercise == exercise.id))
 
 
 def _inside(source: str) -> str:
-    """Where on the machine a submission lies is nobody's business."""
+    """Readers must not learn the submission's place on this machine."""
     return PurePosixPath(source).name if source.startswith("/") else source
 
 

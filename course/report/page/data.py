@@ -119,7 +119,7 @@ def _person(sheet: Sheet) -> dict[str, Any]:
 
 
 def _said(sheet: Sheet) -> list[str]:
-    """In the table, beside the points: people's comments and remarks. Lateness has a column of its own."""
+    """People's comments and remarks, shown beside the points. Lateness has its own column."""
     return [*comments(replace(sheet, lateness=None)), *sheet.remarks]
 
 

@@ -121,7 +121,7 @@ def _environment() -> Environment:
 
 
 def _prose(text: str) -> Markup:
-    """What is in `backquotes` is code, as in the letters."""
+    """Text in `backquotes` becomes code, as in the letters."""
     parts = [escape(part) for part in text.split("`")]
     if len(parts) % 2 == 0:
         return escape(text)

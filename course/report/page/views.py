@@ -199,7 +199,7 @@ def _check_view(title: str, bonus: bool, each: Sequence[tuple[CheckResult, float
 
 
 def _correlation(pairs: Sequence[tuple[float, float]]) -> float | None:
-    """Pearson's; None where one side is the same for all."""
+    """Pearson's correlation; None if one side is constant."""
     if len(pairs) < 2:
         return None
     means = [sum(side) / len(pairs) for side in zip(*pairs, strict=True)]
@@ -213,7 +213,6 @@ def _checks(mark: Mark) -> tuple[CheckResult, ...]:
 
 
 def _share(sheet: Sheet) -> float | None:
-    """Of the points; None without a total."""
     return sheet.points / sheet.max_points if sheet.points is not None and sheet.max_points else None
 
 

@@ -84,14 +84,14 @@ def slips(connections: Iterable[Connection]) -> Iterator[tuple[str, str]]:
 
 
 def _complete(one: Connection, other: Connection) -> bool:
-    """Whether both together would be whole: if nobody is on one, those on the other may be meant."""
+    """Whether both together could be one whole graph."""
     ends = {bool(one.givers), bool(other.givers)}, {bool(one.takers), bool(other.takers)}
     empty = [not (each.givers or each.takers) for each in (one, other)]
     return sum(empty) == 1 or ends == ({True, False}, {True, False})
 
 
 def _of_ours(recording: Recording) -> Iterator[tuple[str, bool]]:
-    """Topics on which the grader itself publishes (True) or listens."""
+    """Topics on which the grader publishes (True) or listens."""
     for event in recording.events:
         if isinstance(event, MessageSeen | MessageSent):
             yield event.topic, isinstance(event, MessageSent)

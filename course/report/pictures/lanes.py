@@ -101,7 +101,7 @@ def lanes_of(recording: Recording, clean: Clean) -> Lanes:
 
 
 def _short(label: str) -> str:
-    """The middle is left out: names of services differ in their ends."""
+    """Leave out the middle: names of services differ at their ends."""
     half = _LABEL // 2 - 1
     return label if len(label) <= _LABEL else f"{label[:half]}…{label[-half:]}"
 
@@ -131,7 +131,6 @@ def _programs(recording: Recording, duration: float) -> Iterator[Lane]:
 
 
 def _marks(recording: Recording, name: str) -> Iterator[tuple[float, str]]:
-    """Signals and the end, with a word to each."""
     for event in recording.events:
         if isinstance(event, SignalSent) and event.process == name:
             yield event.t, _SIGNALS.get(event.signal, f"signal {event.signal}")
@@ -171,7 +170,7 @@ def _presence(graphs: Sequence[GraphSeen], name: str, duration: float) -> Iterat
 def _messages(
     recording: Recording, kind: str, event_type: type[MessageSeen] | type[MessageSent]
 ) -> Iterator[Lane]:
-    """Also of topics that the grader listened to, and nothing came."""
+    """Include topics that the grader listened to without hearing anything."""
     times: defaultdict[str, list[float]] = defaultdict(list)
     for event in recording.events:
         if isinstance(event, Joined) and event.end == "subscription" and kind == "topic":
@@ -184,7 +183,7 @@ def _messages(
 
 
 def _services(recording: Recording, duration: float) -> Iterator[Lane]:
-    """From each request to its answer, or to the end when there was none."""
+    """From each request to its response, or to the end if there was none."""
     answered = {event.call: event.t for event in recording.events if isinstance(event, ServiceAnswered)}
     spans: defaultdict[str, list[tuple[float, float]]] = defaultdict(list)
     for event in recording.events:

@@ -80,7 +80,7 @@ class _Plot:
 
 
 def _range(signal: Signal, band: Band | None) -> Band:
-    """All values and the band, with a little room; from zero where the values are times."""
+    """All values and the band, with some space around them. Times start at zero."""
     values = [value for curve in signal.curves for _, value in curve.points] + list(band or ())
     lowest, highest = min(values), max(values)
     if signal.unit == "s":

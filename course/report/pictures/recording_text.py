@@ -61,7 +61,6 @@ def belongs(result: Result | None, recording: Recording) -> bool:
 
 
 def _signals(recording: Recording, told: Told) -> Iterator[tuple[Signal, Band | None]]:
-    """Values in messages; the time between those that a pace was asked of, else of the most; latencies."""
     drawn = list(signals_of(recording))
     paced = [(intervals_of(recording, pace.topic), (pace.shortest, pace.longest)) for pace in told.paces]
     yield from ((signal, None) for signal in drawn if not (signal.unit and paced))

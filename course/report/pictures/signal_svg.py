@@ -67,7 +67,7 @@ def _drawn(signal: Signal, duration: float, key: str, points: int) -> str:
 
 
 def _range(signal: Signal) -> tuple[float, float]:
-    """With a little room; from zero where the values are times."""
+    """With some space around the values. Times start at zero."""
     values = [value for curve in signal.curves for _, value in curve.points]
     lowest, highest = min(values), max(values)
     if signal.unit == "s":
@@ -105,7 +105,7 @@ def _legend(curves: Sequence[Curve], top: float) -> Iterator[str]:
 
 
 def _thinned(points: Points, most: int) -> Points:
-    """At most so many and a few: of each stretch the lowest and the highest, so that no peak is lost."""
+    """Keep the lowest and the highest point of each section, so that no peak is lost."""
     if len(points) <= most:
         return points
     size = -(-len(points) * 2 // most)
@@ -115,7 +115,7 @@ def _thinned(points: Points, most: int) -> Points:
 
 
 def _straightened(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Without points on a straight way from one kept point to the next: what stands still takes two."""
+    """Drop points on a straight line between two kept points: a constant signal needs only two."""
     kept, waiting = [points[0]], [points[0]]
     for point in points[1:]:
         if any(_off(each, kept[-1], point) > _STRAIGHT for each in waiting[1:]):
@@ -126,7 +126,7 @@ def _straightened(points: Sequence[tuple[float, float]]) -> list[tuple[float, fl
 
 
 def _off(point: tuple[float, float], one: tuple[float, float], other: tuple[float, float]) -> float:
-    """How far up or down the point is off the line through both others, of which `other` is to the right."""
+    """The vertical distance of the point from the line through both others."""
     wide = other[0] - one[0]
     share = (point[0] - one[0]) / wide if wide else 0.0
     return abs(one[1] + share * (other[1] - one[1]) - point[1])

@@ -80,7 +80,7 @@ def latencies_of(recording: Recording) -> Signal | None:
 
 
 def _enough(recording: Recording) -> list[list[MessageSeen]]:
-    """Messages by topic, the busiest first, without topics that have too few."""
+    """Messages by topic, the busiest topic first, without topics that have too few."""
     topics: defaultdict[str, list[MessageSeen]] = defaultdict(list)
     for event in recording.events:
         if isinstance(event, MessageSeen) and event.topic not in _NOT_SHOWN:
@@ -96,7 +96,7 @@ def _intervals(messages: Sequence[MessageSeen]) -> Signal:
 
 
 def _values(recording: Recording, messages: Sequence[MessageSeen]) -> Signal | None:
-    """None where the messages hold no number that changes."""
+    """None if the messages contain no number that changes."""
     chosen = messages[:: math.ceil(len(messages) / _DECODED)]
     curves: defaultdict[str, list[tuple[float, float]]] = defaultdict(list)
     for message in chosen:
@@ -121,7 +121,7 @@ def _decoded(recording: Recording, message: MessageSeen) -> Any:
 
 
 def _numbers(message: Any) -> Iterator[tuple[str, float]]:
-    """Numbers among the fields, by name; of a list of joints their positions, by the joints' names."""
+    """Numeric fields by name. The positions of joints are listed by joint name."""
     names, positions = getattr(message, "name", None), getattr(message, "position", None)
     if isinstance(names, list) and isinstance(positions, list | tuple):
         given = map(str, names) if names else (f"joint {place + 1}" for place in range(len(positions)))
@@ -133,7 +133,7 @@ def _numbers(message: Any) -> Iterator[tuple[str, float]]:
 
 
 def _of(name: str, value: Any) -> Iterator[tuple[str, Any]]:
-    """A field's own value, those of a list, or those of the message in it."""
+    """A field's own value, the values of a list, or those of a nested message."""
     yield name, value
     if isinstance(value, list | tuple):
         yield from ((f"{name}[{place}]", item) for place, item in enumerate(value[:CURVES]))

@@ -105,7 +105,7 @@ def _bars(runs: Iterable[tuple[float, float]], y: float) -> str:
 
 
 def _ticks(ticks: Sequence[float], duration: float, columns: int, y: float, *, inside: bool) -> str:
-    """Moments that fall into neighboring columns become one stroke."""
+    """Draw moments in neighboring columns as one stroke."""
     width = _ROOM / columns
     x = scale(duration)
     filled = sorted({min(int((x(t) - LEFT) / width), columns - 1) for t in ticks})
@@ -132,7 +132,6 @@ def _runs(filled: Sequence[int]) -> Iterator[tuple[int, int]]:
 def _merged(
     spans: Iterable[tuple[float, float]], duration: float, columns: int
 ) -> Iterator[tuple[float, float]]:
-    """As x; those that touch in a column are one."""
     x = scale(duration)
     gap = _ROOM / columns
     begin = end = None
@@ -147,7 +146,6 @@ def _merged(
 
 
 def _flags(lane: Lane, duration: float, y: float) -> Iterator[str]:
-    """A stroke for each mark; the words of as many as there is room for, on the right of the label."""
     if not lane.marks:
         return
     x = scale(duration)

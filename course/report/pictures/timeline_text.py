@@ -88,7 +88,7 @@ def _put_failed(console: Console, check: CheckResult) -> None:
 
 
 def _put_others(console: Console, lanes: Lanes, told: Told) -> None:
-    """What is drawn nowhere: lanes that there is no room for, and checks that name none of them."""
+    """List lanes that did not fit, and checks that name none of the lanes."""
     more = not_drawn(lanes)
     if more:
         put_prose(console, Text(more, "dim"), first=_INDENT)
@@ -129,7 +129,7 @@ class _Drawing:
         put_prose(self._console, Text(legend, "dim"), first=_INDENT)
 
     def _cells(self, lane: Lane) -> dict[int, tuple[str, str]]:
-        """Glyph and style by column; later ones lie over earlier ones."""
+        """Glyph and style by column. Later ones cover earlier ones."""
         glyphs, at = self._glyphs, column(self._duration, self._width)
         cells: dict[int, tuple[str, str]] = {}
         for begin, end in lane.spans:

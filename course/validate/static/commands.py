@@ -53,7 +53,7 @@ def own_findings(subject: Subject, texts: Sequence[Prose], complaint: Complaint 
 
 
 def _of_names(subject: Subject, text: Prose, code: Code) -> Iterator[Finding]:
-    """`check 17` and `18-publisher` in a sentence."""
+    """Whether the words are a list of names in a sentence: `check 17` and `18-publisher`."""
     if code.language is not None:
         return
     short = _SHORT.fullmatch(code.text.strip())
@@ -140,7 +140,7 @@ def unreadable(text: Prose, found: UnreadableLine) -> Finding:
 
 
 def _short(complaint: str) -> str:
-    """Of all that could have been chosen, only what was probably meant."""
+    """Keep only the likely suggestions."""
     match = re.match(r"invalid choice: '(.*)' \(choose from (.*)\)$", complaint)
     if match is None:
         return complaint
@@ -195,7 +195,6 @@ def _type_parts(word: str) -> tuple[str, str, str] | None:
 
 
 def _package_folders(course: Path) -> Iterator[Path]:
-    """Folders that hold packages."""
     yield from {file.parents[1] for file in course.glob("solutions/**/package.xml")}
     root = source_root()
     if root is not None:

@@ -90,7 +90,7 @@ def _unknown_in_alternatives(subject: Subject) -> Iterator[Finding]:
 
 
 def _unproved(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
-    """A check that no mistake fails may as well be one that passes everything."""
+    """If no mistake fails a check, the check might pass everything."""
     reading = subject.mistakes[exercise.folder]
     if reading.problems:
         return  # which mistakes there are is not known

@@ -85,7 +85,7 @@ def early_terms(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding]:
 
 
 def _lines_with(words: str, text: Prose) -> Iterator[int]:
-    """The lines of its file in which they begin, but for code and headings."""
+    """The line of the file in which each sentence starts, without code and headings."""
     plain = _without_code(text.text)
     for found in re.finditer(rf"\b{words}\b", plain, re.IGNORECASE):
         number = plain.count("\n", 0, found.start())
@@ -95,5 +95,5 @@ def _lines_with(words: str, text: Prose) -> Iterator[int]:
 
 
 def _without_code(text: str) -> str:
-    """The text with its lines, and an X for each piece of code."""
+    """The text with the same lines, and an X in place of each piece of code."""
     return _CODE.sub(lambda found: "X" + "\n" * found[0].count("\n"), text)

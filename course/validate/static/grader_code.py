@@ -77,7 +77,7 @@ def _modules(node: ast.Import | ast.ImportFrom) -> Iterator[str]:
 
 
 def _acting(file: Path, tree: ast.Module) -> Iterator[Finding]:
-    """Functions that are called, or handed on as in `map(os.unlink, files)`."""
+    """Functions that are called, or passed on as in `map(os.unlink, files)`."""
     imported = dict(_imported(tree))
     for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
         for function in (call.func, *call.args):
@@ -89,7 +89,7 @@ def _acting(file: Path, tree: ast.Module) -> Iterator[Finding]:
 
 
 def _imported(tree: ast.Module) -> Iterator[tuple[str, str]]:
-    """Names of the module, and what they are called where they come from: `rmtree`, `shutil.rmtree`."""
+    """Names in the module and their full names: `rmtree` is `shutil.rmtree`."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from ((alias.asname or alias.name, alias.name) for alias in node.names)
@@ -116,7 +116,7 @@ def _call_writes(call: ast.Call, name: str, imported: dict[str, str]) -> bool:
 
 
 def _full_name(function: ast.expr, imported: dict[str, str]) -> str:
-    """`shutil.rmtree`, however it was imported; for anything but a name, `?` and the last attribute."""
+    """`shutil.rmtree`, however it was imported. For other expressions, `?` and the last attribute."""
     if isinstance(function, ast.Name):
         return imported.get(function.id, function.id)
     if isinstance(function, ast.Attribute):

@@ -78,7 +78,7 @@ def _way(needs: Needs, start: str, goal: str, seen: frozenset[str] = frozenset()
 
 
 def _strangers(subject: Subject, chapter: Path, graders: GraderModule) -> Iterator[Finding]:
-    """GraderModule and mysteries of exercises that the chapter does not have, or of one exercise twice."""
+    """GraderModule and mysteries of unknown exercises, or two of them for one exercise."""
     known = [exercise.id for exercise in subject.exercises_of(chapter)]
     for kind in (graders.graders, graders.mysteries):
         for exercise, count in Counter(one.exercise for one in kind).items():

@@ -114,7 +114,7 @@ def _needs(
 
 
 def _can_fail(function: ast.AST) -> bool:
-    """False for one that raises NotApplicable alone, and calls no function that might raise others."""
+    """False for a check that only raises NotApplicable and calls nothing that could raise."""
     nodes = [node for body in getattr(function, "body", []) for node in ast.walk(body)]
     raised = [node.exc for node in nodes if isinstance(node, ast.Raise)]
     called = [node.func for node in nodes if isinstance(node, ast.Call)]
@@ -190,7 +190,7 @@ def read_graders(file: Path) -> GraderModule:
 
 @contextlib.contextmanager
 def _bounded(seconds: float) -> Iterator[None]:
-    """Raises Endless in code that takes longer. Only the main thread hears of it; others wait."""
+    """Raise Endless in code that takes too long. Only the main thread can be interrupted."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -208,7 +208,7 @@ def _bounded(seconds: float) -> Iterator[None]:
 
 
 def _in(module: ModuleType, kind: type[_Kind]) -> tuple[_Kind, ...]:
-    """Each once, under whichever names the module knows it."""
+    """Each one once, even if the module knows it under several names."""
     return tuple(dict.fromkeys(value for value in vars(module).values() if isinstance(value, kind)))
 
 
@@ -230,7 +230,7 @@ def _syntax_error(file: Path, error: SyntaxError) -> Finding:
 
 
 def _place(file: Path, error: BaseException) -> tuple[Path, int | None]:
-    """The innermost line in the graders' folder."""
+    """The innermost traceback line in the graders' folder."""
     frames = traceback.extract_tb(error.__traceback__)
     ours = [frame for frame in frames if Path(frame.filename).is_relative_to(file.parent)]
     return (Path(ours[-1].filename), ours[-1].lineno) if ours else (file, None)

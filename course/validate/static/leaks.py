@@ -37,7 +37,7 @@ def leak_findings(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding]
 
 
 def _wanted(subject: Subject) -> Wanted:
-    """Those that are the learner's to write; what a starter holds of its exercise from the start is not."""
+    """The learner's part of the solution, without what the starter contains."""
     found: dict[str, tuple[str, Exercise]] = {}
     given = set(_given(subject))
     for exercise in subject.exercises.values():
@@ -49,14 +49,13 @@ def _wanted(subject: Subject) -> Wanted:
 
 
 def _given(subject: Subject) -> Iterator[tuple[str, str]]:
-    """Files with what they contain from the start, for exercises that ask to change others beside them."""
     for exercise in subject.exercises.values():
         for file in set(starter_files(exercise)) & set(exercise.files):
             yield file, _plain(text_of(exercise.starter / file) or "")
 
 
 def _plain(text: str) -> str:
-    """Without what makes no difference: spaces at line ends, empty lines, lines that are comments."""
+    """Without spaces at line ends, empty lines, and comments."""
     lines = (line.rstrip() for line in text.splitlines())
     return "\n".join(line for line in lines if line.strip() and not line.lstrip().startswith("#"))
 
@@ -75,7 +74,6 @@ def _in_texts(texts: Sequence[Prose], wanted: Wanted) -> Iterator[Finding]:
 
 
 def _nothing_to_do(exercise: Exercise) -> Iterator[Finding]:
-    """An exercise whose starter is its solution."""
     own = [file for file in exercise.files if file != answers_file(exercise.id)]
     same = [file for file in own if _is_same(exercise.starter / file, exercise.solution / file)]
     if own and len(same) == len(own):
@@ -85,13 +83,13 @@ def _nothing_to_do(exercise: Exercise) -> Iterator[Finding]:
 
 
 def _is_same(one: Path, other: Path) -> bool:
-    """Permissions count: to make a file executable is an exercise, too."""
+    """Compare permissions, too: an exercise may be to make a file executable."""
     text = text_of(one)
     return text is not None and text == text_of(other) and one.stat().st_mode == other.stat().st_mode
 
 
 def _in_starter(exercise: Exercise, subject: Subject, wanted: Wanted) -> Iterator[Finding]:
-    """An exercise may begin with what earlier ones made of its package: done in order, it is there."""
+    """An exercise may start with what earlier ones made of its package."""
     order = list(subject.exercises)
     earlier = order[: order.index(exercise.id)]
     for name in starter_files(exercise):
@@ -128,7 +126,7 @@ def _answers_in_starter(exercise: Exercise, subject: Subject) -> Iterator[Findin
 
 
 def _is_right(question: Question, given: str) -> bool:
-    """As far as it can be told without drawing a mystery."""
+    """As far as that is known without drawing a mystery."""
     if question.form == "number":
         return not question.computed and given == f"{question.value:g}"
     right = [choice.name for choice in question.choices if choice.right] + list(question.texts)
@@ -136,7 +134,7 @@ def _is_right(question: Question, given: str) -> bool:
 
 
 def _in_home(subject: Subject) -> Iterator[Finding]:
-    """What is in a new home after each exercise was begun, by the same calls as the commands."""
+    """The files of a new home after each exercise was begun, with the same calls as in the commands."""
     with tempfile.TemporaryDirectory() as folder:
         home = create_home(Path(folder) / "home")
         for exercise in subject.exercises.values():

@@ -65,7 +65,7 @@ def _links(tokens: list[Token]) -> Iterator[Link]:
 
 
 def _anchors(tokens: list[Token]) -> Iterator[str]:
-    """As GitHub and most other readers make them of headings."""
+    """Anchors of headings, in the form that GitHub uses."""
     for heading, inline in pairwise(tokens):
         if heading.type == "heading_open":
             yield re.sub(r"[^\w\- ]", "", inline.content.lower()).replace(" ", "-")
@@ -145,7 +145,7 @@ def _typed(code: Code, program: str) -> Iterator[ShellCommand | UnreadableLine]:
 
 
 def _whole_lines(code: Code) -> Iterator[tuple[int, str]]:
-    """Each line with those that continue it: after a backslash, or inside of quotation marks."""
+    """Join each line with its continuation: after a backslash, or inside quotation marks."""
     lines, prompts = code.text.splitlines(), _prompts(code)
     start = 0
     while start < len(lines):
@@ -162,7 +162,7 @@ def _whole_lines(code: Code) -> Iterator[tuple[int, str]]:
 
 
 def _end_of_quotes(lines: list[str], start: int, end: int) -> int:
-    """Where the quotation marks are closed; `end` when they never are."""
+    """The position after the closing quotation mark; `end` if there is none."""
     for later in range(end, len(lines) + 1):
         if _split("\n".join(lines[start:later])) is not None:
             return later
@@ -170,7 +170,7 @@ def _end_of_quotes(lines: list[str], start: int, end: int) -> int:
 
 
 def _split(text: str) -> tuple[tuple[str, ...], ...] | None:
-    """The simple commands of a line; None when it cannot be read."""
+    """The simple commands of a line; None if the line cannot be parsed."""
     plain = _OPTIONAL.sub("", _NAMED_GAP.sub(PLACEHOLDER, text.replace("\\\n", " ").replace("…", ANYTHING)))
     words = shlex.shlex(plain, posix=True, punctuation_chars=True)
     words.whitespace_split = True
@@ -199,7 +199,7 @@ def _simple_commands(words: list[str]) -> Iterator[tuple[str, ...]]:
 
 
 def _without_prefix(words: tuple[str, ...]) -> tuple[str, ...]:
-    """Without what may stand before a command: settings, a prompt, `time`."""
+    """Without settings of variables, a prompt, or `time` before the command."""
     for index, word in enumerate(words):
         if word not in (*_BEFORE, "$") and not re.match(r"[A-Za-z_]\w*=", word):
             return words[index:]
@@ -207,7 +207,7 @@ def _without_prefix(words: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _drawn(code: Code, program: str) -> Iterator[ShellCommand]:
-    """Words up to the first gap: what follows belongs to the drawing."""
+    """The words up to the first gap. What follows is part of the drawing."""
     for number, text in enumerate(code.text.splitlines()):
         for match in re.finditer(rf"(?<![\w./-]){re.escape(program)}((?: [\w-]+)*)(?![\w./-])", text):
             words = (program, *match[1].split())

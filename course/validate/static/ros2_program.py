@@ -32,7 +32,7 @@ def main() -> None:
 
 
 def _complaint(parser: Any, words: list[str], mentioned: bool, only_name: bool) -> str | None:
-    """None when the line, or one that it can stand for, is understood."""
+    """None if the line, or a variant of it, is valid."""
     if only_name:
         return _parse(parser, [*words[:_NAME], "--help"])  # what follows may be prose
     first = None
@@ -45,7 +45,7 @@ def _complaint(parser: Any, words: list[str], mentioned: bool, only_name: bool) 
 
 
 def _variants(words: list[str], mentioned: bool) -> Any:
-    """With some words in the place of each `...`. A command that is only mentioned may lack arguments."""
+    """Replace each `...` by words. A command that is only mentioned may lack arguments."""
     if mentioned:
         words = [*words[:_NAME], ANYTHING, *words[_NAME:], ANYTHING]
     gaps = words.count(ANYTHING)
@@ -65,7 +65,7 @@ def _parse(parser: Any, words: list[str]) -> str | None:
 
 
 def _reason(printed: str) -> str:
-    """What argparse says after its usage and `error:`; of a wrong choice, without naming the argument."""
+    """argparse's message after `error:`, without the argument's name for an invalid choice."""
     said = " ".join(printed.rpartition(": error: ")[2].split())
     return said[said.index("invalid choice") :] if "invalid choice" in said else said
 

@@ -68,7 +68,7 @@ def _of_content(problem: ContentError) -> Finding:
 
 
 def _is_about(finding: Finding, wanted: set[str], exercises: Sequence[Exercise]) -> bool:
-    """About one of them; or about no exercise in particular, and among their chapters' files."""
+    """About one of these exercises, or about their chapters' files in general."""
     if finding.exercise is not None:
         return finding.exercise in wanted
     return any(_is_of(finding.file, exercise.folder) for exercise in exercises)

@@ -52,7 +52,7 @@ def _beside_chapters(subject: Subject) -> Iterator[Path]:
 
 
 def _of_chapters(subject: Subject) -> Iterator[Path]:
-    """Not the texts, starters and mysteries, which `course.content.problems` looks at."""
+    """Except for texts, starters, and mysteries, which `course.content.problems` checks."""
     for chapter in subject.chapters:
         questions = (one for exercise in subject.exercises_of(chapter) for one in exercise.questions)
         programs = {question.program for question in questions}
@@ -79,7 +79,7 @@ def _solutions(subject: Subject) -> Iterator[Finding]:
 
 
 def _graders(subject: Subject) -> Iterator[Finding]:
-    """Besides the chapters' own modules, what those name: modules and programs that they share."""
+    """The chapters' modules, and the modules and programs that they use."""
     folder = subject.course.root / "graders"
     known = {layout.grader_file(chapter) for chapter in subject.chapters}
     files = tuple(files_in(folder)) if folder.is_dir() else ()
@@ -104,7 +104,7 @@ def _starter(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
 
 
 def _promised(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
-    """What the text says is there, and neither the starter nor an exercise before it brings."""
+    """Files that the text mentions, but that neither the starter nor an earlier exercise provides."""
     before = takewhile(lambda one: one is not exercise, subject.exercises.values())
     brought = (file for one in before for file in (*one.files, *starter_files(one)))
     there = {part for file in (*starter_files(exercise), *brought) for part in PurePosixPath(file).parts}
@@ -118,7 +118,6 @@ def _promised(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
 
 
 def _left_to_write(chapter: Path) -> Iterator[Finding]:
-    """Sentences that `new chapter` wrote for its author."""
     for name in (layout.LESSON, layout.LESSON_TEXT):
         template = _template(name)
         for number, line in enumerate((text_of(chapter / name) or "").splitlines(), 1):
@@ -171,7 +170,7 @@ def linked_files(texts: Sequence[Prose]) -> frozenset[Path]:
 
 
 def _link_place(text: Prose, link: Link) -> tuple[Path, str] | None:
-    """File and anchor; None for an address in the internet, or none that can be read."""
+    """File and anchor; None for a web address or an unreadable one."""
     try:
         parts = urlsplit(link.target)
     except ValueError:
