@@ -176,7 +176,6 @@ class Progress(Database):
         return int(self._value("SELECT hints FROM exercises WHERE exercise = ?", exercise) or 0)
 
     def _stamp(self, exercise: str, column: Literal["begun_at", "passed_at"]) -> None:
-        """Keep the first time."""
         self._run("INSERT OR IGNORE INTO exercises (exercise) VALUES (?)", exercise)
         self._run(
             f"UPDATE exercises SET {column} = coalesce({column}, ?) WHERE exercise = ?", now(), exercise

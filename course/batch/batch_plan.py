@@ -148,7 +148,6 @@ def _begun(found: Found, graded: Iterable[Exercise], known: Sequence[Exercise]) 
 
 
 def _not_handed_in(found: Found, graded: Iterable[Exercise], places: Iterable[str]) -> str:
-    """Names of the learner's files that are missing there."""
     asked = dict.fromkeys(file for exercise in graded for file in exercise.files)
     missing = asked.keys() - {place.target for place in found.places}
     inside = tuple(f"{place}/" for place in places)

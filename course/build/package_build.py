@@ -105,7 +105,6 @@ class PackageBuild:
             return failure or InstalledPackage(name, source, prefix, False, time.monotonic() - began)
 
     def _fill(self) -> BuildFailure | None:
-        """The whole content of the entry, or the log of a failure."""
         entry, package = self.entry, self.package
         copy_sources(package.folder, self.workspace.home, entry.kept)
         if content_key(entry.kept, entry.kept, self.needed, self.ros.identity) != self.key:
@@ -239,7 +238,6 @@ class PackageBuild:
 
 @contextmanager
 def _half_made(entry: StoreEntry) -> Iterator[None]:
-    """Clean up after an unexpected error."""
     entry.begin()
     try:
         yield

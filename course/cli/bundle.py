@@ -88,7 +88,6 @@ def _make(folder: Path) -> Path:
 
 
 def _files_of(root: Path | None) -> Mapping[str, bytes]:
-    """Another course's files; none for the course that comes with `ros2course`."""
     if root is None:
         return {}
     files = (file for file in sorted(root.rglob("*")) if file.is_file() and "__pycache__" not in file.parts)

@@ -129,7 +129,6 @@ def export(
 
 
 def _of_exercise(ctx: typer.Context, name: str | None) -> tuple[Recorded, Result | None]:
-    """The last recording, and the results of its checks if they are known."""
     with open_session(ctx) as session:
         found = _recorded(session, name)
         last = session.progress.last_result(found.recording.exercise)

@@ -42,7 +42,6 @@ def build_underlay(
 
 
 def _known(wanted: list[str] | None, ros: Ros) -> list[str]:
-    """The requested names, or all that are missing."""
     if not wanted:
         return [package.name for package in missing_of_underlay(ros)]
     known = [package.name for package in compiled_of_underlay(ros)]

@@ -153,7 +153,7 @@ class _Walk:
         self._inside(real, name, real, (real,))
 
     def _inside(self, folder: Path, prefix: str, top: Path, above: tuple[Path, ...]) -> None:
-        """The content of a folder without leftovers. `above`: the real folders on the path, including this one."""
+        """The content of a folder without leftovers. `above`: the real folders down to this one."""
         try:
             names = self._names(folder)
         except OSError:

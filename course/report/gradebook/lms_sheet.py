@@ -245,7 +245,6 @@ def _chosen(columns: Mapping[int, tuple[str, str]], wanted: str) -> int:
 
 
 def _rows(text: str, delimiter: str) -> Iterator[list[Cell]]:
-    """Each row that is not empty, with the position of each cell."""
     at, row = (1 if text.startswith("\ufeff") else 0), list[Cell]()
     while at <= len(text):
         cell = _cell(text, at, delimiter)

@@ -121,7 +121,6 @@ def _environment() -> Environment:
 
 
 def _prose(text: str) -> Markup:
-    """Text in `backquotes` becomes code, as in the letters."""
     parts = [escape(part) for part in text.split("`")]
     if len(parts) % 2 == 0:
         return escape(text)

@@ -67,7 +67,6 @@ def _drawn(signal: Signal, duration: float, key: str, points: int) -> str:
 
 
 def _range(signal: Signal) -> tuple[float, float]:
-    """With some space around the values. Times start at zero."""
     values = [value for curve in signal.curves for _, value in curve.points]
     lowest, highest = min(values), max(values)
     if signal.unit == "s":

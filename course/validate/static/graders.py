@@ -208,7 +208,6 @@ def _bounded(seconds: float) -> Iterator[None]:
 
 
 def _in(module: ModuleType, kind: type[_Kind]) -> tuple[_Kind, ...]:
-    """Each one once, even if the module knows it under several names."""
     return tuple(dict.fromkeys(value for value in vars(module).values() if isinstance(value, kind)))
 
 
