@@ -28,9 +28,9 @@ from course.api import (
 )
 
 PACKAGE = "python_package_with_broken_nodes"
-HEARTBEAT, COUNTDOWN, NIGHT_WATCH = "heartbeat", "countdown", "night_watch"
-NODES = (HEARTBEAT, COUNTDOWN, NIGHT_WATCH)
-BEAT, QUIET, LAMP = "Still alive.", "All is quiet.", "The lamp is off."
+HEARTBEAT, COUNTDOWN, SCANNER = "heartbeat", "countdown", "scanner"
+NODES = (HEARTBEAT, COUNTDOWN, SCANNER)
+BEAT, CLEAR, LASER = "Still alive.", "The way is clear.", "The laser is off."
 COUNTED = ("3", "2", "1", "Lift-off!")
 PERIOD = 0.5
 ENOUGH = 5
@@ -45,7 +45,7 @@ def all_three_at_once(arena: Arena) -> None:
     programs = {node: arena.run(PACKAGE, program(node)) for node in NODES}
     started = [found for found in programs.values() if found]
     arena.until(lambda: len(arena.ros.graph.nodes) >= sum(p.running for p in started), timeout=15)
-    for node, text, count in ((HEARTBEAT, BEAT, ENOUGH), (NIGHT_WATCH, QUIET, ENOUGH), (COUNTDOWN, "L", 1)):
+    for node, text, count in ((HEARTBEAT, BEAT, ENOUGH), (SCANNER, CLEAR, ENOUGH), (COUNTDOWN, "L", 1)):
         # The pace counts from the first line on: on a busy machine that comes late.
         if arena.until(partial(heard, arena, programs[node], text, 1), timeout=6):
             arena.until(partial(heard, arena, programs[node], text, count), timeout=4)
@@ -87,9 +87,9 @@ def countdown_runs(recording: Recording) -> None:
     expect_running(only(recording, COUNTDOWN), program(COUNTDOWN))
 
 
-@repair.check("night_watch_runs", "night_watch_node starts and keeps running")
-def night_watch_runs(recording: Recording) -> None:
-    expect_running(only(recording, NIGHT_WATCH), program(NIGHT_WATCH))
+@repair.check("scanner_runs", "scanner_node starts and keeps running")
+def scanner_runs(recording: Recording) -> None:
+    expect_running(only(recording, SCANNER), program(SCANNER))
 
 
 @repair.check("names", "the nodes have the names of the task", needs=[f"{node}_runs" for node in NODES])
@@ -103,9 +103,9 @@ def heartbeat_beats(recording: Recording) -> None:
     expect_every_half_second(only(recording, HEARTBEAT), HEARTBEAT, BEAT)
 
 
-@repair.check("night_watch_reports", f"night_watch logs `{QUIET}` every 0.5 s", needs="names")
-def night_watch_reports(recording: Recording) -> None:
-    expect_every_half_second(only(recording, NIGHT_WATCH), NIGHT_WATCH, QUIET)
+@repair.check("scanner_reports", f"scanner logs `{CLEAR}` every 0.5 s", needs="names")
+def scanner_reports(recording: Recording) -> None:
+    expect_every_half_second(only(recording, SCANNER), SCANNER, CLEAR)
 
 
 def expect_every_half_second(recording: Recording, node: str, text: str) -> None:
@@ -177,28 +177,28 @@ def interrupt(recording: Recording) -> None:
         expect_clean_interrupt(only(recording, node), program(node))
 
 
-@repair.check("lamp", f"night_watch prints `{LAMP}` when it is interrupted", needs="night_watch_runs")
-def lamp(recording: Recording) -> None:
-    view = recording.process(program(NIGHT_WATCH))
+@repair.check("laser", f"scanner prints `{LASER}` when it is interrupted", needs="scanner_runs")
+def laser(recording: Recording) -> None:
+    view = recording.process(program(SCANNER))
     asked = view.interrupted_at
-    before = [line.text for line in view.lines if LAMP in line.text and asked and line.t < asked]
-    after = [line.text for line in view.lines if LAMP in line.text and asked and line.t >= asked]
+    before = [line.text for line in view.lines if LASER in line.text and asked and line.t < asked]
+    after = [line.text for line in view.lines if LASER in line.text and asked and line.t >= asked]
     if after and not before:
         return
-    own = only(recording, NIGHT_WATCH).sources
-    places = text_places(own, "put_out_the_lamp()") or text_places(own, LAMP)
+    own = only(recording, SCANNER).sources
+    places = text_places(own, "switch_off_the_laser()") or text_places(own, LASER)
     raise Failure(
         Feedback(
-            summary="The night watch puts out its lamp before Ctrl+C."
+            summary="The scanner switches off its laser before Ctrl+C."
             if before
-            else "After Ctrl+C the lamp stays on: the program ends before it puts it out.",
-            expected=f"{LAMP} after Ctrl+C, and not before",
-            seen=f"{LAMP} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",
+            else "After Ctrl+C the laser stays on: the program ends before it switches it off.",
+            expected=f"{LASER} after Ctrl+C, and not before",
+            seen=f"{LASER} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",
             where=places[:2],
             advice=(
-                "The lamp must go out after `rclpy.spin`, once Ctrl+C is caught: put `spin` in a "
+                "The laser must go off after `rclpy.spin`, once Ctrl+C is caught: put `spin` in a "
                 "`try:` block, add `except KeyboardInterrupt:` with `pass`, and call "
-                "`put_out_the_lamp()` after it."
+                "`switch_off_the_laser()` after it."
             ),
         )
     )

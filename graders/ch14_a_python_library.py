@@ -1,4 +1,4 @@
-"""Grader of chapter 14: a library, used as installed, from a folder without its sources."""
+"""Graders of chapter 14: libraries, used as installed, from a folder without its sources."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from course.api import (
     OurFault,
     ProbeAnswer,
     Recording,
+    answered,
     expect_importable,
     functions,
     learners_file,
@@ -27,6 +28,7 @@ from course.api import (
     packages_place,
     trees,
 )
+from lib import rover
 from lib.installed_packages import not_installed
 
 PACKAGE = "python_package_with_a_library"
@@ -381,3 +383,86 @@ def no_tests(recording: Recording) -> None:
             advice="Leave it out: `packages=find_packages(exclude=['test'])`.",
         )
     )
+
+
+# The rover's library ---------------------------------------------------------------------------------
+
+SPEED = "safe_speed"
+IMPORT = f"from {rover.LIBRARY} import {SPEED}"
+ROVER_PROBE = f"""
+import importlib
+ask("library", lambda: importlib.import_module("{rover.LIBRARY}").{SPEED}.__name__)
+ask("usual", lambda: [importlib.import_module("{rover.LIBRARY}").{SPEED}(d) for d in DISTANCES])
+ask("given", lambda: [importlib.import_module("{rover.LIBRARY}").{SPEED}(
+    d, stop_at=stop, full_speed=full) for d, stop, full in CASES])
+"""
+
+driving = Grader("14-rover", ros=False)
+
+
+@driving.scenario
+def ask_the_rovers_library(arena: Arena) -> None:
+    distances = [random.uniform(low, high) for low, high in ((0.0, 0.5), (0.55, 0.95), (1.0, 9.0)) * 2]
+    cases = [(d, random.uniform(0.1, 0.5), random.uniform(0.1, 2.0)) for d in distances]
+    drawn = {"DISTANCES": distances, "CASES": cases}
+    arena.mark(GIVEN, json.dumps(drawn))
+    arena.probe("\n".join(f"{name} = {value!r}" for name, value in drawn.items()) + ROVER_PROBE)
+
+
+@driving.check("installed", f"`{IMPORT}` works from another folder")
+def driving_installed(recording: Recording) -> None:
+    expect_importable(recording, IMPORT)
+    found = recording.probe().answer("library")
+    if found and found.error and f"No module named '{rover.PACKAGE}" in found.error:
+        built = recording.packages.get(rover.PACKAGE)
+        folder = built.source if built else rover.PACKAGE
+        raise Failure(not_installed(recording.sources, folder, rover.LIBRARY, found.error))
+    answered(recording, "library", IMPORT)
+
+
+@driving.check("defaults", "without more arguments, it stops at 0.5 m and drives 0.5 m/s", needs="installed")
+def defaults(recording: Recording) -> None:
+    expect_speeds(
+        recording, "usual", [(d, rover.STOP_AT, rover.FULL_SPEED) for d in given(recording)["DISTANCES"]]
+    )
+
+
+@driving.check("arguments", "`stop_at` and `full_speed` set both", points=2, needs="installed")
+def arguments(recording: Recording) -> None:
+    expect_speeds(recording, "given", given(recording)["CASES"])
+
+
+def expect_speeds(recording: Recording, question: str, cases: list[Any]) -> None:
+    found = answered(recording, question, f"{SPEED}(...)").value
+    speeds = found if isinstance(found, list) else []
+    for case, speed in zip(cases, speeds, strict=False):
+        if not same(speed, rover.safe_speed(*case)):
+            raise Failure(wrong_speed(recording, case, speed))
+    if len(speeds) != len(cases):
+        advice = "A library only defines functions and classes: do not change other modules."
+        raise Failure(Feedback(summary=f"`{SPEED}` could not be called with all test values.", advice=advice))
+
+
+def wrong_speed(recording: Recording, case: tuple[float, float, float], speed: object) -> Feedback:
+    distance, stop_at, full_speed = case
+    wanted = rover.safe_speed(*case)
+    return Feedback(
+        summary=f"`{SPEED}({distance:.2f})` returns {speed!r:.40}, with stop_at {stop_at:.2f} and full_speed "
+        f"{full_speed:.2f}.",
+        expected=f"{wanted!r}",
+        seen=f"{speed!r}"[:200],
+        where=defined_at(recording, SPEED)[:1],
+        advice=advice_on_speed(distance, stop_at, wanted, speed),
+    )
+
+
+def advice_on_speed(distance: float, stop_at: float, wanted: float, speed: object) -> str:
+    if speed is None:
+        return "It returns nothing: use `return`. Printing the result is not enough."
+    if isinstance(speed, float | int) and speed < 0.0:
+        return "The rover must not drive backward: `max(0.0, ...)` is never below zero."
+    if distance <= stop_at:
+        return "At `stop_at` or closer, the speed is 0.0."
+    if wanted < distance - stop_at:
+        return "The speed is never more than `full_speed`: `min(full_speed, ...)`."
+    return "Between these two, the speed is `distance - stop_at`."

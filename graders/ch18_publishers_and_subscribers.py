@@ -1,4 +1,4 @@
-"""Graders of chapter 18: a publisher and a subscriber of our own messages."""
+"""Graders of chapter 18: a publisher and a subscriber of our own messages, and a node that is both."""
 
 from __future__ import annotations
 
@@ -6,13 +6,15 @@ import secrets
 from collections.abc import Mapping
 from functools import partial
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from course.api import (
     Arena,
     Failure,
     Feedback,
     Grader,
+    Message,
+    OurFault,
     Recording,
     Spoilt,
     about,
@@ -27,9 +29,14 @@ from course.api import (
     expect_running,
     expect_same_definition,
     expect_type,
+    text_places,
     words,
 )
+from lib import rover
 from lib.deliveries import expect_contents, expect_deliveries, first_reaction
+
+if TYPE_CHECKING:
+    from course.api import Listener
 
 PACKAGE = "python_package_that_uses_the_messages"
 INTERFACES = "package_with_interfaces"
@@ -254,3 +261,152 @@ def quotes_to_say() -> list[dict[str, Any]]:
         {"id": start + 7 * index, "quote": text, "philosopher_name": f"Professor {words(1)} {words(1)}"}
         for index, text in enumerate(texts)
     ]
+
+
+# The rover's sensor: a publisher and a subscriber in one node ------------------------------------------
+
+SENSOR = f"{rover.SENSOR}_node"
+START, PACE = 3.0, 0.1
+STANDS, DRIVES, HALTS, RACES = "no command", "a command", "a command to stop", "a fast command"
+AWAIT = 12  # measurements after each command
+LATE = 2  # of them may have been on their way before the command arrived
+TOLERANCE = 0.25
+
+sensor = Grader("18-rover")
+
+
+@sensor.scenario
+def drive_to_the_wall(arena: Arena) -> None:
+    """Let it stand, drive at a random speed, stop, and drive into the wall."""
+    ranges = arena.ros.subscribe(rover.RANGE, rover.RANGE_TYPE)
+    driver = arena.ros.publisher(rover.COMMAND, rover.COMMAND_TYPE)
+    node = arena.run(rover.PACKAGE, SENSOR)
+    if node and arena.until(lambda: ranges.count, timeout=15, while_running=node):
+        arena.until(lambda: driver.matched, timeout=4, while_running=node)
+        for phase, speed in (
+            (STANDS, None),
+            (DRIVES, 0.4 + secrets.randbelow(50) / 100),
+            (HALTS, 0.0),
+            (RACES, 99.0),
+        ):
+            arena.mark(phase)
+            if speed is not None:
+                driver.publish(linear={"x": speed})
+            enough = ranges.count + AWAIT
+            if not arena.until(partial(at_least, ranges, enough), timeout=4, while_running=node):
+                break
+    arena.interrupt(node)
+
+
+def at_least(ranges: Listener, number: int) -> bool:
+    return ranges.count >= number
+
+
+@sensor.check("starts", "the node starts and keeps running")
+def sensor_starts(recording: Recording) -> None:
+    expect_running(recording, SENSOR)
+
+
+@sensor.check("node_name", f"the node is called /{rover.SENSOR}", needs="starts")
+def sensor_name(recording: Recording) -> None:
+    expect_node(recording, f"/{rover.SENSOR}")
+
+
+@sensor.check("publishes", f"it publishes on {rover.RANGE}", needs="starts")
+def sensor_publishes(recording: Recording) -> None:
+    remedy = f"Make a publisher: `self.create_publisher(Range, '{rover.RANGE}', 10)`."
+    expect_endpoint(recording, "publisher", rover.RANGE, remedy=remedy)
+    expect_type(recording, "publisher", rover.RANGE, rover.RANGE_TYPE)
+
+
+@sensor.check("subscribes", f"it subscribes to {rover.COMMAND}", needs="starts")
+def sensor_subscribes(recording: Recording) -> None:
+    remedy = f"Subscribe: `self.create_subscription(Twist, '{rover.COMMAND}', self.command_callback, 10)`."
+    expect_endpoint(recording, "subscription", rover.COMMAND, remedy=remedy)
+    expect_type(recording, "subscription", rover.COMMAND, rover.COMMAND_TYPE)
+    expect_qos(recording, rover.COMMAND)
+
+
+@sensor.check("rate", "it publishes ten times per second", needs="publishes")
+def sensor_rate(recording: Recording) -> None:
+    expect_period(recording.topic(rover.RANGE), PACE, program=about_sensor(recording))
+
+
+@sensor.check("stands", "without a command, the distance stays at 3.0 m", needs="rate")
+def stands(recording: Recording) -> None:
+    for message in during(recording, None, DRIVES):
+        if abs(message.data.range - START) > rover.CLOSE:
+            advice = "At first, the distance is 3.0 and the speed is 0.0. Only a command changes the speed."
+            raise Failure(
+                wrong_range("Nobody drives, but the distance is not 3.0 m.", f"{START}", message, advice)
+            )
+
+
+@sensor.check("drives", "a command brings the wall closer", points=2, needs=("rate", "subscribes"))
+def drives(recording: Recording) -> None:
+    """Expect the distance to fall by the speed, either per second or per period of the task."""
+    command = recording.sent(rover.COMMAND)[0].data.linear.x
+    first, *_, last = found = during(recording, DRIVES, HALTS)
+    fallen = first.data.range - last.data.range
+    paces = (fallen / (last.t - first.t), fallen / (PACE * (len(found) - 1)))
+    if not any(abs(pace / command - 1) <= TOLERANCE for pace in paces):
+        raise Failure(
+            Feedback(
+                summary=f"At {command:.2f} m/s, the distance does not fall by {command:.2f} m per second.",
+                expected=f"{command:.2f} m per second",
+                seen=f"{paces[0]:.2f} m per second",
+                where=text_places(recording.sources, "linear.x")[:1],
+                advice="Keep `linear.x` of each command, and subtract this speed times 0.1 s in the timer's "
+                "callback.",
+            )
+        )
+
+
+@sensor.check("halts", "at speed 0, the distance stays where it is", needs="drives")
+def halts(recording: Recording) -> None:
+    first, *others = during(recording, HALTS, RACES)
+    for message in others:
+        if abs(message.data.range - first.data.range) > rover.CLOSE:
+            advice = "Set the speed to `linear.x` of each command, also if it is 0.0. Don't add it up."
+            raise Failure(
+                wrong_range("The command is 0, but the distance changes.", "the same", message, advice)
+            )
+
+
+@sensor.check("wall", "the distance is never below zero", needs="drives")
+def wall(recording: Recording) -> None:
+    last = during(recording, RACES, None)[-1]
+    if abs(last.data.range) > rover.CLOSE:
+        advice = "The rover can't drive through the wall: `max(0.0, ...)` is never below zero."
+        raise Failure(wrong_range("The rover drove into the wall.", "0.0", last, advice))
+
+
+def wrong_range(summary: str, expected: str, message: Message, advice: str) -> Feedback:
+    return Feedback(
+        summary=summary, expected=expected, seen=f"range is {message.data.range:.3f}", advice=advice
+    )
+
+
+def during(recording: Recording, begin: str | None, end: str | None) -> list[Message]:
+    """What was measured between two marks, without what may have been too early to know the command."""
+    received = recording.topic(rover.RANGE).messages
+    start, stop = (recording.marked(name) if name else None for name in (begin, end))
+    found = [m for m in received if (not start or m.t > start.t) and (not stop or m.t < stop.t)]
+    found = found[LATE if begin else 0 :]
+    if len(found) < 2:
+        raise OurFault(f"the scenario recorded too little after {begin}")
+    return found
+
+
+def about_sensor(recording: Recording) -> Recording:
+    return about(recording, rover.PACKAGE, SENSOR, rover.SENSOR)
+
+
+@sensor.check("declares", "package.xml declares rclpy, sensor_msgs, and geometry_msgs")
+def sensor_dependencies(recording: Recording) -> None:
+    expect_dependency(recording, rover.PACKAGE, "rclpy", "sensor_msgs", "geometry_msgs")
+
+
+@sensor.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+def sensor_interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(recording, SENSOR)

@@ -1,4 +1,4 @@
-"""Graders of chapter 20: a server of a service, and a client."""
+"""Graders of chapter 20: a server of a service, a client, and the rover's controller."""
 
 from __future__ import annotations
 
@@ -6,16 +6,18 @@ import ast
 import secrets
 from functools import partial
 from math import inf, isclose
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from course.api import (
     Arena,
+    Call,
     Cause,
     Client,
     Failure,
     Feedback,
     Grader,
     Location,
+    OurFault,
     Process,
     Recording,
     Server,
@@ -26,20 +28,27 @@ from course.api import (
     expect_answers,
     expect_clean_interrupt,
     expect_dependency,
+    expect_endpoint,
     expect_node,
     expect_period,
+    expect_qos,
     expect_running,
     expect_same_service,
     expect_service,
     expect_service_type,
+    expect_type,
     slips,
     text_places,
     trees,
     words,
 )
+from lib import rover
 from lib.callers import expect_answers_logged, expect_calls, expect_patience, expect_waiting
 from lib.counts import expect_counted, has_number
 from lib.deliveries import first_reaction
+
+if TYPE_CHECKING:
+    from course.api import Listener, Stimulus
 
 PACKAGE = "python_package_that_uses_the_services"
 INTERFACES = "package_with_interfaces"
@@ -501,3 +510,178 @@ class Oracle:
         self.about_life.add("life" in request.quote.quote.lower())
         self.given.append(tuple(map(str, numbers)))
         return {"point": dict(zip("xyz", map(float, numbers), strict=True))}
+
+
+# The rover's controller ------------------------------------------------------------------------------
+
+CONTROLLER = f"{rover.CONTROLLER}_node"
+STOPPED, FREE = "told to stop", "told to drive again"
+AFTER = {STOPPED: 4.0, FREE: 5.0}  # m, what the sensor measures then
+
+controller = Grader("20-rover")
+
+
+@controller.scenario
+def approach_and_stop(arena: Arena) -> None:
+    """Be the sensor: measure some distances, then tell the rover to stop, and to drive again."""
+    commands = arena.ros.subscribe(rover.COMMAND, rover.COMMAND_TYPE)
+    sensor = arena.ros.publisher(rover.RANGE, rover.RANGE_TYPE)
+    stop = arena.ros.client(rover.STOP, rover.STOP_TYPE)
+    node = arena.run(rover.PACKAGE, CONTROLLER)
+    if node and arena.until(lambda: sensor.matched, timeout=15, while_running=node):
+        measure(arena, sensor, commands, node, *distances())
+        if arena.until(lambda: stop.available, timeout=3, while_running=node):
+            for phase, order in ((STOPPED, True), (FREE, False)):
+                call = stop.call(data=order)
+                arena.until(partial(is_done, call), timeout=3, while_running=node)
+                arena.mark(phase)
+                measure(arena, sensor, commands, node, AFTER[phase], AFTER[phase])
+    arena.interrupt(node)
+
+
+def distances() -> list[float]:
+    """Far, near, too near, and far again; the middle one is random."""
+    return [4.0, 0.6 + secrets.randbelow(30) / 100, 0.3, 2.0]
+
+
+def measure(arena: Arena, sensor: Stimulus, commands: Listener, node: Process, *measured: float) -> None:
+    """Publish each distance, and wait for a command after it."""
+    for distance in measured:
+        before = commands.count
+        sensor.publish(range=distance)
+        arena.until(partial(more_commands, commands, before), timeout=1.5, while_running=node)
+
+
+def more_commands(commands: Listener, number: int) -> bool:
+    return commands.count > number
+
+
+def is_done(call: Call) -> bool:
+    return call.done
+
+
+def about_controller(recording: Recording) -> Recording:
+    return about(recording, rover.PACKAGE, CONTROLLER, rover.CONTROLLER)
+
+
+@controller.check("starts", "the node starts and keeps running")
+def controller_starts(recording: Recording) -> None:
+    sent = first_reaction(recording, CONTROLLER, (message.t for message in recording.sent(rover.RANGE)))
+    expect_running(about_controller(recording), CONTROLLER, until=sent)
+
+
+@controller.check("node_name", f"the node is called /{rover.CONTROLLER}", needs="starts")
+def controller_name(recording: Recording) -> None:
+    expect_node(recording, f"/{rover.CONTROLLER}")
+
+
+@controller.check("subscribes", f"it subscribes to {rover.RANGE}", needs="starts")
+def controller_subscribes(recording: Recording) -> None:
+    remedy = f"Subscribe: `self.create_subscription(Range, '{rover.RANGE}', self.range_callback, 10)`."
+    expect_endpoint(recording, "subscription", rover.RANGE, remedy=remedy)
+    expect_type(recording, "subscription", rover.RANGE, rover.RANGE_TYPE)
+    expect_qos(recording, rover.RANGE)
+
+
+@controller.check("publishes", f"it publishes on {rover.COMMAND}", needs="starts")
+def controller_publishes(recording: Recording) -> None:
+    remedy = f"Make a publisher: `self.create_publisher(Twist, '{rover.COMMAND}', 10)`."
+    expect_endpoint(recording, "publisher", rover.COMMAND, remedy=remedy)
+    expect_type(recording, "publisher", rover.COMMAND, rover.COMMAND_TYPE)
+
+
+@controller.check("offers", f"it offers the service {rover.STOP}", needs="starts")
+def controller_offers(recording: Recording) -> None:
+    remedy = f"Create it: `self.create_service(SetBool, '{rover.STOP}', self.stop_callback)`."
+    expect_service(about_controller(recording), "server", rover.STOP, remedy=remedy)
+    expect_service_type(about_controller(recording), "server", rover.STOP, rover.STOP_TYPE)
+
+
+@controller.check("survives", "it keeps running while messages arrive", needs=("subscribes", "publishes"))
+def controller_survives(recording: Recording) -> None:
+    expect_running(about_controller(recording), CONTROLLER)
+
+
+@controller.check("speed", "it commands the speed of the library", points=2, needs="survives")
+def commands_speed(recording: Recording) -> None:
+    told = recording.marked(STOPPED)
+    for distance, speed in answered_distances(recording, -inf, told.t if told else inf):
+        expect_speed(
+            recording, distance, speed, rover.safe_speed(distance), "Pass `message.range` to `safe_speed`."
+        )
+
+
+@controller.check(
+    "stops", f"after a call of {rover.STOP} with true, the rover stands", needs=("speed", "offers")
+)
+def stops(recording: Recording) -> None:
+    expect_answers(about_controller(recording), rover.STOP)
+    told, free = recording.marked(STOPPED), recording.marked(FREE)
+    advice = "Keep `request.data` in `self`. If it is true, publish a Twist with 0.0 at each measurement."
+    for distance, speed in answered_distances(recording, told.t if told else -inf, free.t if free else inf):
+        expect_speed(recording, distance, speed, 0.0, advice)
+
+
+@controller.check("drives_again", "after a call with false, it drives again", needs="stops")
+def drives_again(recording: Recording) -> None:
+    free = recording.marked(FREE)
+    advice = "A call with `false` ends the stop: set what you keep in `self` to `request.data` at each call."
+    for distance, speed in answered_distances(recording, free.t if free else -inf, inf):
+        expect_speed(recording, distance, speed, rover.safe_speed(distance), advice)
+
+
+@controller.check("says_success", "it answers with `success`", needs="stops")
+def says_success(recording: Recording) -> None:
+    for call in recording.service(rover.STOP).calls:
+        if not call.response.success:
+            raise Failure(
+                Feedback(
+                    summary="The response says that the call had no success.",
+                    expected="success is True",
+                    seen="success is False",
+                    where=text_places(recording.sources, "return response")[:1],
+                    advice="Set `response.success = True` before you return the response.",
+                )
+            )
+
+
+def answered_distances(recording: Recording, begin: float, end: float) -> list[tuple[float, float | None]]:
+    """Each distance (m) that was measured in this time, with the last speed commanded after it (m/s)."""
+    found = []
+    for reaction in recording.reactions(rover.RANGE):
+        if begin <= reaction.to.t < end:
+            after = reaction.topic(rover.COMMAND).messages
+            found.append((float(reaction.to.data.range), after[-1].data.linear.x if after else None))
+    if not found:
+        raise OurFault("the scenario measured no distance here")
+    return found
+
+
+def expect_speed(
+    recording: Recording, distance: float, speed: float | None, wanted: float, advice: str
+) -> None:
+    if speed is not None and abs(speed - wanted) <= rover.CLOSE:
+        return
+    raise Failure(
+        Feedback(
+            summary=f"At {distance:.2f} m, the command should be {wanted:.2f} m/s."
+            if speed is not None
+            else f"At {distance:.2f} m, there is no command.",
+            expected=f"linear.x is {wanted:.2f}",
+            seen="nothing" if speed is None else f"linear.x is {speed:.2f}",
+            where=text_places(about_controller(recording).sources, "linear.x")[:1],
+            advice=advice
+            if speed is not None
+            else "Publish a Twist in `range_callback`, once for each measurement.",
+        )
+    )
+
+
+@controller.check("declares", "package.xml declares all that the node imports")
+def controller_dependencies(recording: Recording) -> None:
+    expect_dependency(recording, rover.PACKAGE, "rclpy", "sensor_msgs", "geometry_msgs", "std_srvs")
+
+
+@controller.check("interrupt", "Ctrl+C ends it in silence", needs="survives")
+def controller_interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(about_controller(recording), CONTROLLER)

@@ -1,15 +1,18 @@
-"""Grader of chapter 23: what `ros2 launch` starts, and how it ends."""
+"""Graders of chapter 23: what `ros2 launch` starts, and how it ends."""
 
 from __future__ import annotations
 
 from course.api import (
     Arena,
     Failure,
+    Feedback,
     Grader,
+    OurFault,
     Recording,
     expect_endpoint,
     expect_launch_file,
     expect_launch_interrupt,
+    expect_launch_parameter,
     expect_launched,
     expect_launched_node,
     expect_period,
@@ -19,6 +22,7 @@ from course.api import (
     replace,
     timer_places,
 )
+from lib import rover
 
 PACKAGE = "python_package_that_uses_parameters_and_launch_files"
 FILE = "peanut_butter_falcon_quote_publisher_launch.py"
@@ -89,3 +93,133 @@ def rate(recording: Recording) -> None:
 @launch.check("interrupt", "one Ctrl+C ends all of it in silence", points=2, needs="launches")
 def interrupt(recording: Recording) -> None:
     expect_launch_interrupt(recording, FILE)
+
+
+# The rover: its sensor and its controller ------------------------------------------------------------
+
+ROVER_FILE = "rover_launch.py"
+SENSOR, CONTROLLER = f"/{rover.SENSOR}", f"/{rover.CONTROLLER}"
+DISTANCE, STOP_AT, FULL_SPEED = 2.0, 0.8, 1.0  # m, m, m/s
+NEARER = 0.5  # m, the new `stop_at`
+NEAR = 0.06  # m: the rover slows down all the way
+APPROACH, REST = 45, 28  # measurements, ten per second, until it is that near
+TUNED = "stop_at was set"
+
+whole = Grader("23-rover")
+
+
+@whole.scenario
+def drive_up_to_the_wall(arena: Arena) -> None:
+    """Watch the rover until it stands in front of the wall; then let it come closer."""
+    ranges = arena.ros.subscribe(rover.RANGE, rover.RANGE_TYPE)
+    commands = arena.ros.subscribe(rover.COMMAND, rover.COMMAND_TYPE)
+    sensor, controller = arena.ros.parameters(SENSOR), arena.ros.parameters(CONTROLLER)
+    launched = arena.launch(rover.PACKAGE, ROVER_FILE)
+    if arena.until(lambda: len(arena.ros.graph.nodes) >= 2, timeout=15, while_running=launched):
+        if arena.until(lambda: sensor.available, timeout=3, while_running=launched):
+            sensor.get("distance")
+        if arena.until(lambda: controller.available, timeout=3, while_running=launched):
+            controller.get("stop_at", "full_speed")
+        if arena.until(lambda: commands.count, timeout=4, while_running=launched):
+            arena.until(lambda: ranges.count >= APPROACH, timeout=8, while_running=launched)
+            controller.set(stop_at=NEARER)
+            arena.mark(TUNED)
+            arena.until(lambda: ranges.count >= APPROACH + REST, timeout=6, while_running=launched)
+    arena.interrupt(launched)
+
+
+@whole.check("launches", "`ros2 launch` starts the launch file, and it keeps running")
+def rover_launches(recording: Recording) -> None:
+    expect_launch_file(recording, rover.PACKAGE, ROVER_FILE)
+    expect_launched(recording, ROVER_FILE)
+
+
+@whole.check("nodes", f"the nodes {SENSOR} and {CONTROLLER} are running", needs="launches")
+def nodes(recording: Recording) -> None:
+    expect_launched_node(recording, ROVER_FILE, SENSOR)
+    expect_launched_node(recording, ROVER_FILE, CONTROLLER)
+
+
+@whole.check("parameters", "the launch file sets the three parameters", points=2, needs="nodes")
+def parameters(recording: Recording) -> None:
+    expect_launch_parameter(recording, ROVER_FILE, SENSOR, "distance", DISTANCE)
+    expect_launch_parameter(recording, ROVER_FILE, CONTROLLER, "stop_at", STOP_AT)
+    expect_launch_parameter(recording, ROVER_FILE, CONTROLLER, "full_speed", FULL_SPEED)
+
+
+@whole.check("arrives", f"the rover stops {STOP_AT} m in front of the wall", points=2, needs="nodes")
+def arrives(recording: Recording) -> None:
+    first, last = driven(recording, before=True)
+    if first > DISTANCE + NEAR:
+        raise Failure(
+            Feedback(
+                summary=f"The rover starts {first:.2f} m from the wall.",
+                expected=f"{DISTANCE} m",
+                seen=f"{first:.2f} m",
+                where=named(recording.sources, "distance")[:2],
+                advice="In the sensor, `self.distance` begins with the value of the parameter `distance`.",
+            )
+        )
+    if abs(last - STOP_AT) > NEAR:
+        advice = (
+            "In the controller's callback, read `stop_at` and `full_speed`, and pass both to `safe_speed`."
+        )
+        raise Failure(elsewhere(recording, STOP_AT, last, advice))
+
+
+@whole.check("speed", f"it drives at {FULL_SPEED} m/s at most, and that fast at first", needs="arrives")
+def full_speed(recording: Recording) -> None:
+    fastest = max((m.data.linear.x for m in recording.topic(rover.COMMAND).messages), default=0.0)
+    if abs(fastest - FULL_SPEED) > rover.CLOSE:
+        raise Failure(
+            Feedback(
+                summary=f"The fastest command is {fastest:.2f} m/s.",
+                expected=f"{FULL_SPEED} m/s",
+                seen=f"{fastest:.2f} m/s",
+                where=named(recording.sources, "full_speed")[:2],
+                advice="Pass the value of the parameter `full_speed` to `safe_speed`.",
+            )
+        )
+
+
+@whole.check("tunes", "a new `stop_at` takes effect while it runs", needs="arrives")
+def tunes(recording: Recording) -> None:
+    _, last = driven(recording, before=False)
+    if abs(last - NEARER) > NEAR:
+        raise Failure(
+            elsewhere(recording, NEARER, last, "Read the parameter in the callback, not in `__init__`.")
+        )
+
+
+def driven(recording: Recording, *, before: bool) -> tuple[float, float]:
+    """The first and the last distance (m) before `stop_at` was set, or after it."""
+    tuned = recording.marked(TUNED)
+    received = recording.topic(rover.RANGE).messages
+    found = [m.data.range for m in received if tuned and (m.t < tuned.t) == before]
+    if found:
+        return found[0], found[-1]
+    moves = recording.topic(rover.COMMAND).messages
+    if received and moves:
+        raise OurFault("the scenario did not see the rover drive")
+    topic, other = (rover.RANGE, "sensor") if not received else (rover.COMMAND, "controller")
+    raise Failure(
+        Feedback(
+            summary=f"No messages arrive on `{topic}`.",
+            advice=f"Start the {other} alone, and look with `ros2 topic echo {topic}`.",
+        )
+    )
+
+
+def elsewhere(recording: Recording, wanted: float, seen: float, advice: str) -> Feedback:
+    return Feedback(
+        summary=f"`stop_at` is {wanted} m, but the rover is {seen:.2f} m from the wall.",
+        expected=f"{wanted} m",
+        seen=f"{seen:.2f} m",
+        where=named(recording.sources, "stop_at")[:2],
+        advice=advice,
+    )
+
+
+@whole.check("interrupt", "one Ctrl+C ends all of it in silence", needs="launches")
+def rover_interrupt(recording: Recording) -> None:
+    expect_launch_interrupt(recording, ROVER_FILE)

@@ -16,7 +16,7 @@ from course.model.events import Event, MessageSeen
 
 
 def about(recording: Recording, package: str, executable: str, node: str) -> Recording:
-    """Return the recording reduced to this executable, whose node is called `node` (`night_watch`, no slash).
+    """Return the recording reduced to this executable, whose node is called `node` (`scanner`, no slash).
 
     It leaves out other nodes' lines on /rosout and files that belong only to other programs: modules named
     by their entry points, sources of another `add_executable`, and all C++ if this one is a script. So an

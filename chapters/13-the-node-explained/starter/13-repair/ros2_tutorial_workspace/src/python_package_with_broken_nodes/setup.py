@@ -22,7 +22,7 @@ setup(
         'console_scripts': [
             'heartbeat_node = python_package_with_broken_nodes.heartbeat_node:main',
             'countdown_node = python_package_with_broken_nodes.countdown_node:main',
-            'night_watch_node = python_package_with_broken_nodes.night_watch_node:main',
+            'scanner_node = python_package_with_broken_nodes.scanner_node:main',
         ],
     },
 )

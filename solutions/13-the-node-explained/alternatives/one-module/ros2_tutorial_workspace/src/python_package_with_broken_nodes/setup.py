@@ -22,7 +22,7 @@ setup(
         'console_scripts': [
             'heartbeat_node = python_package_with_broken_nodes.nodes:heartbeat',
             'countdown_node = python_package_with_broken_nodes.nodes:countdown',
-            'night_watch_node = python_package_with_broken_nodes.nodes:night_watch',
+            'scanner_node = python_package_with_broken_nodes.nodes:scanner',
         ],
     },
 )

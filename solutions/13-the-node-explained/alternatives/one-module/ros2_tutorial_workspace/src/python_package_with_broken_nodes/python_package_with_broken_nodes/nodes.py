@@ -36,8 +36,8 @@ def countdown():
     spin(node)
 
 
-def night_watch():
+def scanner():
     rclpy.init()
-    node = rclpy.create_node('night_watch')
-    node.create_timer(0.5, lambda: say(node, 'All is quiet.'))
-    spin(node, partial(say, node, 'The lamp is off.'))
+    node = rclpy.create_node('scanner')
+    node.create_timer(0.5, lambda: say(node, 'The way is clear.'))
+    spin(node, partial(say, node, 'The laser is off.'))

@@ -1,0 +1,48 @@
+"""The node controller drives the rover towards the wall, and stops in front of it."""
+
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rover.driving import safe_speed
+from sensor_msgs.msg import Range
+from std_srvs.srv import SetBool
+
+
+class Controller(Node):
+    """Hears the sensor, and commands the speed that the library calculates."""
+
+    def __init__(self):
+        super().__init__('controller')
+        self.stopped = False
+        self.publisher = self.create_publisher(Twist, '/rover/cmd_vel', 10)
+        self.subscription = self.create_subscription(
+            Range, '/rover/range', self.range_callback, 10)
+        self.service = self.create_service(SetBool, '/rover/stop', self.stop_callback)
+
+    def range_callback(self, message):
+        """Answer each measurement with a speed."""
+        command = Twist()
+        if not self.stopped:
+            command.linear.x = safe_speed(message.range)
+        self.publisher.publish(command)
+
+    def stop_callback(self, request, response):
+        """Stop the rover, or let it drive again."""
+        self.stopped = request.data
+        response.success = True
+        response.message = 'Stopped' if self.stopped else 'Driving'
+        return response
+
+
+def main(args=None):
+    """Run the node until Ctrl+C."""
+    try:
+        rclpy.init(args=args)
+        rclpy.spin(Controller())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+if __name__ == '__main__':
+    main()

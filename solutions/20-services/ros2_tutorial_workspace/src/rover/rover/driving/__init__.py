@@ -1,0 +1,3 @@
+from rover.driving._speed import safe_speed
+
+__all__ = ['safe_speed']
