@@ -86,4 +86,4 @@ from course.model.feedback import Failure, Feedback, Location, NotApplicable, Sp
 from course.spelling import listed, nearest
 
 if TYPE_CHECKING:  # it needs ROS
-    from course.evidence.recorder import Listener, Stimulus
+    from course.evidence.recorder import Listener

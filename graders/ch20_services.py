@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import secrets
+from collections.abc import Callable
 from functools import partial
 from math import inf, isclose
 from typing import TYPE_CHECKING, Any
@@ -48,7 +49,7 @@ from lib.counts import expect_counted, has_number
 from lib.deliveries import first_reaction
 
 if TYPE_CHECKING:
-    from course.api import Listener, Stimulus
+    from course.api import Listener
 
 PACKAGE = "python_package_that_uses_the_services"
 INTERFACES = "package_with_interfaces"
@@ -529,13 +530,13 @@ def approach_and_stop(arena: Arena) -> None:
     stop = arena.ros.client(rover.STOP, rover.STOP_TYPE)
     node = arena.run(rover.PACKAGE, CONTROLLER)
     if node and arena.until(lambda: sensor.matched, timeout=15, while_running=node):
-        measure(arena, sensor, commands, node, *distances())
+        measure(arena, sensor.publish, commands, node, *distances())
         if arena.until(lambda: stop.available, timeout=3, while_running=node):
             for phase, order in ((STOPPED, True), (FREE, False)):
                 call = stop.call(data=order)
                 arena.until(partial(is_done, call), timeout=3, while_running=node)
                 arena.mark(phase)
-                measure(arena, sensor, commands, node, AFTER[phase], AFTER[phase])
+                measure(arena, sensor.publish, commands, node, AFTER[phase], AFTER[phase])
     arena.interrupt(node)
 
 
@@ -544,11 +545,13 @@ def distances() -> list[float]:
     return [4.0, 0.6 + secrets.randbelow(30) / 100, 0.3, 2.0]
 
 
-def measure(arena: Arena, sensor: Stimulus, commands: Listener, node: Process, *measured: float) -> None:
+def measure(
+    arena: Arena, publish: Callable[..., None], commands: Listener, node: Process, *measured: float
+) -> None:
     """Publish each distance, and wait for a command after it."""
     for distance in measured:
         before = commands.count
-        sensor.publish(range=distance)
+        publish(range=distance)
         arena.until(partial(more_commands, commands, before), timeout=1.5, while_running=node)
 
 

@@ -4,9 +4,10 @@ import rclpy
 from geometry_msgs.msg import Twist
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
-from rover.driving import safe_speed
 from sensor_msgs.msg import Range
 from std_srvs.srv import SetBool
+
+from rover.driving import safe_speed
 
 
 class Controller(Node):
