@@ -1,4 +1,4 @@
-"""Grader of chapter 19: what a learner finds out about the topics of a ship, and publishes there."""
+"""Grader of chapter 19: what a learner finds out about the topics of a rover, and publishes there."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def answers(plan: Any) -> dict[str, Answer]:
         "publisher": Text(*spellings(plan.measurer), wrong=_not_publishers(plan)),
         "two-publishers": Text(*spellings(plan.shared), wrong=_not_shared(plan)),
         "pair": AllOf(plan.said, plan.heard, wrong=_not_of_the_pair(plan)),
-        "password": Text(plan.password, f"Tonight's password is {plan.password}"),
+        "password": Text(plan.password, f"Today's password is {plan.password}"),
         "philosopher": Text(plan.asked.philosopher, wrong=_other_philosophers(plan)),
         "waiting": Text(*spellings(plan.waiting), wrong=_not_waiting(plan)),
     }

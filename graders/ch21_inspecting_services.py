@@ -1,4 +1,4 @@
-"""Grader of chapter 21: what a learner finds out about the services of a hotel."""
+"""Grader of chapter 21: what a learner finds out about the services of a rover."""
 
 from __future__ import annotations
 

@@ -110,7 +110,7 @@ whole = Grader("23-rover")
 
 @whole.scenario
 def drive_up_to_the_wall(arena: Arena) -> None:
-    """Watch the rover until it stands in front of the wall; then let it come closer."""
+    """Watch the rover until it stops in front of the wall; then let it come closer."""
     ranges = arena.ros.subscribe(rover.RANGE, rover.RANGE_TYPE)
     commands = arena.ros.subscribe(rover.COMMAND, rover.COMMAND_TYPE)
     sensor, controller = arena.ros.parameters(SENSOR), arena.ros.parameters(CONTROLLER)

@@ -1,4 +1,4 @@
-"""A ship at night: nine nodes talk on topics; two miss each other by a letter, one waits for a quote."""
+"""A rover at work: nine nodes talk on topics; two miss each other by a letter, one waits for a quote."""
 
 from __future__ import annotations
 
@@ -18,43 +18,41 @@ QUOTE_TYPE = "package_with_interfaces/msg/AmazingQuote"
 QUOTE_PERIOD = 0.25
 SLOW = 1.0
 
-CREW = (
-    "bosun carpenter cook engineer helmsman lookout navigator purser stoker stowaway surgeon parrot".split()
-)
-PLACES = "bridge cabin deck engine_room galley harbour hold mast".split()
+CREW = "arm battery camera driver localizer mapper navigator planner recorder scanner speaker radio".split()
+PLACES = "arm base front left mast rear right roof".split()
 # What is measured, its type, and the field that holds the number.
 MEASURED = (
     ("air", "sensor_msgs/msg/RelativeHumidity", "relative_humidity"),
-    ("boiler", "sensor_msgs/msg/Temperature", "temperature"),
-    ("depth", "sensor_msgs/msg/Range", "range"),
-    ("lantern", "sensor_msgs/msg/Illuminance", "illuminance"),
-    ("water_pressure", "sensor_msgs/msg/FluidPressure", "fluid_pressure"),
+    ("motor", "sensor_msgs/msg/Temperature", "temperature"),
+    ("obstacle", "sensor_msgs/msg/Range", "range"),
+    ("daylight", "sensor_msgs/msg/Illuminance", "illuminance"),
+    ("tire", "sensor_msgs/msg/FluidPressure", "fluid_pressure"),
     ("drift", "geometry_msgs/msg/Vector3", "x"),
 )
-MISSPELT = ("compass", "barometer", "telescope", "thermometer", "chronometer", "hourglass")
+MISSPELT = ("compass", "odometer", "voltage", "steering", "tachometer", "distance")
 RATES = (2.0, 3.0, 5.0, 8.0, 12.0)
 PASSWORDS = "marmalade pumpernickel rhubarb saffron turnip walnut cinnamon gooseberry".split()
 THINKERS = (
-    "Admiral Pelican",
-    "Aunt Petronella",
+    "Aunt Axle",
+    "Captain Gearbox",
     "Doctor Drizzle",
-    "Ensign Walrus",
-    "Grandfather Fog",
-    "Mademoiselle Marzipan",
-    "Old Barnacle",
-    "Professor Hammock",
-    "Sister Semaphore",
-    "Uncle Capstan",
+    "Grandfather Gravel",
+    "Lady Lidar",
+    "Madam Magnet",
+    "Old Odometer",
+    "Professor Pebble",
+    "Sister Solder",
+    "Uncle Torque",
 )
 THOUGHTS = (
-    "A calm sea teaches nobody to swim, but it is nicer.",
-    "Whoever coils the rope today finds it tomorrow.",
+    "A smooth road teaches nobody to steer, but it is nicer.",
+    "If you coil the cable today, you find it tomorrow.",
     "The horizon is always on time.",
-    "Two anchors are one decision too many.",
-    "Soup knows which way the ship leans.",
-    "Ask the wind once, and your hat twice.",
+    "Two maps are one decision too many.",
+    "A full battery has no enemies.",
+    "Ask the wheel once, and the ground twice.",
     "Every map was blank, and then somebody got lost.",
-    "He who counts the waves never runs out of work.",
+    "A robot that counts stones never runs out of work.",
 )
 
 
@@ -69,7 +67,7 @@ class Said:
 
 @dataclass(frozen=True)
 class Plan:
-    """All that differs from ship to ship. rate: of `measured`, in hertz. Nodes go without a slash."""
+    """All that differs from rover to rover. rate: of `measured`, in hertz. Nodes go without a slash."""
 
     measured: str
     type: str
@@ -109,20 +107,20 @@ def draw(seed: int) -> Plan:
         rate=chance.choice(RATES),
         measurer=crew[0],
         reader=crew[1],
-        shared=f"/{places[1]}/{chance.choice(('bell', 'whistle', 'drum'))}",
+        shared=f"/{places[1]}/{chance.choice(('horn', 'siren', 'chime'))}",
         sharers=(crew[2], crew[3]),
         said=f"/{places[2]}/{names[0]}",
         heard=f"/{places[2]}/{names[1]}",
         sayer=crew[4],
         hearer=crew[5],
-        notice=f"/{places[3]}/{chance.choice(('notice', 'blackboard', 'logbook'))}",
+        notice=f"/{places[3]}/{chance.choice(('notice', 'mission', 'logbook'))}",
         notifier=crew[6],
         password=chance.choice(PASSWORDS),
         quotes=f"/{places[4]}/{chance.choice(('wisdom', 'small_talk', 'stories'))}",
         reciter=crew[7],
         recited=recited,
         asked=chance.choice(recited),
-        waiting=f"/{places[5]}/{chance.choice(('letterbox', 'bottle', 'pigeonhole'))}",
+        waiting=f"/{places[5]}/{chance.choice(('inbox', 'orders', 'requests'))}",
         waiter=crew[8],
     )
 
@@ -200,7 +198,7 @@ def _notifier(plan: Plan) -> Node:
     node = Node(plan.notifier)
     kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     publisher = node.create_publisher(String, plan.notice, kept)
-    publisher.publish(String(data=f"Tonight's password is {plan.password}"))
+    publisher.publish(String(data=f"Today's password is {plan.password}"))
     return node
 
 

@@ -1,4 +1,4 @@
-"""A hotel at night: five nodes offer services, one of them sleeps, and somebody calls what nobody offers."""
+"""A rover at its base: five nodes offer services, one is stuck, and somebody calls what nobody offers."""
 
 from __future__ import annotations
 
@@ -17,28 +17,28 @@ Answer = Callable[[Any, Any], Any]
 TRIGGER = "std_srvs/srv/Trigger"
 SET_BOOL = "std_srvs/srv/SetBool"
 POINT = "package_with_interfaces/srv/WhatIsThePoint"
-STAFF = "butler chambermaid concierge gardener pianist porter seamstress sommelier".split()
-ROOMS = "attic ballroom cellar kitchen library lobby stable terrace winter_garden laundry".split()
+STAFF = "arm battery camera driver gripper localizer planner speaker".split()
+ROOMS = "base front deck left mast rear right roof tail trailer".split()
 TYPED = (
     ("maps", "nav_msgs/srv/LoadMap"),
     ("self_check", "diagnostic_msgs/srv/AddDiagnostics"),
     ("camera", "sensor_msgs/srv/SetCameraInfo"),
-    ("shift", "lifecycle_msgs/srv/ChangeState"),
-    ("duty", "lifecycle_msgs/srv/GetState"),
+    ("state", "lifecycle_msgs/srv/ChangeState"),
+    ("mode", "lifecycle_msgs/srv/GetState"),
 )
 WITH_FIELDS = (
     ("way", "nav_msgs/srv/GetPlan"),
-    ("floor_plan", "nav_msgs/srv/SetMap"),
+    ("ground", "nav_msgs/srv/SetMap"),
     ("dictionary", "type_description_interfaces/srv/GetTypeDescription"),
 )
 # Only these are called `std_srvs/srv/Trigger`.
-CHORES = "candles clock coffee fireplace shutters towels".split()
-WORDS = "blanket bonbon candelabra doorknob keyhole parasol slippers teapot umbrella wardrobe".split()
+CHORES = "brake calibrate charge clean honk reset".split()
+WORDS = "antenna axle bumper compass fender headlight magnet pulley spring wheel".split()
 
 
 @dataclass(frozen=True)
 class Plan:
-    """All that differs from hotel to hotel. owners: node by service. Nodes go without a slash.
+    """All that differs from rover to rover. owners: node by service. Nodes go without a slash.
 
     point: what the oracle answers when the quote's id is 0; x grows by `step` with each id.
     """
@@ -73,7 +73,7 @@ def draw(seed: int) -> Plan:
     chores = [f"/{room}/{chore}" for room, chore in zip(rooms, chance.sample(CHORES, 4), strict=False)]
     word, other_word = chance.sample(WORDS, 2)
     typed, fields = f"/{rooms[4]}/{thing}", f"/{rooms[5]}/{other_thing}"
-    oracle, bell = f"/{rooms[6]}/{chance.choice(('oracle', 'mirror'))}", f"/{rooms[7]}/bell"
+    oracle, bell = f"/{rooms[6]}/{chance.choice(('oracle', 'adviser'))}", f"/{rooms[7]}/bell"
     return Plan(
         typed=typed,
         type=type_name,
@@ -88,7 +88,7 @@ def draw(seed: int) -> Plan:
         chores=(chores[0], chores[1], chores[2]),
         silent=chores[3],
         sleeper=staff[4],
-        wanted=f"/{rooms[8]}/{chance.choice(('taxi', 'telegram', 'luggage'))}",
+        wanted=f"/{rooms[8]}/{chance.choice(('winch', 'drone', 'elevator'))}",
         caller=staff[chance.randrange(4)],
         owners=_dealt([typed, fields, oracle, bell, *chores[:3]], staff[:4], chance),
     )

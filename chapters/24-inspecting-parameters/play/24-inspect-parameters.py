@@ -1,4 +1,4 @@
-"""A falcon that publishes quotes, with more parameters than it admits; some may be set, one may not."""
+"""A rover that publishes quotes, with more parameters than it admits; some may be set, one may not."""
 
 from __future__ import annotations
 
@@ -20,21 +20,21 @@ GIVEN = "starter/24-inspect-parameters/ros2_tutorial_workspace/src/quote_of_the_
 TEXTS = ("quote", "philosopher_name")
 
 PERIODS = (0.2, 0.25, 0.4, 0.8, 1.6)
-DIALS = "altitude appetite loudness patience speed".split()
+DIALS = "brightness loudness patience range speed".split()
 # Some do not look like what they are.
 ODD_ONES = (
     ("license", "string", "2027"),
-    ("ring_number", "string", "17.5"),
+    ("serial_number", "string", "17.5"),
     ("awake", "string", "true"),
-    ("wingspan", "double", 1.0),
+    ("wheelbase", "double", 1.0),
     ("weight", "double", 2.0),
-    ("tame", "boolean", True),
-    ("hooded", "boolean", False),
-    ("friends", "string array", ["heron", "otter"]),
+    ("tracked", "boolean", True),
+    ("covered", "boolean", False),
+    ("friends", "string array", ["camera", "arm"]),
 )
-FIXED = (("birthplace", "under a bridge"), ("hatched_from", "a brown egg"), ("first_owner", "a baker"))
+FIXED = (("built_in", "a garage"), ("built_from", "a kit"), ("first_owner", "a mail carrier"))
 THINKERS = (
-    "A Patient Gardener",
+    "A Patient Mechanic",
     "Cousin Thistle",
     "Lady Thunderclap",
     "Madam Windmill",
@@ -42,17 +42,17 @@ THINKERS = (
     "Uncle Rainbarrel",
 )
 THOUGHTS = (
-    "Fly first, then ask how high it is.",
-    "A feather is a very small plan.",
-    "Look down only to see how far you have come.",
-    "The wind has no opinion of you.",
-    "Peanut butter holds more together than bread.",
+    "Look first, then ask how far it is.",
+    "A screw is a very small plan.",
+    "Look back only to see how far you have come.",
+    "The ground has no opinion of you.",
+    "Tape holds more together than glue.",
 )
 
 
 @dataclass(frozen=True)
 class Plan:
-    """All that differs from falcon to falcon. dial, odd, fixed: names of parameters. period: seconds.
+    """All that differs from rover to rover. dial, odd, fixed: names of parameters. period: seconds.
 
     given: quote and philosopher in the file that is to be loaded, for all the same.
     """
