@@ -1,4 +1,4 @@
-"""Grader of chapter 24: questions on a falcon's parameters, two acts, and the file of its parameters."""
+"""Grader of chapter 24: questions on a rover's parameters, two acts, and the file of its parameters."""
 
 from __future__ import annotations
 
