@@ -607,8 +607,7 @@ def controller_survives(recording: Recording) -> None:
 
 @controller.check("speed", "it commands the speed of the library", points=2, needs="survives")
 def commands_speed(recording: Recording) -> None:
-    told = recording.marked(STOPPED)
-    for distance, speed in answered_distances(recording, -inf, told.t if told else inf):
+    for distance, speed in answered_distances(recording, -inf, told_at(recording, 0)):
         expect_speed(
             recording, distance, speed, rover.safe_speed(distance), "Pass `message.range` to `safe_speed`."
         )
@@ -619,9 +618,9 @@ def commands_speed(recording: Recording) -> None:
 )
 def stops(recording: Recording) -> None:
     expect_answers(about_controller(recording), rover.STOP)
-    told, free = recording.marked(STOPPED), recording.marked(FREE)
+    told = recording.marked(STOPPED)
     advice = "Keep `request.data` in `self`. If it is true, publish a Twist with 0.0 at each measurement."
-    for distance, speed in answered_distances(recording, told.t if told else -inf, free.t if free else inf):
+    for distance, speed in answered_distances(recording, told.t if told else -inf, told_at(recording, 1)):
         expect_speed(recording, distance, speed, 0.0, advice)
 
 
@@ -648,12 +647,18 @@ def says_success(recording: Recording) -> None:
             )
 
 
+def told_at(recording: Recording, number: int) -> float:
+    """When the service was called for the n-th time: a right node may brake at once, before it measures again."""
+    calls_so_far = recording.service(rover.STOP).calls
+    return calls_so_far[number].asked if len(calls_so_far) > number else inf
+
+
 def answered_distances(recording: Recording, begin: float, end: float) -> list[tuple[float, float | None]]:
     """Each distance (m) that was measured in this time, with the last speed commanded after it (m/s)."""
     found = []
     for reaction in recording.reactions(rover.RANGE):
         if begin <= reaction.to.t < end:
-            after = reaction.topic(rover.COMMAND).messages
+            after = [m for m in reaction.topic(rover.COMMAND).messages if m.t < end]
             found.append((float(reaction.to.data.range), after[-1].data.linear.x if after else None))
     if not found:
         raise OurFault("the scenario measured no distance here")
