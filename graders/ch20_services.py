@@ -648,7 +648,7 @@ def says_success(recording: Recording) -> None:
 
 
 def told_at(recording: Recording, number: int) -> float:
-    """When the service was called for the n-th time. A right node may brake at once, without a measurement."""
+    """When the service was called for the n-th time. A right node may brake at once."""
     calls_so_far = recording.service(rover.STOP).calls
     return calls_so_far[number].asked if len(calls_so_far) > number else inf
 
