@@ -6,10 +6,10 @@ import contextlib
 import signal
 import threading
 import zlib
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from functools import partial
 from multiprocessing import get_context
@@ -34,7 +34,7 @@ from course.model.gradebook import Gradebook, GradedExercise, GradedSubmission, 
 from course.model.result import Result, Verdict
 from course.report.gradebook.cleaning import Cleaner, places_here
 from course.report.gradebook.sheets import exercises_of, sheets
-from course.report.page.data import ClassPage, Key, as_json, submission_data
+from course.report.page.data import ClassPage, Code, Key, as_json, places_of, submission_data
 from course.report.page.html import live_page, news
 from course.report.pictures.timeline_svg import pictures
 
@@ -129,11 +129,21 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class ReadClass:
-    """page: without pictures. recordings: files, of those gradings that have one. clean: for their texts."""
+    """page: without pictures. recordings: files, of those gradings that have one. clean: for their texts.
+
+    asked: the learner's own files, by exercise.
+    """
 
     page: ClassPage
     recordings: Mapping[Key, Path]
     clean: Cleaner
+    asked: Mapping[str, tuple[str, ...]]
+
+    def drawn(self, key: Key) -> _Drawn:
+        place, exercise = key
+        marks = (mark for mark in self.page.sheets[place].marks if mark.exercise.id == exercise)
+        found = {file for mark in marks for file, _, _ in places_of(mark)}
+        return _drawn(self.clean, key, self.recordings[key], {*self.asked.get(exercise, ()), *found})
 
 
 def read_class(out: Path, results: Results, course: Course, title: str = "") -> ReadClass:
@@ -142,42 +152,46 @@ def read_class(out: Path, results: Results, course: Course, title: str = "") -> 
     Raises UsageError when nothing has been graded there yet, StorageError when it cannot be read.
     """
     with results.at_one_moment():
-        asked = settings_of(results)
-        clean = cleaner(out, asked.submissions)
-        exercises = [course.exercise(name) for name in asked.exercises]
+        settings = settings_of(results)
+        clean = cleaner(out, settings.submissions)
+        exercises = [course.exercise(name) for name in settings.exercises]
         decisions = decisions_in(out, people_of(results), exercises)
         ended = datetime.now(timezone.utc)
-        shown = clean.prose(title or asked.title or TITLE)
-        book = gradebook(results, shown, exercises, asked.began, ended, decisions)
+        shown = clean.prose(title or settings.title or TITLE)
+        book = gradebook(results, shown, exercises, settings.began, ended, decisions)
         every = tuple(sheets(book, clean))
         page = ClassPage(book.course, exercises_of(book, clean), every, book.began, book.ended)
-        return ReadClass(page, _recordings(out, results), clean)
+        asked = {exercise.id: exercise.files for exercise in exercises}
+        return ReadClass(page, _recordings(out, results), clean, asked)
 
 
 def with_pictures(found: ReadClass, room: int, on_progress: Progress) -> ClassPage:
-    """The page with as many pictures as there is room for, those of what did not pass first.
+    """The page with as much code and as many pictures as there is room for, of what did not pass first.
 
     on_progress: how many recordings of how many. Recordings that cannot be read have no pictures.
     """
     wanted = sorted(found.recordings, key=partial(_urgency, found.page))
-    drawn: dict[Key, tuple[str, ...]] = {}
+    every: dict[Key, _Drawn] = {}
     used = done = 0
     with _drawing(found, wanted) as each:
-        for done, (key, (pictures, size)) in enumerate(zip(wanted, each, strict=True), 1):
-            if used + size > room:
+        for done, (key, drawn) in enumerate(zip(wanted, each, strict=True), 1):
+            if used + drawn.size > room:
                 done -= 1
                 break
-            used += size
-            drawn[key] = pictures
+            used += drawn.size
+            every[key] = drawn
             on_progress(done, len(wanted))
-    return replace(found.page, pictures=drawn, not_drawn=len(wanted) - done)
+    return replace(_with(found.page, every), not_drawn=len(wanted) - done)
+
+
+def _with(page: ClassPage, every: Mapping[Key, _Drawn]) -> ClassPage:
+    pictures = {key: drawn.pictures for key, drawn in every.items()}
+    return replace(page, pictures=pictures, code={key: drawn.code for key, drawn in every.items()})
 
 
 def of_one(found: ReadClass, place: int) -> ClassPage:
     """The page with the pictures of the person at that place alone."""
-    own = {key: file for key, file in found.recordings.items() if key[0] == place}
-    drawn = {key: _pictures(found.clean, key, file)[0] for key, file in own.items()}
-    return replace(found.page, pictures=drawn)
+    return _with(found.page, {key: found.drawn(key) for key in found.recordings if key[0] == place})
 
 
 def _recordings(out: Path, results: Results) -> dict[Key, Path]:
@@ -193,17 +207,15 @@ def _urgency(page: ClassPage, key: Key) -> tuple[bool, Key]:
 
 
 @contextmanager
-def _drawing(found: ReadClass, wanted: Sequence[Key]) -> Iterator[Iterator[tuple[tuple[str, ...], int]]]:
-    """Pictures with their sizes, in order. Several processes draw them."""
-    draw = partial(_pictures, found.clean)
-    files = [found.recordings[key] for key in wanted]
+def _drawing(found: ReadClass, wanted: Sequence[Key]) -> Iterator[Iterator[_Drawn]]:
+    """What is wanted, in order. Several processes draw it."""
     if len(wanted) < _FEW:
-        yield map(draw, wanted, files)
+        yield map(found.drawn, wanted)
         return
     cores = len(sched_getaffinity(0))
     pool = ProcessPoolExecutor(cores, mp_context=get_context("spawn"), initializer=_begin)
     try:
-        yield pool.map(draw, wanted, files, chunksize=_PORTION)
+        yield pool.map(found.drawn, wanted, chunksize=_PORTION)
     finally:
         pool.shutdown(cancel_futures=True)
 
@@ -214,15 +226,27 @@ def _begin() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def _pictures(clean: Cleaner, key: Key, file: Path) -> tuple[tuple[str, ...], int]:
+@dataclass(frozen=True)
+class _Drawn:
+    """What the page shows of a recording. size: how large that will be in it."""
+
+    pictures: tuple[str, ...] = ()
+    code: Code = field(default_factory=dict)
+    size: int = 0
+
+
+def _drawn(clean: Cleaner, key: Key, file: Path, shown: Container[str]) -> _Drawn:
     try:
         recording = load(file)
     except (BadRecording, StorageError):  # it may just be replaced; the verdict stands without it
-        return (), 0
+        return _Drawn()
     place, exercise = key
     name = f"p{place}{''.join(filter(str.isalnum, exercise))}"
     drawn = pictures(recording, key=name, clean=partial(clean.line, limit=_LABEL))
-    return drawn, len(zlib.compress("".join(drawn).encode())) * 4 // 3
+    texts = recording.sources.files if drawn else {}
+    code = {clean.line(path): clean.code(text) for path, text in texts.items() if path in shown}
+    together = "".join((*drawn, *(line for lines in code.values() for line in lines)))
+    return _Drawn(drawn, code, len(zlib.compress(together.encode())) * 4 // 3)
 
 
 # SQLite's file, what has been written since it was put in order the last time, and what people decided.

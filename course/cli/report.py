@@ -16,6 +16,7 @@ from course.cli.signals import ended_cleanly
 from course.cli.usage import examples
 from course.errors import UsageError
 from course.files import write_pieces
+from course.model import replace
 from course.report.activity import activity
 from course.report.console import error_console, open_console, put
 from course.report.gradebook.sheets import Names, file_stem
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     ("report grades/", "the class: grades/report.html"),
     ("report grades/ --out class.html", "under another name"),
+    ("report grades/ --before last/", "what changed since then"),
     ("report grades/ --learners pages/", "a page for each learner"),
     ("report grades/ --learner ada", "for one of them"),
 )
@@ -46,6 +48,10 @@ def report(
         Path | None,
         typer.Option("--learners", metavar="DIR", help="A page for each learner, without others' data."),
     ] = None,
+    before: Annotated[
+        Path | None,
+        typer.Option("--before", metavar="DIR", help="Results of an earlier run to compare with."),
+    ] = None,
     title: Annotated[
         str,
         typer.Option(
@@ -57,12 +63,16 @@ def report(
 
     It is a single file that needs no server. It shows people and exercises to
     sort and filter, the distribution of marks, how hard each check was, the
-    most common mistakes, and each submission's feedback with pictures of what
-    happened.
+    most common mistakes, and each submission's code and feedback with pictures
+    of what happened.
     """
     if learners and (learner or out):
         raise UsageError("--learners makes a page each.", "Leave --learner and --out out.")
     page = _page(options_of(ctx), results.absolute(), title, everybody=learner is None, who=learner)
+    if before:
+        with Results.look(before.absolute()) as stored:
+            earlier = read_class(before.absolute(), stored, course_of(options_of(ctx))).page
+        page = replace(page, before={sheet.person.id: sheet for sheet in earlier.sheets})
     if learners:
         said = f"{learners}/  {_write_each(page, learners)} pages"
     elif learner is not None:

@@ -15,6 +15,8 @@ from course.batch.results import BatchSettings, Results, Submission, keep_settin
 from course.content import Course, open_course
 from course.errors import StorageError, UsageError
 from course.evidence import mcap_file
+from course.evidence.sources import Sources
+from course.model import replace
 from course.model.result import CheckResult, Outcome, Result, Verdict
 from course.report.page.data import ClassPage
 from tests.conftest import FIXTURES
@@ -69,6 +71,15 @@ def test_without_much_room_those_of_what_did_not_pass_come_first(out: Path, cour
     tight = page(out, course, 3000)
     assert list(tight.pictures) == [(1, EXERCISE)] and tight.not_drawn == 1
     assert page(out, course, 10).not_drawn == 2
+
+
+def test_the_code_that_was_handed_in_is_shown(out: Path, course: Course) -> None:
+    asked = course.exercise(EXERCISE).files[0]
+    seen = replace(
+        recording(*COUNTER), sources=Sources({asked: "a: 1\n  b: \x1b[31m2\n", "other.txt": "not asked for"})
+    )
+    mcap_file.save(seen, out / "evidence/ada.mcap", began_ns=10**18)
+    assert page(out, course).code[0, EXERCISE] == {asked: ("a: 1", "  b: 2", "")}
 
 
 @pytest.mark.slow

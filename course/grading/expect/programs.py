@@ -74,8 +74,7 @@ def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited)
         recording, "is `main()` called at all, and does a loop, `while True:`, keep it running?"
     )
     return Feedback(
-        summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; "
-        "it should keep running.",
+        summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; it should keep running.",
         expected="it runs until Ctrl+C",
         seen=_how(ended),
         where=cause.where,

@@ -27,6 +27,8 @@ NAME_LIMIT = 200
 PROSE_LIMIT = 900
 PLACE_LIMIT = 500
 REMARKS = 20
+# Of one file of code: lines.
+CODE_LINES = 400
 # Of one text, however long; what is shown is far shorter.
 _LOOKED_AT = 8 * 1024
 # For the count at the end of a line that was cut.
@@ -71,8 +73,14 @@ class Cleaner:
     def evidence(self, lines: Iterable[str]) -> tuple[str, ...]:
         """Lines of a log, each cut, and the middle left out of a long list."""
         every = (piece for line in lines for piece in line.replace("\r\n", "\n").rstrip("\n").split("\n"))
-        short = [sanitize.cut(self._plain(line), sanitize.LINE_LIMIT, len(line)) for line in every]
-        return tuple(sanitize.details(short, limit=sanitize.LINE_LIMIT + _COUNT_ROOM))
+        return tuple(sanitize.details(self._lines(every), limit=sanitize.LINE_LIMIT + _COUNT_ROOM))
+
+    def code(self, text: str) -> tuple[str, ...]:
+        """Lines of a file, each cut, with their indentation; the first CODE_LINES of them."""
+        every = text.split("\n")
+        shown = self._lines(every[:CODE_LINES])
+        more = len(every) - len(shown)
+        return (*shown, f"... {more} more lines ...") if more else tuple(shown)
 
     def feedback(self, feedback: Feedback) -> Feedback:
         return Feedback(
@@ -111,6 +119,9 @@ class Cleaner:
         if check.outcome is Outcome.ERROR:
             return _OURS
         return self.feedback(check.feedback) if check.feedback and check.outcome is Outcome.FAILED else None
+
+    def _lines(self, lines: Iterable[str]) -> list[str]:
+        return [sanitize.cut(self._plain(line), sanitize.LINE_LIMIT, len(line)) for line in lines]
 
     def _place(self, place: Location) -> Location:
         return Location(self.line(place.file, PLACE_LIMIT), place.line)

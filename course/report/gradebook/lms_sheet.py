@@ -15,9 +15,12 @@ from course.report.console import number
 from course.report.gradebook.sheets import EXCUSED, tidy
 
 _DELIMITERS = (",", ";", "\t")
-# `Homework 1 (99)` of Canvas; `Homework 1 [Total Pts: 10 Score] |99` of Blackboard.
+# `Homework 1 (99)` of Canvas; `Homework 1 [Total Pts: 10 Score] |99` of Blackboard, whose sums say
+# `[Total Pts: up to 1,499 Score]` and whose columns of words `[Total Pts: 0 Text]`: nobody fills these in.
 _CANVAS_COLUMN = re.compile(r".*\((?P<id>\d+)\)\s*", re.DOTALL)
-_BLACKBOARD_COLUMN = re.compile(r".*\[.*?(?P<max>\d[\d.,]*).*\]\s*\|\s*(?P<id>\d+)\s*", re.DOTALL)
+_BLACKBOARD_COLUMN = re.compile(
+    r".*\[(?!.*(?:\bup to\b|\bText\]))[^\d\]]*(?P<max>\d[\d.,]*)[^\]]*\]\s*\|\s*(?P<id>\d+)\s*", re.DOTALL
+)
 _POINTS_POSSIBLE = "Points Possible"
 _READ_ONLY = "(read only)"
 _FORM = (
@@ -163,6 +166,7 @@ class _Filling:
 
 def _factor(given: str, most: float, scale: bool | None) -> tuple[float, bool]:
     """The factor for points, and whether the sheet uses a decimal comma."""
+    given = re.sub(r",(?=\d{3}\b)", "", given)  # of thousands
     comma = "," in given
     try:
         theirs = float(given.replace(",", ".")) if given else most

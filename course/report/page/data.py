@@ -31,14 +31,17 @@ from course.report.verdict import earned_of
 
 # A person's place in the class, from 0, and an exercise's id.
 Key = tuple[int, str]
+# Lines by path in the course home.
+Code = Mapping[str, tuple[str, ...]]
 
 
 @dataclass(frozen=True)
 class ClassPage:
     """A graded class. Every text is clean (see `course.report.gradebook.cleaning`).
 
-    sheets: in the order of the class. pictures: `<svg>` elements of some gradings. not_drawn: how many
-    recordings have none, since the page would become too large. ended: when this was read.
+    sheets: in the order of the class. pictures: `<svg>` elements of some gradings. code: of these, what was
+    handed in. not_drawn: how many recordings have none, since the page would become too large. ended: when
+    this was read. before: sheets of an earlier run to compare with, by id.
     """
 
     course: str
@@ -47,7 +50,14 @@ class ClassPage:
     began: datetime
     ended: datetime
     pictures: Mapping[Key, tuple[str, ...]] = field(default_factory=dict)
+    code: Mapping[Key, Code] = field(default_factory=dict)
     not_drawn: int = 0
+    before: Mapping[str, Sheet] = field(default_factory=dict)
+
+    def then(self, sheet: Sheet, mark: Mark) -> Mark | None:
+        """The same person's mark of the earlier run."""
+        marks = self.before[sheet.person.id].marks if sheet.person.id in self.before else ()
+        return next((one for one in marks if one.exercise.id == mark.exercise.id), None)
 
     def marks(self, exercise: GradedExercise) -> Iterator[tuple[int, Mark]]:
         """Of everybody, with their place in the class."""
@@ -63,11 +73,12 @@ def class_data(page: ClassPage) -> dict[str, Any]:
     return {
         "dated": any(sheet.lateness for sheet in page.sheets),
         "remarked": any(_said(sheet) for sheet in page.sheets),
+        "compared": bool(page.before),
         "exercises": [
             {"id": one.id, "title": one.title, "max": one.max_points, "bonus": one.bonus}
             for one in page.exercises
         ],
-        "people": [_person(sheet) for sheet in page.sheets],
+        "people": [_person(sheet, page.before.get(sheet.person.id)) for sheet in page.sheets],
     }
 
 
@@ -81,7 +92,11 @@ def submission_data(page: ClassPage, place: int) -> dict[str, Any]:
         "summary": summary(sheet),
         "says": [*_opening(sheet), *decisions_on_all(sheet), *_notes(sheet)],
         "marks": [
-            {**_mark(mark), "pictures": list(page.pictures.get((place, mark.exercise.id), ()))}
+            {
+                **_mark(mark, page.then(sheet, mark)),
+                "pictures": list(page.pictures.get((place, mark.exercise.id), ())),
+                "code": _code(mark, page.code.get((place, mark.exercise.id), {})),
+            }
             for mark in sheet.marks
         ],
     }
@@ -100,7 +115,27 @@ def packed(data: object) -> str:
     return base64.b64encode(shrink.compress(text) + shrink.flush()).decode("ascii")
 
 
-def _person(sheet: Sheet) -> dict[str, Any]:
+def places_of(mark: Mark) -> Iterator[tuple[str, int, str]]:
+    """File, line (0: none) and words of all that was found at a place of the learner's files."""
+    for check in mark.result.checks if mark.result else ():
+        cause = why(check)
+        for place in cause.where if cause else ():
+            yield place.file, place.line or 0, cause.summary if cause else ""
+
+
+def _code(mark: Mark, code: Code) -> list[dict[str, Any]]:
+    found = tuple(places_of(mark))
+    return [
+        {
+            "path": path,
+            "lines": list(lines),
+            "found": sorted({(line, words) for file, line, words in found if file == path and line}),
+        }
+        for path, lines in code.items()
+    ]
+
+
+def _person(sheet: Sheet, before: Sheet | None) -> dict[str, Any]:
     return {
         "id": sheet.person.id,
         "name": sheet.person.name or sheet.person.id,
@@ -108,6 +143,7 @@ def _person(sheet: Sheet) -> dict[str, Any]:
         "points": sheet.points,
         "max": sheet.max_points,
         "raw": sheet.raw_points,
+        "before": before.points if before else None,
         "late": sheet.late,
         "lateness": sheet.lateness.seconds if sheet.lateness else 0,
         "said": " ".join(_said(sheet)),
@@ -133,7 +169,7 @@ def _opening(sheet: Sheet) -> list[str]:
     return [OWED] if sheet.state == INCOMPLETE else []
 
 
-def _mark(mark: Mark) -> dict[str, Any]:
+def _mark(mark: Mark, then: Mark | None) -> dict[str, Any]:
     result = mark.result
     return {
         "id": mark.exercise.id,
@@ -142,6 +178,7 @@ def _mark(mark: Mark) -> dict[str, Any]:
         "verdict": mark.verdict,
         "headline": headline(mark),
         "total": total(mark),
+        "before": f"{headline(then)} {total(then)}".strip() if then else "",
         "byHand": list(decisions(mark)),
         "seconds": round(mark.seconds, 1),
         "fault": _feedback(result.fault) if result and result.fault else None,

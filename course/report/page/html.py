@@ -30,7 +30,8 @@ def learner_page(page: ClassPage, place: int) -> str:
     """A page for the person at that place: nothing of anybody else, no figures of the class."""
     sheet = page.sheets[place]
     pictures = {(0, exercise): drawn for (at, exercise), drawn in page.pictures.items() if at == place}
-    alone = ClassPage(page.course, page.exercises, (sheet,), page.began, page.ended, pictures)
+    code = {(0, exercise): code for (at, exercise), code in page.code.items() if at == place}
+    alone = ClassPage(page.course, page.exercises, (sheet,), page.began, page.ended, pictures, code)
     return "".join(_pieces(alone, "learner", f"Feedback for {sheet.person.name or sheet.person.id}"))
 
 
@@ -92,6 +93,7 @@ def _figures(page: ClassPage) -> dict[str, object]:
         "mistakes": found[:MOST_MISTAKES],
         "more_mistakes": len(found[MOST_MISTAKES:]),
         "troubles": views.troubles(page),
+        "changes": views.changes(page),
     }
 
 

@@ -77,6 +77,15 @@ class CommonMistake:
 
 
 @dataclass(frozen=True)
+class Changed:
+    """Whose verdict on an exercise is another one than in the earlier run: places in the class."""
+
+    exercise: str
+    words: str
+    people: tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class NotJudged:
     """What could not be judged through no fault of the learner's."""
 
@@ -146,6 +155,17 @@ def mistakes(page: ClassPage) -> list[CommonMistake]:
                         found.append(place)
     every = [CommonMistake(*words, tuple(places)) for words, places in people.items()]
     return sorted(every, key=lambda mistake: -len(mistake.people))
+
+
+def changes(page: ClassPage) -> tuple[Changed, ...]:
+    """Since `page.before`."""
+    people: defaultdict[tuple[str, str], list[int]] = defaultdict(list)
+    for one in page.exercises:
+        for place, mark in page.marks(one):
+            then = page.then(page.sheets[place], mark)
+            if then and then.verdict != mark.verdict:
+                people[one.id, f"{then.verdict} → {mark.verdict}"].append(place)
+    return tuple(Changed(*what, tuple(places)) for what, places in people.items())
 
 
 def troubles(page: ClassPage) -> tuple[NotJudged, ...]:

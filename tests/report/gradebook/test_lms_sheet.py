@@ -23,8 +23,9 @@ MOODLE = (
     "Participant 3,Zo\u00eb,-,,6.00,Yes,"
 )
 BLACKBOARD = (
-    '"Last Name"\t"First Name"\t"Username"\t"Lights [Total Pts: 6 Score] |123"\t"Weighted Total"\n'
-    '"Doe"\t"Jane"\t"1"\t""\t"50,0"\n"Nguyen"\t"Bao"\t"2"\t"5"\t""\n'
+    '"Last Name"\t"First Name"\t"Username"\t"Lights [EXTRA] [Total Pts: 6 Score] |123"\t'
+    '"Total [Total Pts: up to 1,499 Score] |124"\t"Group [Total Pts: 0 Text] |125"\n'
+    '"Doe"\t"Jane"\t"1"\t""\t"50,0"\t""\n"Nguyen"\t"Bao"\t"2"\t"5"\t""\t"A"\n'
 )
 
 
@@ -83,6 +84,13 @@ def test_points_are_converted_only_when_somebody_says_so() -> None:
         filled(CANVAS, "Motors")
     assert b'B",,7.5,' in filled(CANVAS, "Motors", scale=True).content
     assert b'B",,4.5,' in filled(CANVAS, "Motors", scale=False).content
+
+
+@pytest.mark.parametrize("most", ["1,000", "1,000.00", "1000,00"])
+def test_thousands_may_be_grouped(most: str) -> None:
+    sheet = f'Student,ID,Lights (77)\nPoints Possible,,"{most}"\nJane,1,\n'
+    with pytest.raises(UsageError, match=r"out of 1,?000 points"):
+        filled(sheet)
 
 
 def test_a_decimal_comma_stays_a_comma() -> None:

@@ -23,7 +23,22 @@ def page_of(book: Gradebook, cleaner: Cleaner, drawn: dict[Key, tuple[str, ...]]
 def small() -> ClassPage:
     """Ada passed, Bảo and Carl did not, of Dilara it is not known, Emre handed nothing in."""
     drawn = {(1, "18-publisher"): pictures(recording(*COUNTER), key="p1", clean=str)}
-    return page_of(CLASS, Cleaner(), drawn)
+    page = page_of(CLASS, Cleaner(), drawn)
+    then = {sheet.person.id: sheet for sheet in page_of(gradebook(*few()), Cleaner()).sheets}
+    return replace(page, code={(1, "18-publisher"): {NODE: LINES}}, before=then)
+
+
+def few() -> list[GradedSubmission]:
+    """An earlier run, in which Ada had handed in what is Carl's now."""
+    ada, _, carl, *_ = CLASS.graded
+    return [replace(carl, person=ada.person), carl]
+
+
+NODE = (
+    "ros2_tutorial_workspace/src/python_package_that_uses_the_messages/python_package_that_uses_the_messages/"
+    "amazing_quote_publisher_node.py"
+)
+LINES = tuple(f"line_{number} = {number}" for number in range(1, 31))
 
 
 def hostile(texts: Iterable[str] = TEXTS) -> ClassPage:

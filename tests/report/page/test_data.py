@@ -7,6 +7,7 @@ import json
 import pytest
 
 from course.report.page.data import as_json, class_data, submission_data
+from course.report.page.views import changes
 from tests.report.gradebook.hostile import MACHINE, SECRET, TEXTS
 from tests.report.page.classes import hostile, small
 
@@ -32,6 +33,17 @@ def test_a_submission_has_its_feedback_and_its_pictures() -> None:
     assert failed["points"] == "0 of 1"
     assert ["seen", "/amazing_quotes"] in failed["why"]["parts"]
     assert len(mark["pictures"]) == 3
+    (code,) = mark["code"]
+    assert code["found"] == [(21, "The node publishes on `/amazing_quotes`, not `/amazing_quote`.")]
+    assert code["lines"][20] == "line_21 = 21"
+
+
+def test_an_earlier_run_is_beside_this_one() -> None:
+    page = small()
+    before = {one["name"]: one["before"] for one in class_data(page)["people"]}
+    assert before["Ada Okafor"] == before["Carl Lind"] == 1 and before["Emre Kaya"] is None
+    assert submission_data(page, 0)["marks"][0]["before"] == "Not passed yet 1 of 5 points"
+    assert [(one.words, one.people) for one in changes(page)] == [("not passed → passed", (0,))]
 
 
 def test_who_handed_nothing_in_is_told_so() -> None:

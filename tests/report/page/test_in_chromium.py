@@ -89,6 +89,8 @@ def test_a_submission_by_keyboard_and_back(open_page: Open) -> None:
     article = page.locator("#submission")
     expect(article).to_contain_text("The node publishes on /amazing_quotes, not /amazing_quote.")
     expect(article.get_by_role("img")).to_have_count(3)
+    line = article.locator(".code li", has_text="The node publishes on")
+    expect(line).to_contain_text("line_21 = 21")
     article.get_by_text("The same in words").first.press("Enter")
     expect(article.locator("figure details p").first).to_contain_text("6 messages, from 1.00 s to 3.50 s.")
     expect(article.locator("figure details p").first).to_be_visible()

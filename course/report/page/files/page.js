@@ -108,6 +108,18 @@
     return figure;
   }
 
+  function code({ path, lines, found }) {
+    const list = make("ol", { className: "code" });
+    lines.forEach((text, at) => {
+      const line = make("li", {}, make("code", {}, text || " "));
+      found.filter((each) => each[0] === at + 1).forEach((each) => line.append(make("p", { className: "found" }, ...prose(each[1]))));
+      list.append(line);
+    });
+    const room = make("div", { className: "scroll", role: "region", "aria-label": `Code: ${path}`, tabIndex: 0 }, list);
+    const told = found.length ? `: ${found.length} found` : "";
+    return make("details", { open: found.length > 0 }, make("summary", {}, make("code", { className: "what" }, path), told), room);
+  }
+
   function exercise(one, at) {
     const [sign, kind] = SIGNS[one.verdict];
     const part = make("section", { "aria-labelledby": `e${at}` });
@@ -120,11 +132,12 @@
         make("span", { className: "quiet" }, one.seconds ? `  (${one.seconds} s)` : ""),
       ),
     );
+    if (one.before) part.append(make("p", { className: "quiet" }, `Before: ${one.before}`));
     part.append(...one.byHand.map((text) => make("p", { className: "by-hand" }, ...prose(text))));
     if (one.fault) part.append(feedback(one.fault, "fault"));
     if (one.checks.length) part.append(make("ul", { className: "checks" }, ...one.checks.map(check)));
     part.append(...one.notes.map((note) => make("p", { className: "quiet" }, ...prose(note))));
-    part.append(...one.pictures.map(picture));
+    part.append(...one.code.map(code), ...one.pictures.map(picture));
     return part;
   }
 
@@ -223,6 +236,7 @@
     { head: "Id", of: (one) => one.id },
     ...data.exercises.map((each, at) => ({ head: each.id, title: each.title, of: (one) => one.marks[at][1] })),
     { head: "Total", of: (one) => one.points },
+    ...(data.compared ? [{ head: "Before", title: "Points of the earlier run", of: (one) => one.before }] : []),
     ...(data.dated ? [{ head: "Late", title: "After the deadline", of: (one) => one.lateness }] : []),
     { head: "Time", of: (one) => one.seconds },
     ...(data.remarked ? [{ head: "Remarks", of: (one) => one.said }] : []),
@@ -280,6 +294,7 @@
       make("td", { className: "id" }, one.id === one.name ? "" : one.id),
       ...one.marks.map(cell),
       make("td", { className: "n" }, total),
+      ...(data.compared ? [make("td", { className: "n" }, points(one.before))] : []),
       ...(data.dated ? [make("td", {}, one.late)] : []),
       make("td", { className: "n" }, `${one.seconds} s`),
       ...(data.remarked ? [make("td", { className: "said" }, ...prose(one.said))] : []),
