@@ -71,6 +71,8 @@ NOT_TAKEN = (
 )
 PERIOD, GIVEN_PERIOD, LATER_PERIOD = 0.5, 0.2, 0.05
 SECOND_RUN = f"{EXECUTABLE} with other values"
+# A topic that the grader listens on and no parameter names: a node could find the right one in the graph.
+DECOY = "a topic that no parameter names"
 ENOUGH = 5
 # The message that was under way when the answer to a change came may still be an old one.
 AFTER_A_CHANGE = 3
@@ -91,8 +93,10 @@ launch = Grader("22-launch")
 @parameters.scenario
 def defaults_then_others(arena: Arena) -> None:
     """Run the node with its defaults; then with values from the command line, and changes meanwhile."""
-    asked, values = arena.ros.parameters(NODE), other_values()
+    asked, values, decoy = arena.ros.parameters(NODE), other_values(), f"/{other_values()['topic_name']}"
     quotes, others = arena.ros.subscribe(TOPIC, QUOTE), arena.ros.subscribe(f"/{values['topic_name']}", QUOTE)
+    arena.ros.subscribe(decoy, QUOTE)
+    arena.mark(DECOY, decoy)
     with arena.fresh():
         goes_on = as_it_is(arena, asked, quotes)
     if goes_on:
@@ -306,10 +310,27 @@ def others_taken(recording: Recording) -> None:
             raise Failure(replace(failure.feedback, advice=NOT_TAKEN, where=where[:2])) from None
 
 
+def on_its_own_account(recording: Recording, topic: str, other: str) -> Feedback:
+    return Feedback(
+        summary=f"With `topic_name` set to `{topic[1:]}`, the node also publishes on `{other}`."
+        if other == TOPIC
+        else f"The node publishes on `{other}`, which `topic_name` never named.",
+        expected=f"{topic} only",
+        seen=other,
+        where=tuple(call.where for call in calls(recording.sources, "create_publisher"))[:2],
+        advice="Create one publisher, on the topic in `self.get_parameter('topic_name').value`.",
+    )
+
+
 @parameters.check("others_topic", "it publishes on the topic that topic_name names", needs="others_taken")
 def others_topic(recording: Recording) -> None:
     topic = given_topic(recording)
-    if recording.topic(topic).messages:
+    received, decoy = recording.topic(topic).messages, recording.marked(DECOY)
+    if decoy and recording.messages(decoy.detail):
+        raise Failure(on_its_own_account(recording, topic, decoy.detail))
+    if received and any(message.t > received[0].t for message in recording.messages(TOPIC)):
+        raise Failure(on_its_own_account(recording, topic, TOPIC))
+    if received:
         return
     elsewhere = [message for message in recording.messages(TOPIC) if message.t > second_run(recording)]
     raise Failure(

@@ -132,6 +132,7 @@ def _of_version_2(own: Path, root: Path) -> tuple[Path, ...]:
 def _limit(group: Path, limits: ResourceLimits) -> None:
     values = {
         "memory.limit_in_bytes": str(limits.memory),
+        "memory.kmem.tcp.limit_in_bytes": str(limits.memory // 8),  # of all sockets; 2 counts them anyway
         "memory.max": str(limits.memory),
         "memory.swap.max": "0",
         "pids.max": str(limits.processes),
@@ -216,8 +217,7 @@ def new_identity(limits: ResourceLimits) -> Iterator[Identity]:
 @contextlib.contextmanager
 def _own_user() -> Iterator[int]:
     """As with domains, the claim is an abstract socket, which the kernel frees however we end."""
-    start = os.getpid()
-    ids = _usable()
+    start, ids = os.getpid(), _usable()
     for step in range(len(ids)):
         user = ids[(start + step) % len(ids)]
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as claim:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from course.isolation.identity import available
 from course.model.result import Verdict
-from tests.hostile.world import NODE, Grade, Graded, with_attack
+from tests.hostile.world import MB, NODE, Grade, Graded, with_attack
 
 pytestmark = pytest.mark.slow
 
@@ -33,6 +34,16 @@ def test_a_memory_hog(grade: Grade, processes: int) -> None:
     text = with_attack("memory_hog", PROCESSES=processes)
     graded = grade({NODE: text}, guarantee="memory of all programs together is bounded")
     stopped_for(graded, "more than 1024 MB of memory", "grows forever")
+
+
+@pytest.mark.skipif(not available(), reason="without control groups, nobody counts the kernel's memory")
+@pytest.mark.parametrize("kind", ["tcp", "udp"])
+def test_memory_of_sockets(grade: Grade, kind: str) -> None:
+    """The kernel bounds it for the whole machine only: a full one loses the messages of everyone else."""
+    text = with_attack("socket_memory", KIND=kind, MOST=256 * MB)
+    graded = grade({NODE: text}, guarantee="what programs send and nobody reads is bounded")
+    assert not graded.breaches
+    assert "socket memory" in graded.held
 
 
 def test_a_disk_filler(grade: Grade) -> None:

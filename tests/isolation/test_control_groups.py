@@ -19,7 +19,12 @@ from course.isolation.identity import (
 from course.isolation.isolation_plan import ResourceLimits
 
 LIMITS = ResourceLimits(memory=1000, processes=7)
-FILES_1 = {"memory": ("memory.limit_in_bytes",), "pids": ("pids.max",), "cpu": ("cpu.shares",), "cpuacct": ()}
+FILES_1 = {
+    "memory": ("memory.limit_in_bytes", "memory.kmem.tcp.limit_in_bytes"),
+    "pids": ("pids.max",),
+    "cpu": ("cpu.shares",),
+    "cpuacct": (),
+}
 FILES_2 = ("memory.max", "memory.swap.max", "pids.max", "cpu.weight")
 
 
@@ -72,6 +77,7 @@ def test_version_1_has_a_group_in_each_tree(version_1: Path) -> None:
         assert [group.parent.name for group in groups] == ["memory", "pids", "cpu", "cpuacct"]
         values = {file.name: file.read_text() for group in groups for file in group.iterdir()}
         assert values["memory.limit_in_bytes"] == "1000"
+        assert values["memory.kmem.tcp.limit_in_bytes"] == "125"
         assert values["pids.max"] == "7"
         assert values["cpu.shares"] == "1024"
     assert not list(version_1.glob("*/ros2course-*"))
