@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from course.content import Course, Exercise, Mistake
+from course.files import wipe
 from course.grading import trial
 from course.grading.author import Grader
 from course.grading.load import declared, load_module
@@ -24,7 +25,8 @@ from tests.hostile.world import NODE, with_attack
 
 WORKSPACE = "ros2_tutorial_workspace"
 MESSAGES = f"{WORKSPACE}/src/python_package_that_uses_the_messages/python_package_that_uses_the_messages"
-SUBSCRIBER = f"{MESSAGES}/amazing_quote_subscriber_node.py"
+# Other exercises of the same chapters.
+OTHERS = (f"{MESSAGES}/amazing_quote_subscriber_node.py", f"{WORKSPACE}/src/rover")
 # How many mistakes of which exercise.
 MISTAKES = {"07-simplest-package": 13, "14-library": 12, "04-layout": 5, "18-publisher": 8}
 ATTACKS: Mapping[str, Mapping[str, object]] = {
@@ -123,11 +125,16 @@ def _stays_in_its_files(mistake: Mistake) -> bool:
     return all(edit.replace is not None for edit in mistake.edits)
 
 
+def _without_others(home: Path) -> None:
+    for other in OTHERS:
+        wipe(home / other)
+
+
 def _solution(course: Course, exercise: Exercise) -> Callable[[Path], None]:
     def lay(home: Path) -> None:
         home.mkdir()
         trial.lay_solution(course, exercise, home)
-        (home / SUBSCRIBER).unlink(missing_ok=True)  # another exercise's
+        _without_others(home)
 
     return lay
 
@@ -137,7 +144,7 @@ def _alternative(course: Course, exercise: Exercise, name: str) -> Callable[[Pat
         home.mkdir()
         chosen = next(each for each in exercise.alternatives() if each.name == name)
         trial.lay_alternative(course, exercise, chosen, home)
-        (home / SUBSCRIBER).unlink(missing_ok=True)
+        _without_others(home)
 
     return lay
 
@@ -146,7 +153,7 @@ def _mistake(course: Course, exercise: Exercise, mistake: Mistake) -> Callable[[
     def lay(home: Path) -> None:
         home.mkdir()
         trial.lay_mistake(course, exercise, mistake, home)
-        (home / SUBSCRIBER).unlink(missing_ok=True)
+        _without_others(home)
 
     return lay
 
