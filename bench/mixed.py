@@ -26,17 +26,19 @@ def lay_mixed(folder: Path, people: int, exercise_id: str) -> list[Path]:
     return sorted(folder.iterdir())
 
 
-def variants(exercise_id: str, course: Course | None = None) -> list[tuple[str, str]]:
-    """The solution, the alternatives and the known mistakes: kind and name of each."""
+def variants(exercise_id: str, course: Course | None = None, *, right: bool = False) -> list[tuple[str, str]]:
+    """Kind and name of the solution, the alternatives and, unless `right`, the known mistakes."""
     exercise = (course or open_course()).exercise(exercise_id)
-    right = [("solution", ""), *(("alternative", other.name) for other in exercise.alternatives())]
-    return right + [("mistake", mistake.id) for mistake in exercise.mistakes()]
+    found = [("solution", ""), *(("alternative", other.name) for other in exercise.alternatives())]
+    return found + [("mistake", mistake.id) for mistake in exercise.mistakes() if not right]
 
 
-def lay_variants(folder: Path, people: int, exercise_id: str, course: Course | None = None) -> None:
+def lay_variants(
+    folder: Path, people: int, exercise_id: str, course: Course | None = None, *, right: bool = False
+) -> None:
     """Person n has the n-th variant, in turn. Homes that are there already stay as they are."""
     course = course or open_course()
-    exercise, kinds = course.exercise(exercise_id), variants(exercise_id, course)
+    exercise, kinds = course.exercise(exercise_id), variants(exercise_id, course, right=right)
     for number in range(people):
         home = folder / f"p{number:05}"
         if not home.exists():

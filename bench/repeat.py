@@ -37,11 +37,14 @@ def main() -> None:
     parser.add_argument("--gradings", type=int, default=2000, help="under load, of all exercises together")
     parser.add_argument("--load", type=int, default=10, help="programs at once, the gradings among them")
     parser.add_argument("--jobs", type=int, default=8, help="gradings at once under load")
+    parser.add_argument("--right", action="store_true", help="only solutions and alternatives")
     parser.add_argument("--keep", type=Path, default=Path("repeated"), help="folder for all that is done")
     options = parser.parse_args()
     each = -(-options.gradings // len(options.exercises))
     quiet = {
-        name: graded(name, options.keep / name / "quiet", len(variants(name)), 2)
+        name: graded(
+            name, options.keep / name / "quiet", len(variants(name, right=options.right)), 2, options.right
+        )
         for name in options.exercises
     }
     for people in (*range(PORTION, each, PORTION), each):
@@ -49,14 +52,21 @@ def main() -> None:
         for name in options.exercises:
             with busy(options.load - options.jobs):
                 folder = options.keep / name / f"load-{options.load}"
-                rows.append(row(name, quiet[name], graded(name, folder, people, options.jobs)))
+                rows.append(
+                    row(
+                        name,
+                        quiet[name],
+                        graded(name, folder, people, options.jobs, options.right),
+                        options.right,
+                    )
+                )
         load = f"the machine's load is {os.getloadavg()[2]:.0f}"
         show(f"{options.load} programs at once, {options.jobs} of them gradings; {load}", HEAD, rows)
 
 
-def graded(exercise: str, folder: Path, people: int, jobs: int) -> sqlite3.Connection:
+def graded(exercise: str, folder: Path, people: int, jobs: int, right: bool) -> sqlite3.Connection:
     """The results of a class of so many people; only what is not in the folder yet is graded."""
-    lay_variants(folder / "class", people, exercise)
+    lay_variants(folder / "class", people, exercise, right=right)
     command = ["grade", str(folder / "class"), "--exercises", exercise, "--jobs", str(jobs)]
     subprocess.run(
         [sys.executable, "-m", "course", *command, "--out", str(folder / "grades")],
@@ -70,9 +80,9 @@ def graded(exercise: str, folder: Path, people: int, jobs: int) -> sqlite3.Conne
 HEAD = ("exercise", "gradings", "right", "wrong", "differ", "reruns", "our errors", "median (s)", "90 % (s)")
 
 
-def row(exercise: str, quiet: sqlite3.Connection, loaded: sqlite3.Connection) -> list[str]:
+def row(exercise: str, quiet: sqlite3.Connection, loaded: sqlite3.Connection, right: bool) -> list[str]:
     """Prints each grading that differs."""
-    kinds = [f"{kind} {name}".strip() for kind, name in variants(exercise)]
+    kinds = [f"{kind} {name}".strip() for kind, name in variants(exercise, right=right)]
     wanted, found = outcomes(quiet), outcomes(loaded)
     differing = 0
     for person, checks in sorted(found.items()):
@@ -84,12 +94,12 @@ def row(exercise: str, quiet: sqlite3.Connection, loaded: sqlite3.Connection) ->
     gradings = loaded.execute("SELECT verdict, attempt, seconds FROM gradings").fetchall()
     verdicts = Counter(verdict for verdict, _, _ in gradings)
     seconds = [taken for *_, taken in gradings]
-    right = sum(expected["verdict"] == "passed" for expected in wanted.values())
+    passing = sum(expected["verdict"] == "passed" for expected in wanted.values())
     return [
         exercise,
         str(len(gradings)),
-        f"{right} ways",
-        f"{len(wanted) - right} ways",
+        f"{passing} ways",
+        f"{len(wanted) - passing} ways",
         str(differing),
         str(sum(attempt > 1 for _, attempt, _ in gradings)),
         str(verdicts["our error"]),

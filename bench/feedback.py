@@ -1,0 +1,135 @@
+"""What a learner reads about mistakes that no feedback was written for: `bench/mistakes/*.yaml`.
+
+Each mistake is made in the solution, or in the alternative that `over` names, and graded as `check` grades.
+The feedback of those that match PATTERN is printed, to be read and judged by a person. --figures prints what
+`bench/mistakes/judgments.yaml` says of them: for each mistake its letters c (the true cause is named), l (the
+feedback leads to the fix) or p (it leads there partly), m (it misleads), and u (not caught). `e` marks what
+turned out to be right. Of each file, every other mistake belongs to the set `blind`: to be read only after
+explanations were mended.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import yaml
+from table import show
+
+from course.content import Course, Edit, Exercise, Mistake, open_course
+from course.grading import trial
+from course.grading.check import Request, check_exercise
+from course.grading.load import runs_programs
+from course.grading.trial_answers import SEED
+from course.model.result import Outcome, Result
+from course.rosenv import find_ros
+from course.validate.claims import words_of
+
+MISTAKES = Path(__file__).parent / "mistakes"
+JUDGMENTS = MISTAKES / "judgments.yaml"
+FRESH = "fresh"
+Entry = dict[str, Any]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("pattern", nargs="*", help="parts of the ids; by default, all")
+    parser.add_argument("--set", choices=("open", "blind", FRESH), help="only these")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--keep", type=Path, default=Path("feedback"), help="folder for what was said")
+    parser.add_argument("--again", action="store_true", help="grade what was graded before, too")
+    parser.add_argument("--figures", action="store_true", help="print the percentages of the judgments")
+    options = parser.parse_args()
+    if options.figures:
+        return figures()
+    options.keep.mkdir(exist_ok=True)
+    chosen = [entry for entry in entries() if options.set in (None, entry["set"])]
+    if options.pattern:
+        chosen = [entry for entry in chosen if any(part in entry["id"] for part in options.pattern)]
+    files = {entry["id"]: options.keep / f"{entry['id']}.txt" for entry in chosen}
+    todo = [entry for entry in chosen if options.again or not files[entry["id"]].exists()]
+    with ProcessPoolExecutor(options.jobs) as pool:
+        for entry, text in zip(todo, pool.map(graded, todo), strict=True):
+            files[entry["id"]].write_text(text, encoding="utf-8")
+            print(text, flush=True)
+    return None
+
+
+def entries() -> Iterator[Entry]:
+    for file in sorted(MISTAKES.glob("*.yaml")):
+        if file != JUDGMENTS:
+            for number, entry in enumerate(yaml.safe_load(file.read_text(encoding="utf-8"))):
+                yield {**entry, "set": FRESH if file.stem == FRESH else ("open", "blind")[number % 2]}
+
+
+def graded(entry: Entry) -> str:
+    """The feedback of every check that failed, in a few lines."""
+    course = open_course()
+    exercise = course.exercise(entry["exercise"])
+    over = f", {entry['over']}" if "over" in entry else ""
+    head = f"=== {entry['id']} ({exercise.id}{over}): {entry['summary']}"
+    with tempfile.TemporaryDirectory(prefix="ros2course-bench-") as home:
+        lay(course, exercise, entry, Path(home))
+        ros = find_ros() if runs_programs(exercise) else None
+        result = check_exercise(Request(exercise, Path(home), ros=ros, seed=SEED))
+    return "\n".join([head, *told(result)])
+
+
+def lay(course: Course, exercise: Exercise, entry: Entry, home: Path) -> None:
+    other = next((one for one in exercise.alternatives() if one.name == entry.get("over")), None)
+    if other:
+        trial.lay_alternative(course, exercise, other, home)
+    else:
+        trial.lay_solution(course, exercise, home)
+    trial.apply_mistake(exercise, mistake(entry, home), home)
+
+
+def mistake(entry: Entry, home: Path) -> Mistake:
+    edits = []
+    for given in entry["edits"]:
+        edit = {("with_" if key == "with" else key): value for key, value in given.items()}
+        names = [str(path.relative_to(home)) for path in home.rglob("*") if path.is_file()]
+        found = [name for name in names if f"/{name}".endswith(f"/{edit['file']}") and "/build/" not in name]
+        assert len(found) == 1, (entry["id"], edit["file"], found)
+        edits.append(Edit(**{**edit, "file": found[0]}))
+    return Mistake(entry["id"], entry["exercise"], entry["summary"], tuple(edits), "", ())
+
+
+def told(result: Result) -> Iterator[str]:
+    if result.fault:
+        yield f"FAULT {words_of(result.fault)}"
+    for check in result.checks:
+        if check.outcome in (Outcome.FAILED, Outcome.ERROR):
+            yield f"[{check.id}] {check.outcome.value}: {words_of(check.feedback)}"
+    yield f"-- {result.verdict.value}, {result.points:g} of {result.max_points:g}"
+
+
+def figures() -> None:
+    judged: dict[str, str] = yaml.safe_load(JUDGMENTS.read_text(encoding="utf-8"))
+    every = list(entries())
+    unknown = sorted({*judged} - {entry["id"] for entry in every})
+    assert not unknown, f"no such mistakes: {unknown}"
+    rows = []
+    for name in ("open", "blind", FRESH):
+        mine = [judged[entry["id"]] for entry in every if entry["set"] == name and entry["id"] in judged]
+        letters = [each for each in mine if each != "e"]
+        rows.append([name, str(len(letters)), *(_share(letter, letters) for letter in "uclpm")])
+    show("mistakes that no feedback was written for", HEAD, rows)
+
+
+HEAD = ("set", "judged", "not caught", "cause named", "leads to the fix", "partly", "misleads")
+
+
+def _share(letter: str, letters: list[str]) -> str:
+    count = sum(letter in each for each in letters)
+    return f"{count} ({100 * count / max(len(letters), 1):.0f} %)"
+
+
+if __name__ == "__main__":
+    main()
