@@ -14,7 +14,6 @@ from course.api import (
     Feedback,
     Grader,
     Message,
-    OurFault,
     Recording,
     Spoilt,
     about,
@@ -396,7 +395,9 @@ def during(recording: Recording, begin: str | None, end: str | None) -> list[Mes
     found = [m for m in received if (not start or m.t > start.t) and (not stop or m.t < stop.t)]
     found = found[LATE if begin else 0 :]
     if len(found) < 2:
-        raise OurFault(f"the scenario recorded too little after {begin}")
+        where = text_places(recording.sources, "linear.x")[:1]
+        advice = "A callback must return soon: nothing else in the node runs before that."
+        raise Failure(Feedback(f"After {begin}, no more distances arrive.", where=where, advice=advice))
     return found
 
 
