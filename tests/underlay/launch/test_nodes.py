@@ -192,9 +192,9 @@ node = Node(
 print(node.get_fully_qualified_name(), node.resolve_topic_name("a"), file=sys.stderr)
 for name in ("flag", "number", "text", "texts", "nested.x", "rate", "quoted", "unicode"):
     print(name, repr(node.get_parameter(name).value), file=sys.stderr)
+timer = node.create_timer(0.0, lambda: (timer.cancel(), print("ready", file=sys.stderr, flush=True)))
 try:
-    print("ready", file=sys.stderr, flush=True)
-    rclpy.spin(node)
+    rclpy.spin(node)  # rclpy complains of a signal that comes while it makes its executor
 except KeyboardInterrupt:
     pass
 """

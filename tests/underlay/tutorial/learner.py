@@ -49,6 +49,8 @@ def create(terminal: Terminal, *packages: str) -> None:
 
 
 def type_in(home: Path, chapter: int) -> None:
-    """Put the sources of a chapter's reference solution in place."""
-    (source,) = (REPOSITORY / "solutions").glob(f"{chapter:02}-*/{WORKSPACE}")
-    shutil.copytree(source, home / WORKSPACE, dirs_exist_ok=True)
+    """Put the sources of a chapter's reference solution in place; what the tutorial lacks is left out."""
+    (source,) = (REPOSITORY / "solutions").glob(f"{chapter:02}-*/{WORKSPACE}/src")
+    names = {words.split()[0] for words in CREATE.values()}
+    for package in (one for one in source.iterdir() if one.name in names):
+        shutil.copytree(package, home / WORKSPACE / "src" / package.name, dirs_exist_ok=True)
