@@ -8,6 +8,8 @@ from contextlib import contextmanager, suppress
 import psutil
 
 GRADING = "course.grading.recording_process"
+# By how many processes above it have the same command line. No recording needs the first any more.
+_OF_RECORDING = {0: None, 1: "guard", 2: "grading process"}
 _PROGRAMS = {
     "worker": "course.batch.worker",
     "judge": "course.grading.judge.judging_process",
@@ -61,13 +63,17 @@ def _kind(process: psutil.Process) -> str | None:
     above = parent.cmdline() if parent else []
     if words[:1] == ["/bin/sh"] and any("kill -KILL 0" in word for word in words[:3]):
         return "build's guard"
-    if _is_bubblewrap(above) and (_is_bubblewrap(words) or _layer(above) != "outer layer"):
+    if _is_bubblewrap(above):
         return f"{_layer(above)}'s first process"
     if _is_bubblewrap(words):
         return f"{_layer(words)}'s bubblewrap"
     if GRADING in words:
-        return "grading process" if _is_bubblewrap(above) else "launcher"
+        return _OF_RECORDING.get(_forks_above(process), "launcher")
     return next((kind for kind, end in _PROGRAMS.items() if any(word.endswith(end) for word in words)), None)
+
+
+def _forks_above(process: psutil.Process) -> int:
+    return sum(GRADING in words_of(above) for above in process.parents())
 
 
 def _is_bubblewrap(words: list[str]) -> bool:
@@ -75,6 +81,6 @@ def _is_bubblewrap(words: list[str]) -> bool:
 
 
 def _layer(words: list[str]) -> str:
-    if GRADING in words:
+    if "--hostname" not in words:
         return "outer layer"
     return "build" if "--block-fd" in words else "sandbox"

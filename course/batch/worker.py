@@ -16,8 +16,7 @@ from course.child import answer_tasks
 from course.content import open_course
 from course.errors import CourseError
 from course.grading.attempts import concluded
-from course.grading.check import Request, attempt_exercise, solution_passes
-from course.grading.judge.judges import Judge
+from course.grading.check import Helpers, Request, attempt_exercise, solution_passes
 from course.grading.load import runs_programs
 from course.grading.outcomes import our_error
 from course.home.course_home import is_home, read_marker
@@ -26,13 +25,13 @@ from course.model.result import Result, Verdict
 from course.rosenv import cache_dir, find_ros
 
 
-def grade(task: GradingTask, home: Path, judge: Judge) -> Result:
+def grade(task: GradingTask, home: Path, helpers: Helpers) -> Result:
     """The verdict of this attempt; of the last one, what counts."""
     try:
         request = _request(task, home)
-        result = attempt_exercise(request, judge)
+        result = attempt_exercise(request, helpers)
         result = concluded(
-            result, task.unit.attempt, request.exercise, lambda: solution_passes(request, judge)
+            result, task.unit.attempt, request.exercise, lambda: solution_passes(request, helpers)
         )
     except CourseError as error:
         return _fault(task, Feedback(summary=error.what, advice=error.next_step))
@@ -72,14 +71,14 @@ def _fault(task: GradingTask, fault: Feedback) -> Result:
 
 
 def main() -> int:
-    with contextlib.closing(Judge()) as judge:
-        answer_tasks(GradingTask, lambda task, _: _timed(task, judge))
+    with contextlib.closing(Helpers()) as helpers:
+        answer_tasks(GradingTask, lambda task, _: _timed(task, helpers))
     return 0
 
 
-def _timed(task: GradingTask, judge: Judge) -> Graded:
+def _timed(task: GradingTask, helpers: Helpers) -> Graded:
     began = time.monotonic()
-    result = grade(task, Path(task.home), judge)
+    result = grade(task, Path(task.home), helpers)
     return Graded(task.unit, result, round(time.monotonic() - began, 3))
 
 

@@ -27,6 +27,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import serialize_message
 from rclpy.signals import SignalHandlerOptions
 from rclpy.subscription import Subscription
+from rclpy.utilities import get_rmw_implementation_identifier
 
 from course.errors import OurFault
 from course.evidence.graph_reader import GraphReader
@@ -55,6 +56,12 @@ MAX_ENDPOINTS = 200_000
 GRAPH_PERIOD = 0.02
 # Messages of one topic before the others get their turn.
 AT_ONCE = 100
+
+
+def load_middleware() -> None:
+    """Load what every recorder needs, and start nothing."""
+    get_rmw_implementation_identifier()
+    load_type(ROSOUT_TYPE).__import_type_support__()
 
 
 class Recorder:

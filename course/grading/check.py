@@ -37,7 +37,7 @@ from course.grading.load import runs_programs
 from course.grading.protocol import Judgment, RecordingOutcome, RecordingTask
 from course.grading.quiz.questions import check_quiz, with_questions
 from course.grading.reference import reference_packages, workers
-from course.grading.supervisor import Supervisor
+from course.grading.supervisor import Supervisor, ForkServer
 from course.grading.trial_answers import SEED
 from course.isolation import Level
 from course.isolation.isolation_plan import IsolationPlan
@@ -79,20 +79,32 @@ class Request:
     so_far: Callable[[Result], None] = lambda result: None
 
 
+class Helpers:
+    """Processes that serve one grading after another: one records, by forks of it, one judges. Close them."""
+
+    def __init__(self) -> None:
+        self.fork_server = ForkServer()
+        self.judge = Judge()
+
+    def close(self) -> None:
+        self.judge.close()
+        self.fork_server.close()
+
+
 def check_exercise(request: Request) -> Result:
     """Grade an exercise as it stands, again where there is doubt: see `attempts`.
 
     Raises what `attempt_exercise` does.
     """
-    with contextlib.closing(Judge()) as judge:
-        attempt, result = 1, attempt_exercise(request, judge)
+    with contextlib.closing(Helpers()) as helpers:
+        attempt, result = 1, attempt_exercise(request, helpers)
         while deserves_another(result, attempt):
             request.on_progress("watching your program once more")
-            attempt, result = attempt + 1, attempt_exercise(request, judge)
-        return concluded(result, attempt, request.exercise, lambda: solution_passes(request, judge))
+            attempt, result = attempt + 1, attempt_exercise(request, helpers)
+        return concluded(result, attempt, request.exercise, lambda: solution_passes(request, helpers))
 
 
-def solution_passes(request: Request, judge: Judge) -> bool:
+def solution_passes(request: Request, helpers: Helpers) -> bool:
     """Whether the course's own solution can be judged on this machine, and passes."""
     exercise = request.exercise
     with tempfile.TemporaryDirectory(prefix="ros2course-") as home:
@@ -106,10 +118,10 @@ def solution_passes(request: Request, judge: Judge) -> bool:
             local=False,
             seed=SEED,
         )
-        return attempt_exercise(own, judge).verdict is Verdict.PASSED
+        return attempt_exercise(own, helpers).verdict is Verdict.PASSED
 
 
-def attempt_exercise(request: Request, judge: Judge) -> Result:
+def attempt_exercise(request: Request, helpers: Helpers) -> Result:
     """Grade once. The result may hold doubts, which `attempts` knows how to end.
 
     Raises MissingHere and StorageError for what this machine lacks; KeyboardInterrupt passes
@@ -124,6 +136,7 @@ def attempt_exercise(request: Request, judge: Judge) -> Result:
         raise OurFault(f"{exercise.id} cannot be graded without a ROS")
     began = time.monotonic()
     prepare(ros)
+    helpers.fork_server.start(node_environment(ros))
     with (
         contextlib.ExitStack() as keep,
         isolated(_places(request, ros), namespaces=request.namespaces) as where,
@@ -136,15 +149,15 @@ def attempt_exercise(request: Request, judge: Judge) -> Result:
             reference_packages, exercise, ros, request.store, request.on_progress, stop, keep
         ).result()
         # Loads while the learner's packages are still being built.
-        with Supervisor(where, node_environment(ros, reference)) as supervisor:
+        with Supervisor(where, node_environment(ros, reference), fork_server=helpers.fork_server) as supervisor:
             outcome = learners.result()
             built = time.monotonic()
-            judge.prepare(exercise)
+            helpers.judge.prepare(exercise)
             task = _task(request, ros, outcome, where)
             recorded = supervisor.record(task, exercise.time_limit, request.on_progress)
             if recorded.fault is None:
                 _keep(supervisor, request)
-            judgment = _judged(recorded, supervisor, judge, request)
+            judgment = _judged(recorded, supervisor, helpers.judge, request)
             timing = Timing(
                 build=round(built - began, 3),
                 evidence=round(recorded.seconds, 3),
@@ -156,7 +169,7 @@ def attempt_exercise(request: Request, judge: Judge) -> Result:
             result = with_questions(result, exercise, request.home, request.seed)
             if _lacks_a_cause(result, task) and request.looks_for_cause(result):
                 request.so_far(result)
-                return _with_causes(result, task, supervisor, judge, request, where)
+                return _with_causes(result, task, supervisor, helpers, request, where)
     return result
 
 
@@ -171,7 +184,7 @@ def _with_causes(
     result: Result,
     task: RecordingTask,
     judged: Supervisor,
-    judge: Judge,
+    helpers: Helpers,
     request: Request,
     where: Isolation,
 ) -> Result:
@@ -185,10 +198,10 @@ def _with_causes(
     # Whatever goes wrong here, the verdict stands.
     with (
         contextlib.suppress(CourseError),
-        Supervisor(where, judged.environment, judged.recording) as supervisor,
+        Supervisor(where, judged.environment, judged.recording, helpers.fork_server) as supervisor,
     ):
         recorded = supervisor.record(replace(task, observed=True), left, request.on_progress)
-        again = _judged(recorded, supervisor, judge, request)
+        again = _judged(recorded, supervisor, helpers.judge, request)
         if again.fault is None:
             _keep(supervisor, request)
     found = {check.id: check.feedback for check in again.checks if check.feedback}

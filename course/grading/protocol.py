@@ -51,6 +51,17 @@ class RecordingTask(Struct, frozen=True):
     observed: bool = False
 
 
+class Fork(Struct, frozen=True):
+    """A recording process to start. environment: its own. folder: for scratch files.
+
+    holder: pid of a process whose namespaces it enters; None where there are none.
+    """
+
+    environment: Mapping[str, str]
+    folder: str
+    holder: int | None = None
+
+
 class Stage(Struct, frozen=True, tag_field="kind", tag="stage"):
     """What the recording process is doing, in words. running: the submission's programs run from now on."""
 

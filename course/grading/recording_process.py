@@ -1,32 +1,40 @@
 """The recording process: runs one scenario, apart from everything else. Checks are judged elsewhere.
 
-Started by `grading.supervisor` with these arguments: the descriptor of the result pipe, that of the file for
-the recording, and a folder for scratch files. When a cause is looked for, the last one is the descriptor of
-the recording that was judged, and what is recorded is that one with notes of this run. The task comes as one
-line on standard input, which stays open: when it closes, the parent is gone, and this process ends all that
-it started and itself.
+`grading.supervisor` starts one process that loads everything, and asks it for forks over a socket: loading
+takes most of a recording's CPU time. It starts no thread of ours and no node, and never hears of a task. Each
+fork gets its own environment, enters its own namespaces, and records once: nothing of it comes back.
+
+A fork's arguments: the descriptor of the result pipe, that of the file for the recording, and a folder for
+scratch files. When a cause is looked for, the last one is the descriptor of the recording that was judged,
+and what is recorded is that one with notes of this run. The task comes as one line on standard input, which
+stays open: when it closes, the parent is gone, and this process ends all that it started and itself.
 """
 
 from __future__ import annotations
 
 import contextlib
+import ctypes
+import gc
 import importlib
 import json
 import os
 import shutil
 import signal
+import socket
 import sys
 import threading
 import time
-from collections.abc import Iterator, Mapping
+import traceback
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from itertools import islice
 from pathlib import Path, PurePosixPath
-from socket import socket
+from typing import NoReturn
 
 import course
 from course.arena.arena import open_arena
 from course.arena.scratch_home import HOME, Place, ScratchHome, lay_home, place_without_sandbox
+from course.child import end_with_parent
 from course.errors import DamagedData, MissingHere
 from course.evidence.home_files import HomeEntry, read_entries
 from course.evidence.mcap_file import read, write
@@ -37,12 +45,12 @@ from course.files import wipe
 from course.grading.author import Grader
 from course.grading.load import load_grader
 from course.grading.outcomes import doubt_about, our_error
-from course.grading.protocol import Channel, RecordingOutcome, RecordingTask, Stage
+from course.grading.protocol import Channel, Fork, RecordingOutcome, RecordingTask, Stage
 from course.grading.scenario_digest import scenario_digest
 from course.isolation.identity import cpu_seconds
 from course.isolation.isolation_plan import PROGRAMS, IsolationPlan, for_sanitizers
-from course.isolation.launcher import fork_launcher
-from course.isolation.linux import PR_SET_DUMPABLE, process_control
+from course.isolation.launcher import PACKET, fork_launcher
+from course.isolation.linux import PR_SET_DUMPABLE, enter_namespace, opened, process_control
 from course.isolation.none import adopt_orphans, end_descendants
 from course.isolation.sandbox import Sandbox, open_sandbox
 from course.isolation.watchdog import most_of
@@ -50,27 +58,135 @@ from course.model import codec, replace
 from course.model.events import Acted, Drawn, Event, LimitReached, Observed
 from course.model.feedback import Feedback
 
-# What saving needs; it loads while the scenario waits for the learner's program.
-_SAVING = "mcap.writer"
+# What a scenario, its recorder and saving need. What fails here fails again, and is told, when it is used.
+_NEEDED = ("course.evidence.recorder", "course.api", "mcap.writer")
+_NAMESPACES = ("user", "mnt", "ipc", "net", "pid")
+_MOST_DESCRIPTORS = 5
 # In the home of programs: what they note when a cause is looked for; so many files, and characters of each.
 _NOTES, _MOST_PROGRAMS, _MOST_NOTES = ".ros2course-notes", 20, 200_000
 _OBSERVER = Path(course.__file__).parent / "arena/observer_program.py"
 
 
 def main() -> int:
+    """Fork a recording process for each request, until nobody can ask for more."""
     _listen_to_signals()
-    launcher = fork_launcher()  # before there is a second thread
     process_control(PR_SET_DUMPABLE, 0)  # where nothing else keeps them apart, no program reads our memory
-    results, file = int(sys.argv[1]), int(sys.argv[2])
-    judged = int(sys.argv[4]) if len(sys.argv) > 4 else None
-    for descriptor in filter(None, (results, file, judged)):
-        os.set_inheritable(descriptor, False)
-    channel = Channel(results)
-    adopt_orphans()
-    # While the task is still being made. What fails here fails again, and is told, when it is used.
-    for module in ("course.evidence.recorder", "course.api"):
+    for module in _NEEDED:
         with contextlib.suppress(ImportError):
             importlib.import_module(module)
+    if recorder := sys.modules.get("course.evidence.recorder"):
+        recorder.load_middleware()
+    gc.freeze()  # else looking for garbage would copy the memory that forks share
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody needs to take note of their ends
+    with socket.socket(fileno=int(sys.argv[1])) as link:
+        while True:
+            data, descriptors, _, _ = socket.recv_fds(link, PACKET, _MOST_DESCRIPTORS)
+            if not data:
+                return 0
+            pid = os.fork()
+            if pid == 0:
+                link.close()
+                _guard(codec.from_json(data, Fork, "the request"), descriptors)
+            for descriptor in descriptors:
+                os.close(descriptor)
+            with opened_process(pid) as watched:
+                socket.send_fds(link, [b"forked"], [watched])
+
+
+@contextlib.contextmanager
+def opened_process(pid: int) -> Iterator[int]:
+    descriptor = os.pidfd_open(pid)
+    try:
+        yield descriptor
+    finally:
+        os.close(descriptor)
+
+
+def _guard(fork: Fork, descriptors: Sequence[int]) -> NoReturn:
+    """Start the recording process, and say how it ended if it did so badly. If we are killed, it is, too.
+
+    Only children are in another pid namespace than their parent. The result pipe ends when both have ended.
+    """
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+    os.setsid()  # Ctrl+C at the terminal is for who started us, and ends everything in order
+    task, log, *others = descriptors
+    for number, descriptor in enumerate((task, log, log)):
+        os.dup2(descriptor, number)
+    os.close(task)
+    os.close(log)
+    for descriptor in others:
+        os.set_inheritable(descriptor, False)
+    if fork.holder is not None:
+        _enter(fork.holder)
+    pid = os.fork()
+    if pid == 0:
+        end_with_parent()
+        os._exit(_recorded(fork, others))  # noqa: TID251 - threads of the middleware may take their time to end
+    code = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+    if code:
+        how = f"signal {-code}" if code < 0 else f"exit code {code}"
+        os.write(2, f"The recording process ended with {how}.\n".encode())
+    os._exit(0)  # noqa: TID251 - what else there is belongs to the process that we were forked from
+
+
+def _enter(holder: int) -> None:
+    """The namespaces of this process; its pid namespace is that of our children."""
+    with contextlib.ExitStack() as stack:
+        users, *others = (stack.enter_context(opened(f"/proc/{holder}/ns/{name}")) for name in _NAMESPACES)
+        own = stack.enter_context(opened("/proc/self/ns/user"))
+        if not os.path.sameopenfile(own, users):  # root's is the same
+            enter_namespace(users)
+        for namespace in others:
+            enter_namespace(namespace)
+
+
+def _recorded(fork: Fork, descriptors: Sequence[int]) -> int:
+    results, file, *judged = map(str, descriptors)
+    sys.argv[1:] = [results, file, fork.folder, *judged]
+    _take_on(fork.environment)
+    try:
+        return record()
+    except BaseException:  # noqa: BLE001 - it must not get into what we are a fork of
+        traceback.print_exc()
+        return 1
+    finally:
+        sys.stdout.flush()
+
+
+def _take_on(environment: Mapping[str, str]) -> None:
+    """As if this process had been started in it."""
+    known = set(os.environ.get("LD_LIBRARY_PATH", "").split(os.pathsep))
+    os.environ.clear()
+    os.environ.update(environment)
+    paths = filter(None, environment.get("PYTHONPATH", "").split(os.pathsep))
+    sys.path[1:1] = [path for path in paths if path not in sys.path]
+    for folder in environment.get("LD_LIBRARY_PATH", "").split(os.pathsep):
+        if folder not in known:
+            _load([str(file) for file in sorted(Path(folder).glob("lib*.so"))])
+
+
+def _load(libraries: Sequence[str]) -> None:
+    """Each after those that it needs: the linker has long read where else it may look."""
+    waiting, before = list(libraries), None
+    while waiting and waiting != before:
+        before = waiting
+        waiting = [library for library in waiting if not _is_loaded(library)]
+
+
+def _is_loaded(library: str) -> bool:
+    with contextlib.suppress(OSError):
+        ctypes.CDLL(library)
+        return True
+    return False
+
+
+def record() -> int:
+    """What a fork does: one recording."""
+    launcher = fork_launcher()  # before there is a second thread
+    results, file = int(sys.argv[1]), int(sys.argv[2])
+    judged = int(sys.argv[4]) if len(sys.argv) > 4 else None
+    channel = Channel(results)
+    adopt_orphans()
     line = sys.stdin.buffer.readline()
     if not line:
         return 0  # the parent changed its mind
@@ -82,9 +198,7 @@ def main() -> int:
     finally:
         end_descendants()
         wipe(folder)
-    sys.stdout.flush()
-    # Threads of the middleware may take their time to end; there is nothing left to wait for.
-    os._exit(0)  # noqa: TID251 - see above; everything has been cleaned up
+    return 0
 
 
 def _listen_to_signals() -> None:
@@ -105,7 +219,12 @@ def _end_with_parent(folder: Path) -> None:
 
 
 def _outcome(
-    task: RecordingTask, channel: Channel, file: int, folder: Path, launcher: socket, judged: int | None
+    task: RecordingTask,
+    channel: Channel,
+    file: int,
+    folder: Path,
+    launcher: socket.socket,
+    judged: int | None,
 ) -> RecordingOutcome:
     try:
         recording, lag = _record(task, channel, folder, launcher)
@@ -142,7 +261,9 @@ def _groups(task: RecordingTask) -> list[Path]:
     return [Path(group) for group in task.sandbox.control_groups] if task.sandbox else []
 
 
-def _record(task: RecordingTask, channel: Channel, folder: Path, launcher: socket) -> tuple[Recording, float]:
+def _record(
+    task: RecordingTask, channel: Channel, folder: Path, launcher: socket.socket
+) -> tuple[Recording, float]:
     """Run the scenario if there is something to run, and return how busy the machine was (s)."""
     grader = load_grader(Path(task.grader), task.exercise)
     timeline = Timeline()
@@ -175,7 +296,6 @@ def _record(task: RecordingTask, channel: Channel, folder: Path, launcher: socke
                 groups=_groups(task),
             ) as arena,
         ):
-            threading.Thread(target=importlib.import_module, args=(_SAVING,), daemon=True).start()
             try:
                 grader.scenario_function(arena)
             except Exception:
@@ -230,7 +350,7 @@ def _open_place(
     task: RecordingTask,
     grader: Grader,
     folder: Path,
-    launcher: socket,
+    launcher: socket.socket,
     timeline: Timeline,
     laid: tuple[HomeEntry, ...],
     files: Mapping[str, str],

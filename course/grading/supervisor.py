@@ -1,7 +1,7 @@
-"""The parent's side of a recording process: start it early, give it the task, await the recording.
+"""The parent's side of recording processes: fork one early, give it the task, await the recording.
 
-The process is started before the task is known, so that it loads while packages are built.
-However it ends (crash, hang, Ctrl+C here), everything below it has ended afterwards.
+They are forks of one process, which has loaded everything before there is anything to record. However one
+ends (crash, hang, Ctrl+C here), everything below it has ended afterwards.
 """
 
 from __future__ import annotations
@@ -9,23 +9,27 @@ from __future__ import annotations
 import contextlib
 import os
 import select
+import signal
+import socket
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import IO
 
-import course
-from course.errors import DamagedData, StorageError
+from course import isolation
+from course.child import own_path
+from course.errors import DamagedData, OurFault, StorageError
 from course.files import wipe
-from course.grading.protocol import RecordingOutcome, RecordingTask, read_message
-from course.isolation import Level, start
-from course.isolation.isolation_plan import SCRATCH, IsolatedProcess
+from course.grading.protocol import Fork, RecordingOutcome, RecordingTask, read_message
+from course.isolation import Level
+from course.isolation.isolation_plan import SCRATCH
+from course.isolation.launcher import socket_pair
 from course.isolation.levels import KNOWN, Isolation, forget
-from course.isolation.none import nothing_left
+from course.isolation.none import end, nothing_left
 from course.model import codec
 from course.model.feedback import Feedback
 from course.model.result import Doubt
@@ -36,20 +40,96 @@ _LOG_LINES = 15
 _PROCESS = "course.grading.recording_process"
 
 
+class ForkServer:
+    """The process that recording processes are forked from. Close it; it ends with its owner, too."""
+
+    def __init__(self) -> None:
+        self._started: tuple[subprocess.Popen[bytes], socket.socket] | None = None
+        self.log = os.fdopen(os.memfd_create("log"), "w+b")  # what it writes as errors
+
+    def start(self, environment: Mapping[str, str]) -> None:
+        """Have it load everything, if it does not run yet. Forks get environments of their own."""
+        if self._started is not None and self._started[0].poll() is not None:
+            self._stop()  # somebody killed it
+        if self._started is None:
+            ours, theirs = socket_pair()
+            ours.settimeout(_START_TIME)
+            with theirs:
+                process = subprocess.Popen(
+                    [sys.executable, "-m", _PROCESS, str(theirs.fileno())],
+                    stdin=subprocess.DEVNULL,
+                    stdout=self.log,
+                    stderr=self.log,
+                    env={**environment, "PYTHONPATH": own_path(environment)},
+                    cwd="/",
+                    pass_fds=(theirs.fileno(),),
+                    start_new_session=True,
+                )
+            self._started = process, ours
+
+    @contextlib.contextmanager
+    def forked(self, fork: Fork, descriptors: Sequence[int]) -> Iterator[None]:
+        """A recording process, which is killed at the end. It need not have begun yet: it may be loading.
+
+        descriptors: its input, where it writes errors, and what `recording_process` says. Raises OurFault.
+        """
+        self.start(fork.environment)
+        assert self._started is not None
+        link = self._started[1]
+        try:
+            socket.send_fds(link, [codec.to_json(fork)], list(descriptors))
+        except OSError as error:
+            raise OurFault("recording processes cannot be started") from error
+        try:
+            yield
+        finally:
+            self._end(link)
+
+    def _end(self, link: socket.socket) -> None:
+        try:
+            answer, found, _, _ = socket.recv_fds(link, 100, 1)
+        except OSError:
+            answer, found = b"", []
+        if not answer:
+            self._stop()
+        for process in found:
+            with contextlib.suppress(ProcessLookupError):
+                signal.pidfd_send_signal(process, signal.SIGKILL)
+            select.select([process], [], [], _CLOSE_GRACE)
+            os.close(process)
+
+    def close(self) -> None:
+        """End it; more than once does no harm."""
+        self._stop()
+        self.log.close()
+
+    def _stop(self) -> None:
+        started, self._started = self._started, None
+        if started is not None:
+            started[1].close()
+            end(started[0])
+
+
 class Supervisor:
     """Owns one recording process between entering and leaving its context.
 
+    fork_server: what it is forked from; None for one that is used but once.
     recording: the file that it writes. It has no name: it is gone however we end, and nobody else finds it.
     environment: its own. judged: the recording that a run adds to when it looks for a cause.
     """
 
     def __init__(
-        self, where: Isolation, environment: Mapping[str, str], judged: IO[bytes] | None = None
+        self,
+        where: Isolation,
+        environment: Mapping[str, str],
+        judged: IO[bytes] | None = None,
+        fork_server: ForkServer | None = None,
     ) -> None:
         self._where = where
+        self._fork_server = fork_server
         self._judged = judged
         self.environment = environment
-        self._process: subprocess.Popen[bytes]
+        self._tasks: int
         self.recording: IO[bytes]
         self._results: int
         self._folder: str
@@ -61,17 +141,11 @@ class Supervisor:
             try:
                 self._folder = stack.enter_context(self._scratch())
                 self.recording = stack.enter_context(tempfile.TemporaryFile())
-                self._log = stack.enter_context(tempfile.TemporaryFile("w+", errors="replace"))
+                self._log = stack.enter_context(tempfile.TemporaryFile("w+b"))
             except OSError as error:
                 what = f"No temporary file can be made in {tempfile.gettempdir()}: {error.strerror}."
                 raise StorageError(what, "Make room there, or name another folder in TMPDIR.") from error
-            self._results, write_end = os.pipe()
-            stack.callback(os.close, self._results)
-            try:
-                self._process = stack.enter_context(self._start(write_end)).process
-            finally:
-                os.close(write_end)
-            stack.callback(self._end)
+            self._start(stack)
             self._stack = stack.pop_all()
         return self
 
@@ -96,39 +170,30 @@ class Supervisor:
         finally:
             wipe(Path(folder))
 
-    def _start(self, write_end: int) -> contextlib.AbstractContextManager[IsolatedProcess]:
-        """In its own session, so that Ctrl+C reaches only us, and we end the process in order."""
-        descriptors = (write_end, self.recording.fileno())
-        judged = (self._judged.fileno(),) if self._judged else ()
-        return start(
-            self._where.plan,
-            [sys.executable, "-m", _PROCESS, *map(str, descriptors), self._folder, *map(str, judged)],
-            stdin=subprocess.PIPE,
-            stdout=self._log,
-            stderr=self._log,
-            env=self._own_environment(),
-            cwd="/",
-            pass_fds=(*descriptors, *judged),
-        )
-
-    def _end(self) -> None:
-        with contextlib.suppress(OSError):
-            if self._process.stdin:
-                self._process.stdin.close()  # tells it that we are gone
-        try:
-            self._process.wait(_CLOSE_GRACE)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+    def _start(self, stack: contextlib.ExitStack) -> None:
+        self._fork_server = fork_server = self._fork_server or stack.enter_context(contextlib.closing(ForkServer()))
+        holder = None
+        if self._where.plan is not None:
+            try:
+                holder = stack.enter_context(isolation.ISOLATION.hold(self._where.plan)).pid
+            except OurFault:
+                forget(KNOWN)  # perhaps this machine does not allow any more what it did
+                raise
+        with contextlib.ExitStack() as theirs:
+            self._results, write_end = _pipe(stack, theirs)
+            read_end, self._tasks = _pipe(theirs, stack)
+            judged = (self._judged.fileno(),) if self._judged else ()
+            given = (read_end, self._log.fileno(), write_end, self.recording.fileno(), *judged)
+            stack.enter_context(fork_server.forked(Fork(self._own_environment(), self._folder, holder), given))
 
     def record(
         self, task: RecordingTask, time_limit: float, on_progress: Callable[[str], None]
     ) -> RecordingOutcome:
         """Send the task and read until the outcome; faults of the process become one."""
         try:
-            assert self._process.stdin is not None
-            self._process.stdin.write(codec.to_json(task) + b"\n")
-            self._process.stdin.flush()
+            rest = codec.to_json(task) + b"\n"
+            while rest:
+                rest = rest[os.write(self._tasks, rest) :]
         except BrokenPipeError:
             forget(KNOWN)  # perhaps this machine does not allow any more what it did
             return self._fault("The recording process did not start.")
@@ -144,8 +209,7 @@ class Supervisor:
             data = os.read(self._results, 65536)
             if not data:
                 forget(KNOWN)
-                how = self._how_it_ended()
-                return self._fault(f"The recording process ended without a recording ({how}).")
+                return self._fault("The recording process ended without a recording.")
             *lines, buffer = (buffer + data).split(b"\n")
             for line in lines:
                 try:
@@ -157,16 +221,9 @@ class Supervisor:
                 self._running = self._running or message.running
                 on_progress(message.text)
 
-    def _how_it_ended(self) -> str:
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(_CLOSE_GRACE)
-        code = self._process.poll()
-        return "still running" if code is None else f"signal {-code}" if code < 0 else f"exit code {code}"
-
     def _fault(self, what: str) -> RecordingOutcome:
-        self._log.seek(0, os.SEEK_END)
-        self._log.seek(max(0, self._log.tell() - 8192))
-        tail = tuple(self._log.read().splitlines()[-_LOG_LINES:])
+        assert self._fork_server is not None
+        tail = (*_last_lines(self._fork_server.log), *_last_lines(self._log))[-_LOG_LINES:]
         advice = "This is the course's error, not yours. The attempt does not count. Try again."
         doubt = Doubt.SPOILT if self._running else None
         return RecordingOutcome(fault=Feedback(summary=what, advice=advice, details=tail), doubt=doubt)
@@ -176,9 +233,18 @@ class Supervisor:
             **self.environment,
             **self._where.environment,
             "ROS_LOG_DIR": f"{self._folder}/ros-log",  # not the learner's ~/.ros
-            "PYTHONPATH": os.pathsep.join(
-                part
-                for part in (str(Path(course.__file__).parents[1]), self.environment.get("PYTHONPATH"))
-                if part
-            ),
+            "PYTHONPATH": own_path(self.environment),
         }
+
+
+def _last_lines(log: IO[bytes]) -> list[str]:
+    size = os.fstat(log.fileno()).st_size
+    return os.pread(log.fileno(), 8192, max(0, size - 8192)).decode(errors="replace").splitlines()
+
+
+def _pipe(reading: contextlib.ExitStack, writing: contextlib.ExitStack) -> tuple[int, int]:
+    """Its ends, each of which is closed by its stack."""
+    ends = os.pipe()
+    for number, stack in zip(ends, (reading, writing), strict=True):
+        stack.callback(os.close, number)
+    return ends

@@ -53,10 +53,11 @@ class Backend(Protocol):
     ) -> AbstractContextManager[IsolatedProcess]:
         """See `start`."""
 
-    def hold(self, plan: IsolationPlan, scratch: Path) -> AbstractContextManager[Holder]:
+    def hold(self, plan: IsolationPlan, scratch: Path | None = None) -> AbstractContextManager[Holder]:
         """Keep namespaces in which nothing happens, until the end; then all in them is killed.
 
-        scratch: a folder of their own, in memory. Raises OurFault when it cannot be done.
+        scratch: a folder of their own, in memory, where the machine is hidden. Raises OurFault when it cannot
+        be done.
         """
 
 

@@ -182,17 +182,18 @@ def start(plan: IsolationPlan, command: Sequence[str], **options: Any) -> Iterat
 
 
 @contextlib.contextmanager
-def hold(plan: IsolationPlan, scratch: Path) -> Iterator[Holder]:
+def hold(plan: IsolationPlan, scratch: Path | None = None) -> Iterator[Holder]:
     """See `isolation.Backend`."""
     with contextlib.ExitStack() as stack:
-        texts = [(stack.enter_context(data(text)), name) for name, text in users(plan)]
+        hidden = plan.machine == "hidden"
+        texts = [(stack.enter_context(data(text)), name) for name, text in (users(plan) if hidden else ())]
         info, telling = stack.enter_context(_pipe())
-        words = [*arguments(plan, texts, scratch), *_GUARDED, "--as-pid-1"]
-        words += ["--info-fd", str(telling.fileno())]
+        words = [program(), *arguments(plan, texts, scratch), *_GUARDED] if hidden else [*prefix(plan)]
+        words += ["--as-pid-1", "--info-fd", str(telling.fileno())]
         started = stack.enter_context(
             none.start(
                 None,
-                [program(), *words, "--", "/bin/sh", "-c", _HOLDING],
+                [*words, "--", "/bin/sh", "-c", _HOLDING],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,

@@ -211,7 +211,7 @@ def _execute(order: Order) -> NoReturn:
 
 def fork_launcher() -> socket.socket:
     """Start the first one; `another_launcher` asks it. Call it while there is a single thread."""
-    ours, theirs = _link()
+    ours, theirs = socket_pair()
     if os.fork() == 0:
         _serve_alone(theirs)
     theirs.close()
@@ -220,7 +220,7 @@ def fork_launcher() -> socket.socket:
 
 def another_launcher(first: socket.socket) -> socket.socket:
     """One for a sandbox, which `sandbox.Sandbox` asks. It ends when that socket is closed. Raises OSError."""
-    ours, theirs = _link()
+    ours, theirs = socket_pair()
     with theirs:
         socket.send_fds(first, [as_message("fork")], [theirs.fileno()])
         if not first.recv(PACKET):
@@ -228,7 +228,8 @@ def another_launcher(first: socket.socket) -> socket.socket:
     return ours
 
 
-def _link() -> tuple[socket.socket, socket.socket]:
+def socket_pair() -> tuple[socket.socket, socket.socket]:
+    """Two ends that take messages of up to PACKET bytes."""
     ends = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     for end in ends:
         end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, PACKET)

@@ -72,7 +72,7 @@ def with_own_memory(command: Sequence[str]) -> tuple[str, ...]:
     raise OurFault("without isolation there is no memory of its own")
 
 
-def hold(plan: IsolationPlan, scratch: Path) -> NoReturn:
+def hold(plan: IsolationPlan, scratch: Path | None = None) -> NoReturn:
     raise OurFault("without isolation there are no namespaces to hold")
 
 

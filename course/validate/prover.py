@@ -15,8 +15,7 @@ from course.content.mistakes import load_mistakes
 from course.errors import CourseError, MissingHere
 from course.files import wipe
 from course.grading import trial
-from course.grading.check import Request, attempt_exercise
-from course.grading.judge.judges import Judge
+from course.grading.check import Helpers, Request, attempt_exercise
 from course.grading.load import runs_programs
 from course.grading.outcomes import our_error
 from course.grading.quiz.judge import failed
@@ -37,16 +36,16 @@ def main() -> int:
 
 
 class Prover:
-    """Keeps what several proofs need: the course, its mistakes, the ROS, and a process that judges."""
+    """Keeps what several proofs need: the course, its mistakes, the ROS, and processes of ours."""
 
     def __init__(self) -> None:
         self._course: Course | None = None
         self._ros: Ros | None = None
         self._mistakes: dict[Path, tuple[Mistake, ...]] = {}
-        self._judge = Judge()
+        self._helpers = Helpers()
 
     def close(self) -> None:
-        self._judge.close()
+        self._helpers.close()
 
     def run(self, task: ProofTask) -> ProofResult:
         """Whatever goes wrong is a result like any other."""
@@ -94,7 +93,7 @@ class Prover:
         request = Request(
             exercise, home, ros=ros, evidence=evidence, seed=SEED, looks_for_cause=looks_for_cause
         )
-        return attempt_exercise(request, self._judge)
+        return attempt_exercise(request, self._helpers)
 
     def _says(self, exercise: Exercise, proof: Proof) -> tuple[str, ...]:
         if proof.kind is not ProofKind.MISTAKE:

@@ -10,14 +10,14 @@ from course.batch import worker
 from course.batch.gradings import GradingTask, Unit
 from course.errors import MissingHere
 from course.grading.attempts import ATTEMPTS, deserves_another
-from course.grading.judge.judges import Judge
+from course.grading.check import Helpers
 from course.home import create_home
 from course.home.course_home import read_marker
 from course.model.result import Outcome, Result, Verdict
 from tests.batch.samples import FAILED, PASSED, QUIZ, lagging
 from tests.conftest import FIXTURES
 
-NOBODY = Judge()  # starts no process before there is something to judge
+NOBODY = Helpers()  # starts no process before there is something to judge
 QUIZ_COURSE = FIXTURES / "quiz_course"
 
 

@@ -11,7 +11,7 @@ import pytest
 from course.content import Course, Exercise, open_course
 from course.evidence.mcap_file import load
 from course.grading import trial
-from course.grading.check import Request, attempt_exercise
+from course.grading.check import Helpers, Request, attempt_exercise
 from course.grading.judge.judges import Judge
 from course.grading.protocol import Judgment
 from course.home import create_home
@@ -39,28 +39,28 @@ def home(course: Course, exercise: Exercise, tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def judge() -> Iterator[Judge]:
-    with contextlib.closing(Judge()) as judge:
-        yield judge
+def helpers() -> Iterator[Helpers]:
+    with contextlib.closing(Helpers()) as helpers:
+        yield helpers
 
 
 def test_what_is_kept_is_judged_the_same_again(
-    exercise: Exercise, home: Path, tmp_path: Path, judge: Judge
+    exercise: Exercise, home: Path, tmp_path: Path, helpers: Helpers
 ) -> None:
     evidence = tmp_path / "evidence/02-script.mcap"
-    result = attempt_exercise(Request(exercise, home, find_ros(), evidence=evidence), judge)
+    result = attempt_exercise(Request(exercise, home, find_ros(), evidence=evidence), helpers)
     assert result.verdict is Verdict.PASSED and result.timing.evidence > 0
     assert load(evidence).scenario
-    assert judge.judge(exercise, evidence) == Judgment(result.checks)
+    assert helpers.judge.judge(exercise, evidence) == Judgment(result.checks)
 
 
 def test_a_recording_that_cannot_be_kept_is_judged_all_the_same(
-    exercise: Exercise, home: Path, tmp_path: Path, judge: Judge
+    exercise: Exercise, home: Path, tmp_path: Path, helpers: Helpers
 ) -> None:
     nowhere = tmp_path / "evidence" / ("long" * 100)
     told: list[str] = []
     request = Request(exercise, home, find_ros(), evidence=nowhere, on_progress=told.append)
-    assert attempt_exercise(request, judge).verdict is Verdict.PASSED
+    assert attempt_exercise(request, helpers).verdict is Verdict.PASSED
     assert any("could not be kept" in text for text in told)
 
 
@@ -72,7 +72,8 @@ class Blind(Judge):
 
 
 def test_what_cannot_be_judged_is_our_error(exercise: Exercise, home: Path) -> None:
-    with contextlib.closing(Blind()) as judge:
-        result = attempt_exercise(Request(exercise, home, find_ros()), judge)
+    with contextlib.closing(Helpers()) as helpers:
+        helpers.judge = Blind()
+        result = attempt_exercise(Request(exercise, home, find_ros()), helpers)
     assert result.verdict is Verdict.OUR_ERROR and result.fault is not None
     assert result.fault.summary == "The recording is not there any more."

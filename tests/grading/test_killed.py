@@ -27,6 +27,7 @@ REPO = Path(__file__).parents[2]
 OF_A_GRADING = (
     "outer layer's bubblewrap",
     "outer layer's first process",
+    "guard",
     "grading process",
     "launcher",
     "measuring process",

@@ -60,7 +60,7 @@ def pretend(monkeypatch: pytest.MonkeyPatch, attempts: list[Attempt]) -> list[At
             return made[-1][1]
 
     @contextlib.contextmanager
-    def supervisor(*_: object) -> Iterator[Recorder]:
+    def supervisor(*_: object, **__: object) -> Iterator[Recorder]:
         recorder = Recorder()
         with tempfile.TemporaryFile() as recorder.recording:
             yield recorder

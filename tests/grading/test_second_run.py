@@ -15,7 +15,7 @@ from course.evidence.mcap_file import load
 from course.evidence.packages import BuiltPackages
 from course.explain.observed import UNKNOWN
 from course.grading import check, trial
-from course.grading.check import Request, attempt_exercise
+from course.grading.check import Helpers, Request, attempt_exercise
 from course.grading.judge.judges import Judge
 from course.grading.protocol import Judgment, RecordingOutcome, RecordingTask
 from course.home import create_home
@@ -80,7 +80,7 @@ def grade(exercise: Exercise, tmp_path: Path, so_far: list[Result]) -> Iterator[
     """The exercise with this script; its recording is in `evidence.mcap`."""
     home = create_home(tmp_path / "home").path
     trial.lay_solution(open_course(), exercise, home)
-    with contextlib.closing(Judge()) as judge:
+    with contextlib.closing(Helpers()) as helpers:
 
         def graded(text: str | None, **options: object) -> Result:
             if text is not None:
@@ -88,7 +88,7 @@ def grade(exercise: Exercise, tmp_path: Path, so_far: list[Result]) -> Iterator[
             evidence = tmp_path / "evidence.mcap"
             told = {"so_far": so_far.append, "looks_for_cause": lambda result: True, **options}
             request = Request(exercise, home, find_ros(), evidence=evidence, **told)  # type: ignore[arg-type]
-            return attempt_exercise(request, judge)
+            return attempt_exercise(request, helpers)
 
         yield graded
 
@@ -169,11 +169,11 @@ def second_run(exercise: Exercise, tmp_path: Path, monkeypatch: pytest.MonkeyPat
         entered.return_value.recording.fileno.return_value = 0
         monkeypatch.setattr(check, "Supervisor", supervisor)
         monkeypatch.setattr(check, "keep_recording", lambda recording, file: file.touch())
-        judge = MagicMock()
-        judge.judge.return_value = judged
+        helpers = MagicMock()
+        helpers.judge.judge.return_value = judged
         task = RecordingTask(exercise.id, "", "", (), BuiltPackages(), {}, "")
         request = Request(exercise, tmp_path, evidence=tmp_path / "kept")
-        return check._with_causes(SO_FAR, task, MagicMock(), judge, request, MagicMock())
+        return check._with_causes(SO_FAR, task, MagicMock(), helpers, request, MagicMock())
 
     return run
 
