@@ -37,7 +37,7 @@ from course.grading.load import runs_programs
 from course.grading.protocol import Judgment, RecordingOutcome, RecordingTask
 from course.grading.quiz.questions import check_quiz, with_questions
 from course.grading.reference import reference_packages, workers
-from course.grading.supervisor import Supervisor, ForkServer
+from course.grading.supervisor import ForkServer, Supervisor
 from course.grading.trial_answers import SEED
 from course.isolation import Level
 from course.isolation.isolation_plan import IsolationPlan
@@ -149,7 +149,9 @@ def attempt_exercise(request: Request, helpers: Helpers) -> Result:
             reference_packages, exercise, ros, request.store, request.on_progress, stop, keep
         ).result()
         # Loads while the learner's packages are still being built.
-        with Supervisor(where, node_environment(ros, reference), fork_server=helpers.fork_server) as supervisor:
+        with Supervisor(
+            where, node_environment(ros, reference), fork_server=helpers.fork_server
+        ) as supervisor:
             outcome = learners.result()
             built = time.monotonic()
             helpers.judge.prepare(exercise)

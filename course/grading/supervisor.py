@@ -171,7 +171,9 @@ class Supervisor:
             wipe(Path(folder))
 
     def _start(self, stack: contextlib.ExitStack) -> None:
-        self._fork_server = fork_server = self._fork_server or stack.enter_context(contextlib.closing(ForkServer()))
+        self._fork_server = fork_server = self._fork_server or stack.enter_context(
+            contextlib.closing(ForkServer())
+        )
         holder = None
         if self._where.plan is not None:
             try:
@@ -184,7 +186,9 @@ class Supervisor:
             read_end, self._tasks = _pipe(theirs, stack)
             judged = (self._judged.fileno(),) if self._judged else ()
             given = (read_end, self._log.fileno(), write_end, self.recording.fileno(), *judged)
-            stack.enter_context(fork_server.forked(Fork(self._own_environment(), self._folder, holder), given))
+            stack.enter_context(
+                fork_server.forked(Fork(self._own_environment(), self._folder, holder), given)
+            )
 
     def record(
         self, task: RecordingTask, time_limit: float, on_progress: Callable[[str], None]

@@ -13,7 +13,7 @@ import psutil
 import pytest
 
 from course.grading.protocol import RecordingTask
-from course.grading.supervisor import Supervisor, ForkServer
+from course.grading.supervisor import ForkServer, Supervisor
 from course.isolation.levels import isolated
 from course.model import replace
 from course.rosenv import find_ros, node_environment
