@@ -8,8 +8,8 @@ from contextlib import contextmanager, suppress
 import psutil
 
 GRADING = "course.grading.recording_process"
-# By how many processes above it have the same command line. No recording needs the first any more.
-_OF_RECORDING = {0: None, 1: "guard", 2: "grading process"}
+# By how many processes above it have the same command line.
+_OF_RECORDING = {0: "fork server", 1: "guard", 2: "grading process"}
 _PROGRAMS = {
     "worker": "course.batch.worker",
     "judge": "course.grading.judge.judging_process",

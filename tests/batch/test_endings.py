@@ -25,7 +25,7 @@ from tests.batch.command import Command, below, groups_of, half_written, outlivi
 from tests.batch.conftest import Lay
 from tests.batch.the_class import lay_class
 from tests.conftest import FIXTURES
-from tests.processes import words_of
+from tests.processes import GRADING, words_of
 
 pytestmark = pytest.mark.slow
 
@@ -141,11 +141,11 @@ def test_stopped_it_ends_in_order_and_goes_on(command: Command, number: signal.S
     assert len(after) > len(before)
 
 
-def test_a_worker_that_is_killed_is_no_loss(command: Command) -> None:
+@pytest.mark.parametrize("module", ["course.batch.worker", GRADING])
+def test_a_worker_or_a_fork_server_that_is_killed_is_no_loss(command: Command, module: str) -> None:
     with command.start() as process:
         until("a minute", process)
-        worker = next(each for each in below(process) if "course.batch.worker" in words_of(each))
-        worker.kill()
+        next(each for each in below(process) if module in words_of(each)).kill()  # parents come first
         said = process.communicate()[0]
     assert process.returncode == 0, said
     assert set(gradings(command.out)) == set(verdicts(command.out))

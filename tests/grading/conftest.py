@@ -6,6 +6,7 @@ import contextlib
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -67,31 +68,31 @@ def graded(supervisor: Supervisor, task: RecordingTask, time_limit: float = 30.0
     return Graded(judgment.checks, judgment.fault, judgment.doubt)
 
 
+def lay_toy(folder: Path, program: str, grader: str = GRADER) -> RecordingTask:
+    """A job in this folder, for a program and a grader given as texts."""
+    ros = find_ros()
+    prefix = folder / "prefix"
+    executable = prefix / "lib" / "toy" / "program"
+    executable.parent.mkdir(parents=True)
+    executable.write_text(f"#!{ros.python}\n{program}", encoding="utf-8")
+    executable.chmod(0o755)
+    module = folder / "toy_grader.py"
+    module.write_text(grader, encoding="utf-8")
+    package = BuiltPackage("toy", "ros2_tutorial_workspace/src/toy", str(prefix), ("program",))
+    return RecordingTask(
+        exercise="01-toy",
+        grader=str(module),
+        home=str(folder),
+        roots=(),
+        packages=BuiltPackages((package,)),
+        environment=node_environment(ros, (prefix,)),
+        python=str(ros.python),
+    )
+
+
 @pytest.fixture
 def toy_job(tmp_path: Path) -> Callable[..., RecordingTask]:
-    """A job for a program and a grader given as texts."""
-
-    def make(program: str, grader: str = GRADER) -> RecordingTask:
-        ros = find_ros()
-        prefix = tmp_path / "prefix"
-        executable = prefix / "lib" / "toy" / "program"
-        executable.parent.mkdir(parents=True)
-        executable.write_text(f"#!{ros.python}\n{program}", encoding="utf-8")
-        executable.chmod(0o755)
-        module = tmp_path / "toy_grader.py"
-        module.write_text(grader, encoding="utf-8")
-        package = BuiltPackage("toy", "ros2_tutorial_workspace/src/toy", str(prefix), ("program",))
-        return RecordingTask(
-            exercise="01-toy",
-            grader=str(module),
-            home=str(tmp_path),
-            roots=(),
-            packages=BuiltPackages((package,)),
-            environment=node_environment(ros, (prefix,)),
-            python=str(ros.python),
-        )
-
-    return make
+    return partial(lay_toy, tmp_path)
 
 
 @pytest.fixture(params=["namespaces", "domain"])

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import json
 import time
-from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -18,27 +17,34 @@ from course.isolation.levels import isolated
 from course.model import replace
 from course.rosenv import find_ros, node_environment
 
-from .conftest import GRADER
+from .conftest import GRADER, lay_toy
 
 pytestmark = pytest.mark.slow
 
 # Leaves as much as it can, and tells what it finds.
 FINDS = """
-    import ctypes, json, os, random, secrets, sys, tempfile
+    import ctypes, json, os, random, rclpy, secrets, sys, tempfile
     import course.model.codec as ours
     numbers = [n for n in os.listdir("/proc/self/fd") if os.path.exists(f"/proc/self/fd/{n}")]
-    links = [os.readlink(f"/proc/self/fd/{n}") for n in numbers]
+    context = rclpy.Context()
+    rclpy.init(context=context, domain_id=77)
+    node = rclpy.create_node(f"found{os.getpid()}", context=context)
+    rosout = node.get_publishers_info_by_topic("/rosout")
+    own = next(bytes(one.endpoint_gid).hex() for one in rosout if one.node_name == node.get_name())
     found = {
-        "attribute": getattr(ours, "left", None),
-        "module": "left" in sys.modules,
+        "state": {
+            "attribute": getattr(ours, "left", None),
+            "module": "left" in sys.modules,
+            "path": "/left" in sys.path,
+            "folder": os.getcwd(),
+        },
         "environment": os.environ.get("LEFT"),
-        "folder": os.getcwd(),
-        "path": "/left" in sys.path,
-        "descriptors": [link for link in links if "left" in link],
-        "count": len(links),
-        "drawn": [random.random(), secrets.token_hex(8), next(tempfile._get_candidate_names())],
+        "descriptors": [os.readlink(f"/proc/self/fd/{n}") for n in numbers],
+        "drawn": [random.random(), secrets.token_hex(8), next(tempfile._get_candidate_names()), own],
         "dumpable": ctypes.CDLL(None).prctl(3, 0, 0, 0, 0),
     }
+    node.destroy_node()
+    context.shutdown()
     ours.left, sys.modules["left"], os.environ["LEFT"] = 1, sys, "1"
     sys.path.append("/left")
     os.chdir("/dev")
@@ -48,38 +54,55 @@ FINDS = """
 """
 TELLS = GRADER.replace("def run_it(arena):", f"def run_it(arena):{FINDS}")
 PROGRAM = "import time\nprint('go', flush=True)\nwhile True: time.sleep(1)"
-Find = Callable[..., dict[str, Any]]
+Found = dict[str, Any]
 
 
-@pytest.fixture(params=["namespaces", "domain"])
-def find(request: pytest.FixtureRequest, toy_job: Callable[..., RecordingTask]) -> Iterator[Find]:
-    """What a recording finds of those before; all are forks of one process."""
-    job = toy_job(PROGRAM, TELLS)
+@pytest.fixture(scope="module", params=["namespaces", "domain"])
+def found(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[Found, Found]:
+    """What two recordings, forks of one process, find: the second one of the first, too."""
+    job = lay_toy(tmp_path_factory.mktemp("toy"), PROGRAM, TELLS)
+    namespaces, environment = request.param == "namespaces", node_environment(find_ros())
     with contextlib.closing(ForkServer()) as fork_server:
-        fork_server.start(node_environment(find_ros()))
-
-        def found(**more: str) -> dict[str, Any]:
-            said: list[str] = []
-            with isolated(namespaces=request.param == "namespaces") as where:
-                environment = {**node_environment(find_ros()), **more}
-                task = replace(job, environment={**job.environment, **where.environment})
-                with Supervisor(where, environment, fork_server=fork_server) as supervisor:
-                    outcome = supervisor.record(task, 60.0, said.append)
-            assert outcome.fault is None, outcome.fault
-            told: dict[str, Any] = json.loads(next(text for text in said if text.startswith("{")))
-            return told
-
-        yield found
+        fork_server.start(environment)
+        first = record(job, fork_server, namespaces, {**environment, "LEFT": "of the first"})
+        return first, record(job, fork_server, namespaces, environment)
 
 
-def test_nothing_is_left_for_the_next(find: Find) -> None:
-    first, second = find(LEFT="of the first"), find()
-    assert not set(first.pop("drawn")) & set(second.pop("drawn"))
-    assert (first.pop("environment"), second.pop("environment")) == ("of the first", None)
-    assert first == second
-    del second["count"]
-    nothing = {"attribute": None, "module": False, "path": False, "descriptors": [], "dumpable": 0}
-    assert second == {**nothing, "folder": "/"}
+def record(
+    job: RecordingTask, fork_server: ForkServer, namespaces: bool, environment: dict[str, str]
+) -> Found:
+    said: list[str] = []
+    with isolated(namespaces=namespaces) as where:
+        task = replace(job, environment={**job.environment, **where.environment})
+        with Supervisor(where, environment, fork_server=fork_server) as supervisor:
+            outcome = supervisor.record(task, 60.0, said.append)
+    assert outcome.fault is None, outcome.fault
+    told: Found = json.loads(next(text for text in said if text.startswith("{")))
+    return told
+
+
+def test_its_state_is_as_if_it_were_the_first(found: tuple[Found, Found]) -> None:
+    fresh = {"attribute": None, "module": False, "path": False, "folder": "/"}
+    assert [one["state"] for one in found] == [fresh, fresh]
+
+
+def test_its_environment_is_its_own(found: tuple[Found, Found]) -> None:
+    assert [one["environment"] for one in found] == ["of the first", None]
+
+
+def test_it_holds_no_descriptor_of_another(found: tuple[Found, Found]) -> None:
+    first, second = (one["descriptors"] for one in found)
+    assert len(first) == len(second)
+    assert not any("left" in link for link in second)
+
+
+def test_it_draws_other_numbers_names_and_endpoints(found: tuple[Found, Found]) -> None:
+    first, second = (one["drawn"] for one in found)
+    assert len(first) == 4 and not set(first) & set(second)
+
+
+def test_no_program_reads_its_memory(found: tuple[Found, Found]) -> None:
+    assert [one["dumpable"] for one in found] == [0, 0]
 
 
 def test_who_is_forked_from_keeps_nothing_and_is_replaced_when_killed() -> None:

@@ -34,6 +34,7 @@ OF_A_GRADING = (
     "sandbox's bubblewrap",
     "sandbox's first process",
 )
+FORK_SERVER = "fork server"
 ENDS = ("was killed from outside", "ended without a recording", "busy this machine is has ended")
 # A program of ours, which also goes on until Ctrl+C if nobody is killed.
 OURS = 'ours = arena.start_ours("sleep", "61.5", name="ours", env={})'
@@ -93,7 +94,7 @@ def test_undisturbed_it_passes(job: RecordingTask, tmp_path: Path) -> None:
     judgment = judged(job, tmp_path, lambda top: seen.update(kinds(top)))
     assert judgment.fault is None
     assert {check.outcome for check in judgment.checks} == {Outcome.PASSED}
-    assert {*seen} == {*OF_A_GRADING}
+    assert {*seen} == {*OF_A_GRADING, FORK_SERVER}
 
 
 @pytest.mark.parametrize("kind", OF_A_GRADING)
@@ -102,6 +103,12 @@ def test_a_killed_process_of_ours_is_no_failure(job: RecordingTask, tmp_path: Pa
     assert judgment.checks == () and judgment.fault is not None
     assert judgment.doubt is Doubt.SPOILT
     assert any(words in judgment.fault.summary for words in ENDS)
+
+
+def test_who_was_forked_needs_the_fork_server_no_more(job: RecordingTask, tmp_path: Path) -> None:
+    judgment = judged(job, tmp_path, lambda top: kinds(top)[FORK_SERVER].kill())
+    assert judgment.fault is None
+    assert {check.outcome for check in judgment.checks} == {Outcome.PASSED}
 
 
 def test_a_killed_program_of_ours_is_no_failure(job: RecordingTask, tmp_path: Path) -> None:
