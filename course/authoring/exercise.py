@@ -20,6 +20,7 @@ class ExerciseKind(str, Enum):
 
     TOPIC = "topic"
     SERVICE = "service"
+    ACTION = "action"
     PARAMETER = "parameter"
     LAUNCH = "launch"
     LIBRARY = "library"
@@ -69,6 +70,7 @@ _LAUNCHED = {
 _RECIPES = {
     ExerciseKind.TOPIC: _node("std_msgs"),
     ExerciseKind.SERVICE: _node("std_srvs"),
+    ExerciseKind.ACTION: _node("example_interfaces"),
     ExerciseKind.PARAMETER: _node("std_msgs"),
     ExerciseKind.LAUNCH: _Recipe(_LAUNCHED, ("rclpy", "std_msgs", "launch_ros"), _ENTRY, _LAUNCH_FILE),
     ExerciseKind.LIBRARY: _Recipe({**_PACKAGE, "{package}/{name}.py": "library/{side}.py"}),

@@ -19,6 +19,14 @@ _FIELD = re.compile(r"^\s*([A-Za-z][\w/]*)")
 # mcap_ros2 reads it as signed, but in ROS 2 it is a uint8.
 _CHAR = re.compile(r"^(\s*)char(?=[\s\[])", re.MULTILINE)
 _HALVES = re.compile(r"^---.*\n?", re.MULTILINE)
+_SECTIONS = {"srv": ("Request", "Response"), "action": ("Goal", "Result", "Feedback")}
+_WRAPPED = {
+    "SendGoal_Request": "unique_identifier_msgs/UUID goal_id\n{}_Goal goal\n",
+    "SendGoal_Response": "bool accepted\nbuiltin_interfaces/Time stamp\n",
+    "GetResult_Request": "unique_identifier_msgs/UUID goal_id\n",
+    "GetResult_Response": "int8 status\n{}_Result result\n",
+    "FeedbackMessage": "unique_identifier_msgs/UUID goal_id\n{}_Feedback feedback\n",
+}
 _PRIMITIVES = frozenset(
     "bool byte char float32 float64 int8 uint8 int16 uint16 int32 uint32 int64 uint64 string wstring".split()
 )
@@ -35,7 +43,8 @@ class Undecodable(ValueError):
 def full_definition(type_name: str, prefixes: Iterable[Path]) -> str:
     """The definition of `pkg/msg/Type` and of all types inside it, as rosbag2 writes it.
 
-    `pkg/srv/Type_Request` and `pkg/srv/Type_Response` are the two halves of a service.
+    `pkg/srv/Type_Request` and `pkg/srv/Type_Response` are the two halves of a service. An action is made of
+    two services and a topic: `pkg/action/Type_SendGoal`, `Type_GetResult` and `Type_FeedbackMessage`.
 
     Raises UnknownType if a definition is in none of the install prefixes.
     """
@@ -56,20 +65,22 @@ def full_definition(type_name: str, prefixes: Iterable[Path]) -> str:
 
 def _read(type_name: str, prefixes: tuple[Path, ...]) -> str:
     package, kind, short = type_name.split("/")
-    service, _, half = short.rpartition("_")
-    name = f"{service}.srv" if kind == "srv" else f"{short}.msg"
+    name, _, part = (short, "", "") if kind == "msg" else short.partition("_")
     for prefix in prefixes:
-        file = prefix / "share" / package / kind / name
+        file = prefix / "share" / package / kind / f"{name}.{kind}"
         if file.is_file():
             text = file.read_text(encoding="utf-8")
-            return _half(text, half) if kind == "srv" else text
+            found = _part(text, kind, name, part) if part else text
+            if found is not None:
+                return found
     raise UnknownType(type_name)
 
 
-def _half(service: str, which: str) -> str:
-    """The request or response part of a service definition."""
-    request, response = _HALVES.split(service, maxsplit=1)
-    return request if which == "Request" else response
+def _part(definition: str, kind: str, name: str, part: str) -> str | None:
+    """One section of a service or action definition, or what ROS wraps around those of an action."""
+    sections = dict(zip(_SECTIONS[kind], _HALVES.split(definition), strict=False))
+    wrapped = {part: text.format(name) for part, text in _WRAPPED.items()}
+    return {**wrapped, **sections}.get(part)
 
 
 def _inner_types(definition: str, owner: str) -> list[str]:
@@ -85,7 +96,7 @@ def _inner_types(definition: str, owner: str) -> list[str]:
 def _full_name(name: str, owner: str) -> str:
     package, _, short = name.rpartition("/")
     package = package.split("/")[0] or ("std_msgs" if short == "Header" else owner.split("/")[0])
-    return f"{package}/msg/{short}"
+    return f"{package}/{'action' if '_' in short else 'msg'}/{short}"
 
 
 class Decoder:
@@ -124,7 +135,9 @@ def _make_decoder(type_name: str, definition: str) -> Callable[[bytes], Any]:
     from mcap_ros2.decoder import DecoderFactory
 
     plain = _CHAR.sub(r"\1uint8", definition)
-    schema = Schema(id=1, name=type_name, encoding=SchemaEncoding.ROS2, data=plain.encode())
+    package, slash, short = type_name.rpartition("/")
+    name = f"{package}{slash}{short.replace('_', '')}"  # mcap_ros2 refuses `Say_SendGoal_Request`
+    schema = Schema(id=1, name=name, encoding=SchemaEncoding.ROS2, data=plain.encode())
     decoder = DecoderFactory().decoder_for(MessageEncoding.CDR, schema)
     if decoder is None:
         raise UnknownType(type_name)

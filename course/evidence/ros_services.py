@@ -16,6 +16,7 @@ from course.evidence.timeline import Timeline
 from course.model.events import ServiceAnswered, ServiceCalled
 from course.model.graph import Graph
 
+_PARTS = {"SendGoal": "SendGoalService", "GetResult": "GetResultService"}
 Answer = Callable[[Any], Mapping[str, Any] | None]
 # A client that never waits, or sends huge requests, must not fill our memory; no check needs more.
 MAX_REQUESTS = 10_000
@@ -186,10 +187,12 @@ def _service_class(recorder: RosSide, type_name: str) -> Any:
 
 
 def load_type(type_name: str) -> Any:
-    """The Python class of `pkg/msg/Type` or `pkg/srv/Type`. Raises OurFault if the grader's ROS lacks it."""
+    """The Python class of a type's name, as for `full_definition`. Raises OurFault if this ROS lacks it."""
     package, kind, short = type_name.split("/")
+    name, _, part = short.partition("_")
     try:
-        return getattr(importlib.import_module(f"{package}.{kind}"), short)
+        found = getattr(importlib.import_module(f"{package}.{kind}"), name)
+        return getattr(found.Impl, _PARTS.get(part, part)) if part else found
     except (ImportError, AttributeError) as error:
         raise OurFault(f"the grader cannot load the type {type_name}: {error}") from error
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import struct
 import time
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -89,6 +90,33 @@ def test_both_halves_of_a_service(tmp_path: Path) -> None:
     assert full_definition("talk/srv/Say_Response", [root]) == "bool heard\n"
     file.write_text("---\n")
     assert [full_definition(f"talk/srv/Say_{half}", [root]) for half in ("Request", "Response")] == ["", ""]
+
+
+ACTION = "Word word\nint32 most\n---\nbool heard\n---\nint8 part\n"
+UUID, TIME = "uint8[16] uuid\n", "int32 sec\nuint32 nanosec\n"
+
+
+@pytest.mark.parametrize(
+    ("part", "data", "field", "value"),
+    [
+        ("SendGoal_Request", bytes(16) + b"\2\0\0\0a\0\0\0\5\0\0\0", "goal.most", 5),
+        ("SendGoal_Response", b"\1" + bytes(11), "accepted", True),
+        ("GetResult_Response", b"\4\1", "result.heard", True),
+        ("FeedbackMessage", bytes(16) + b"\7", "feedback.part", 7),
+    ],
+)
+def test_an_action_is_made_of_services_and_a_topic(
+    tmp_path: Path, part: str, data: bytes, field: str, value: object
+) -> None:
+    names = {"our_talk__Word": "string text\n", "builtin_interfaces__Time": TIME}
+    root = prefix(tmp_path, unique_identifier_msgs__UUID=UUID, **names)
+    (root / "share/our_talk/action").mkdir()
+    (root / "share/our_talk/action/Say.action").write_text(ACTION)
+    name = f"our_talk/action/Say_{part}"
+    decoded = Decoder({name: full_definition(name, [root])}).decode(name, HEADER + data)
+    assert attrgetter(field)(decoded) == value
+    with pytest.raises(UnknownType):
+        full_definition("our_talk/action/Say_Other", [root])
 
 
 @pytest.mark.parametrize("missing", ["talk/msg/Word", "talk/msg/Other"])
