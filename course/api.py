@@ -71,7 +71,6 @@ from course.grading.expect.programs import (
     expect_running,
 )
 from course.grading.expect.services import (
-    expect_action,
     expect_answers,
     expect_same_service,
     expect_service,

@@ -17,13 +17,13 @@ _LONGEST = 40
 
 @dataclass(frozen=True)
 class NewChapter:
-    """`30-power-supply`: its folder, number and title."""
+    """`30-power-supply`: its number and title."""
 
     number: int
     slug: str
 
     @property
-    def folder(self) -> str:
+    def id(self) -> str:
         return f"{self.number:02d}-{self.slug}"
 
     @property
@@ -82,11 +82,11 @@ def new_chapter(root: Path, name: str) -> Made:
     if number > _LAST:
         raise UsageError("there is no number after 99 for a chapter", "write a free one: 30-name")
     chapter = NewChapter(number, slug)
-    return carry_out(_chapter_plan(root, chapter), root, chapter.folder)
+    return carry_out(_chapter_plan(root, chapter), root, chapter.id)
 
 
 def _chapter_plan(root: Path, chapter: NewChapter) -> Plan:
-    folder = root / "chapters" / chapter.folder
+    folder = root / "chapters" / chapter.id
     words = {"number": str(chapter.number), "title": chapter.title, "schema": schema_folder(root)}
     new = {
         folder / layout.LESSON: filled("chapter/lesson.yaml", words),

@@ -8,7 +8,7 @@ from enum import Enum
 from pathlib import Path
 
 from course.authoring.append import with_code, with_item
-from course.authoring.course_folder import number_and_slug, require_place, titled
+from course.authoring.course_folder import NewChapter, number_and_slug, require_place, titled
 from course.authoring.write import Made, Plan, Words, carry_out, filled, missing_schemas
 from course.content import layout
 from course.errors import ContentError, UsageError
@@ -194,20 +194,8 @@ def _read(file: Path) -> str:
         ) from None
 
 
-@dataclass(frozen=True)
-class ExerciseName:
+class ExerciseName(NewChapter):
     """`30-battery-level`: its id, and what its package, node, topic and Python names are made of."""
-
-    number: int
-    slug: str
-
-    @property
-    def id(self) -> str:
-        return f"{self.number:02d}-{self.slug}"
-
-    @property
-    def title(self) -> str:
-        return titled(self.slug)
 
     @property
     def snake(self) -> str:

@@ -26,6 +26,7 @@ from course.child import end_with_parent
 from course.content import Course, Exercise
 from course.errors import CourseError, StorageError
 from course.evidence.mcap_file import BadRecording, load
+from course.evidence.recording import Recording
 from course.grading.author import Grader
 from course.grading.load import declared, load_module
 from course.home.course_home import is_home, read_marker
@@ -139,6 +140,12 @@ class ReadClass:
     clean: Cleaner
     asked: Mapping[str, tuple[str, ...]]
 
+    def written(self, key: Key) -> Mapping[str, str]:
+        """The files that were judged, by path; empty if there is no readable recording."""
+        file = self.recordings.get(key)
+        recording = _loaded(file) if file else None
+        return recording.sources.files if recording else {}
+
     def drawn(self, key: Key) -> _Drawn:
         place, exercise = key
         marks = (mark for mark in self.page.sheets[place].marks if mark.exercise.id == exercise)
@@ -235,10 +242,15 @@ class _Drawn:
     size: int = 0
 
 
+def _loaded(file: Path) -> Recording | None:
+    with contextlib.suppress(BadRecording, StorageError):  # it may just be replaced; the verdict stands
+        return load(file)
+    return None
+
+
 def _drawn(clean: Cleaner, key: Key, file: Path, shown: Container[str]) -> _Drawn:
-    try:
-        recording = load(file)
-    except (BadRecording, StorageError):  # it may just be replaced; the verdict stands without it
+    recording = _loaded(file)
+    if recording is None:
         return _Drawn()
     place, exercise = key
     name = f"p{place}{''.join(filter(str.isalnum, exercise))}"

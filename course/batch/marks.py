@@ -41,7 +41,9 @@ class RubricItem(Written):
 
 
 class MarkEntry(Written):
-    person: str = Field(description="an id or a name from results.csv")
+    person: Annotated[list[str], BeforeValidator(_listed)] = Field(
+        description="an id or a name from results.csv, or a list of these"
+    )
     exercise: str = Field("", description="its id; without one, the submission as a whole")
     check: str = Field("", description="the id of one of its checks")
     points: float | None = Field(
@@ -114,9 +116,8 @@ class _Reading:
     def errors(self) -> Iterator[ContentError]:
         for number, entry in enumerate(self._found.marks):
             place: Place = ("marks", number)
-            who = self._people.find(entry.person, self._document, (*place, "person"))
-            if isinstance(who, ContentError):
-                yield who
+            whose = (self._people.find(who, self._document, (*place, "person")) for who in entry.person)
+            yield from (who for who in whose if isinstance(who, ContentError))
             yield from self._misnamed(entry, place)
             yield from self._senseless(entry, place)
 
@@ -152,8 +153,8 @@ class _Reading:
         """Once there are no errors."""
         marks: dict[str, tuple[HandMark, ...]] = {}
         late_by: dict[str, float] = {}
-        for entry in self._found.marks:
-            who = str(self._people.find(entry.person, self._document, ()))
+        for name, entry in ((name, one) for one in self._found.marks for name in one.person):
+            who = str(self._people.find(name, self._document, ()))
             marks[who] = (*marks.get(who, ()), *self._of(entry))
             if entry.late is not None:
                 late_by[who] = entry.late

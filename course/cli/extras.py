@@ -9,13 +9,13 @@ from course.cli.usage import installing
 from course.errors import MissingHere
 
 
-def extra(name: str) -> ModuleType:
-    """The commands of the optional tool `similar`, `mutation` or `cluster`.
+def extra(name: str, module: str = "command") -> ModuleType:
+    """A module of the optional tool `similar`, `mutation` or `cluster`; by default, its commands.
 
     Raises MissingHere, with the command that installs it, when a package that it needs is missing.
     """
     try:
-        return import_module(f"course_{name}.command")
+        return import_module(f"course_{name}.{module}")
     except ModuleNotFoundError as error:
         raise MissingHere(
             f"This needs the Python package `{error.name}`, which is not installed.",

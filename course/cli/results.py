@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from course.batch.class_page import read_class
+from course.batch.class_page import ReadClass, read_class
 from course.batch.intake.class_list import id_of
 from course.batch.intake.people import Lms, lms_id
 from course.batch.marks import FILE as MARKS
 from course.batch.results import Results, people_of
+from course.cli.extras import extra
 from course.cli.options import options_of
 from course.cli.session import course_of
 from course.cli.usage import examples
@@ -62,12 +63,16 @@ def marks(ctx: typer.Context, folder: Folder) -> None:
     """Write a marks.yaml to fill in.
 
     It lists everyone, with each exercise in which they did not earn all points.
-    Empty entries change nothing. `report` and `regrade` read the file.
+    People with equal code and equal results share an entry. Empty entries
+    change nothing. `report` and `regrade` read the file.
     """
     file = folder / MARKS
     if file.exists():
         raise UsageError(f"{file} is there already, and stays as it is.", "Edit it, or move it away first.")
-    write_pieces(file, marks_to_review(_page(ctx, folder).sheets))
+    found = _class(ctx, folder)
+    code_of = extra("similar", "tokens").code_of
+    pieces = marks_to_review(found.page.sheets, lambda place, name: code_of(found.written((place, name))))
+    write_pieces(file, pieces)
     put(open_console(), str(file))
 
 
@@ -97,7 +102,7 @@ def fill_in(
     """
     with storing(f"{sheet} cannot be read"):
         content = sheet.read_bytes()
-    page = _page(ctx, folder)
+    page = _class(ctx, folder).page
     scores, most = _scores(page, exercise)
     found = fill(content, scores, most, id_of, column, scale)
     file = out or folder / f"filled-{sheet.name}"
@@ -161,9 +166,9 @@ def _numbers(people: Sequence[Person], sources: Mapping[str, str], lms: Lms) -> 
     return [found.get(one.id, one.id if ids_are_numbers and one.id.isdecimal() else "") for one in people]
 
 
-def _page(ctx: typer.Context, folder: Path) -> ClassPage:
+def _class(ctx: typer.Context, folder: Path) -> ReadClass:
     with Results.look(folder.absolute()) as stored:
-        return read_class(folder.absolute(), stored, course_of(options_of(ctx))).page
+        return read_class(folder.absolute(), stored, course_of(options_of(ctx)))
 
 
 def _scores(page: ClassPage, exercise: str) -> tuple[dict[str, Score], float]:

@@ -9,17 +9,9 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from course.model.result import Result, Verdict
+from course.model.result import Result
 from course.report import activity, sanitize
 from course.report.console import put, put_prose
-
-_MARKS = {
-    Verdict.PASSED: "passed",
-    Verdict.NOT_PASSED: "not passed",
-    Verdict.NOT_APPLICABLE: "not applicable",
-    Verdict.NOT_AVAILABLE: "not available here",
-    Verdict.OUR_ERROR: "our error",
-}
 
 
 @dataclass(frozen=True)
@@ -67,13 +59,13 @@ class GradingTally(activity.Tally):
     """Gradings, by their verdicts."""
 
     def add(self, result: Result) -> None:
-        self.count(_MARKS[result.verdict])
+        self.count(result.verdict.value)
 
 
 def line_of(person: str, result: Result) -> str:
     """One grading in one line."""
     points = f"{result.points:g} of {result.max_points:g}" if result.checks else "-"
-    return sanitize.one_line(f"{person}  {result.exercise}  {_MARKS[result.verdict]}  {points}")
+    return sanitize.one_line(f"{person}  {result.exercise}  {result.verdict.value}  {points}")
 
 
 def render_end(

@@ -7,11 +7,13 @@ from datetime import datetime, timezone
 from pathlib import Path
 
 import pytest
+import yaml
 
 from course.batch import class_page
 from course.batch.class_page import PICTURES_ROOM, Live, read_class, with_pictures
 from course.batch.gradings import Graded, Unit
 from course.batch.results import BatchSettings, Results, Submission, keep_settings
+from course.cli.main import main
 from course.content import Course, open_course
 from course.errors import StorageError, UsageError
 from course.evidence import mcap_file
@@ -80,6 +82,33 @@ def test_the_code_that_was_handed_in_is_shown(out: Path, course: Course) -> None
     )
     mcap_file.save(seen, out / "evidence/ada.mcap", began_ns=10**18)
     assert page(out, course).code[0, EXERCISE] == {asked: ("a: 1", "  b: 2", "")}
+
+
+@pytest.mark.parametrize(
+    ("code", "results", "shared"),
+    [
+        ("c = 1\n", (WRONG, WRONG), [["ada", "bao", "carl"]]),
+        ("c = 2\n", (WRONG, WRONG), [["ada", "bao"], "carl"]),
+        ("c = 1\n", (replace(WRONG, verdict=Verdict.OUR_ERROR), WRONG), ["ada", ["bao", "carl"]]),
+        ("c = 1\n", (WRONG, RIGHT), [["ada", "bao"], "carl"]),
+        ("", (WRONG, WRONG), [["ada", "bao"], "carl"]),
+    ],
+)
+def test_people_with_equal_code_and_results_share_an_entry_of_marks(
+    out: Path, code: str, results: tuple[Result, Result], shared: list[str | list[str]]
+) -> None:
+    handed_in = {
+        "ada": ("a = 1\n", results[0]),
+        "bao": ("b = 1  # mine\n", WRONG),
+        "carl": (code, results[1]),
+    }
+    for person, (text, result) in handed_in.items():
+        seen = replace(recording(*COUNTER), sources=Sources({"n.py": text} if text else {}))
+        mcap_file.save(seen, out / f"evidence/{person}.mcap", began_ns=10**18)
+        grade(out, person, result, f"evidence/{person}.mcap")
+    assert main(["--course", str(FIXTURES / "quiz_course"), "results", "marks", str(out)]) == 0
+    marks = yaml.safe_load((out / "marks.yaml").read_text())["marks"]
+    assert [one["person"] for one in marks] == shared
 
 
 @pytest.mark.slow

@@ -26,7 +26,7 @@ rubric:
 marks:
   - {person: 007, exercise: 05-quiz, check: why, points: 1.5, comment: Nearly.}
   - {person: Ada Okafor, exercise: 05-quiz, rubric: names}
-  - {person: bao, bonus: 2}
+  - {person: [bao, Ada Okafor], bonus: 2}
   - {person: cy, excused: yes}
   - {person: cyd, exercise: 04-light, points: , bonus: , comment: }
 """
@@ -34,6 +34,7 @@ marks:
         "007": (
             HandMark("05-quiz", "why", 1.5, comment="Nearly."),
             HandMark("05-quiz", bonus=-1, comment="Name variables by what they hold."),
+            HandMark(bonus=2),
         ),
         "bao": (HandMark(bonus=2),),
         "cy": (HandMark(excused=True),),
@@ -55,6 +56,7 @@ def test_no_files_are_no_decisions(tmp_path: Path) -> None:
     ("entry", "said"),
     [
         ("person: baoo", "nobody in this class is `baoo`; did you mean `bao`"),
+        ("person: [cy, bao, baoo]", "nobody in this class is `baoo`; did you mean `bao`"),
         ("person: Same", "nobody in this class is `Same`"),
         ("person: '7'", "nobody in this class is `7`"),
         ("bonus: 1", "`person` is missing"),

@@ -128,6 +128,7 @@ class _Looking:
             tuple(parts) if planned.places else (),  # with nothing to lay out, they need not be kept
             planned.places,
             packed,
+            written=planned.written,
         )
 
     def _lacking(self, tree: Tree, planned: Recognized) -> Iterator[Remark]:

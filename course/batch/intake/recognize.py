@@ -177,18 +177,20 @@ _MOST_PACKAGES = 1000
 
 OTHERS = "It holds more than one course home: {} was taken, the others were left out."
 TWICE = "It contains a package more than once: {} was taken, the others were left out."
+FLAT = "Its files were handed in without their folders, and were put where they belong."
 UNCLEAR = "Files that could belong to several packages were left out."
 
 
 @dataclass(frozen=True)
 class Recognized:
-    """The fields of `Found` that the names of the files decide."""
+    """The fields of `Found` that names of files decide."""
 
     kind: SubmissionKind
     root: str
     packages: tuple[str, ...]
     places: tuple[Placement, ...]
     findings: tuple[Remark, ...]
+    written: tuple[tuple[str, bytes], ...] = ()
 
 
 _NOTHING = Recognized(SubmissionKind.NOTHING, "", (), (), ())
@@ -201,7 +203,7 @@ def recognize(tree: Tree, known: Iterable[str]) -> Recognized:
         raise Refused(what, "Ask for the packages of the course only.")
     known = tuple(known)
     roots = roots_in(tree, known)
-    planned = _Recognizing(tree, roots, sources_of_packages(known)).recognized() if roots else _NOTHING
+    planned = _Recognizing(tree, roots, known).recognized() if roots else _NOTHING
     if planned.kind is SubmissionKind.HOME:
         return planned  # what is misplaced in a home is the learner's to put right
     tops = {root.path for root in roots}
@@ -242,9 +244,10 @@ def made_of(tree: Tree, places: Iterable[Placement]) -> Iterable[tuple[str, Tree
 class _Recognizing:
     """The best root is laid as it is; of the others, packages that it lacks are added."""
 
-    def __init__(self, tree: Tree, roots: tuple[Root, ...], sources: Mapping[str, str]) -> None:
+    def __init__(self, tree: Tree, roots: tuple[Root, ...], known: tuple[str, ...]) -> None:
         self._tree = tree
-        self._sources = sources
+        self._known = known
+        self._sources = sources_of_packages(known)
         self._roots = roots
         self._found = Packages(tree)
         self._places: list[Placement] = []
@@ -270,9 +273,47 @@ class _Recognizing:
             taken, *others = (visible(home.path or ".") for home in homes[:4])
             self._findings.append(Remark(OTHERS.format(f"`{taken}`"), where=", ".join(others)))
         packages = tuple(sorted(self._packages))
+        written = self._unfolded() if best.kind is SubmissionKind.PACKAGES else ()
         several = best.kind is SubmissionKind.PACKAGES and len(self._roots) > 1
         path = "" if several else best.path
-        return Recognized(best.kind, path, packages, tuple(self._places), tuple(self._findings))
+        return Recognized(best.kind, path, packages, tuple(self._places), tuple(self._findings), written)
+
+    def _unfolded(self) -> tuple[tuple[str, bytes], ...]:
+        """Put files beside a package.xml where the course has them: forms for uploads take no folders.
+
+        Returns the empty files that such a Python package needs.
+        """
+        files, written = self._tree.files(), []
+        for name, folder in self._packages.items():
+            place = f"{self._sources.get(name, SRC)}/{name}"
+            moved = self._moved(name, folder, place)
+            if moved:
+                self._findings.append(Remark(FLAT, where=name))
+                # Before the folder as a whole, because the first place counts.
+                self._places[:0] = [Placement(each, f"{place}/{to}") for each, to in moved.items()]
+                # A file of that name belongs into `resource`, and is empty.
+                self._places += [Placement(each, None) for each in files if each == _join(folder, name)]
+                taken = {*files, *(_join(folder, to) for to in moved.values())}
+                empty = (f"{name}/__init__.py", f"resource/{name}") if _is_python(name, moved) else ()
+                written += [
+                    (f"{place}/{each}", b"")
+                    for each in empty
+                    if taken.isdisjoint((_join(folder, each), _join(folder, "resource")))
+                ]
+        return tuple(written)
+
+    def _moved(self, name: str, folder: str, place: str) -> dict[str, str]:
+        """By file beside its package.xml, the path in the package that it is missing at."""
+        files = self._tree.files()
+        inside = [path.removeprefix(f"{place}/") for path in self._known if path.startswith(f"{place}/")]
+        at = {"setup.py": "setup.py", **{PurePosixPath(path).name: path for path in inside}}
+        beside = sorted((each for each in files if _parent(each) == folder), key=number_of_try, reverse=True)
+        known = {each: at[_name(each, at)] for each in beside if _name(each, at) in at}
+        moved = {each: to for each, to in known.items() if _join(folder, to) not in files}
+        if _is_python(name, moved):
+            modules = (each for each in beside if each.endswith(".py") and each not in known)
+            moved |= {each: f"{name}/{PurePosixPath(each).name}" for each in modules}
+        return moved
 
     def _whole(self) -> Iterator[Root]:
         """The best root. For a home without a workspace, also the best workspace."""
@@ -307,6 +348,10 @@ class _Recognizing:
             where = ", ".join(map(visible, list(twice)[:3]))
             taken = dict.fromkeys(f"`{visible(self._packages[name])}`" for name in list(twice.values())[:3])
             self._findings.append(Remark(TWICE.format(" and ".join(taken)), where=where))
+
+
+def _is_python(name: str, moved: Mapping[str, str]) -> bool:
+    return any(to.startswith(f"{name}/") for to in moved.values())
 
 
 def _package_name(tree: Tree, folder: str) -> str:

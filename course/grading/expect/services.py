@@ -68,31 +68,6 @@ def expect_service_type(recording: Recording, side: Side, name: str, type_name: 
     )
 
 
-def expect_action(recording: Recording, name: str, type_name: str) -> None:
-    """Check that one of the learner's nodes offers this action (full name), and that it has this type."""
-    goals = "/_action/send_goal"
-    found = {
-        service.name.removesuffix(goals): service.type.removesuffix("_SendGoal")
-        for service in _of_side(recording, "server")
-        if service.name.endswith(goals)
-    }
-    if found.get(name) != type_name:
-        close = name if name in found else nearest(name, found)
-        wanted, seen = (type_name, found[name]) if name in found else (name, listed(found, "no action"))
-        raise Failure(
-            Feedback(
-                summary=f"The node offers the action `{close}`, not `{name}`."
-                if close and close != name
-                else f"No node offers the action `{name}` with the type `{type_name}`.",
-                expected=wanted,
-                seen=seen,
-                where=_name_places(recording, close) if close else (),
-                advice=f"Create it: `ActionServer(self, {type_name.rpartition('/')[2]}, "
-                f"'{name.lstrip('/')}', self.execute)`.",
-            )
-        )
-
-
 def expect_same_service(
     recording: Recording, name: str, type_name: str, hashes: tuple[str, str], *, advice: str
 ) -> None:

@@ -7,10 +7,24 @@ from collections.abc import Iterator, Mapping
 from course.model.gradebook import HandMark
 from course.model.result import CheckResult, Feedback, Outcome
 from course.report.console import number
-from course.report.gradebook.sheets import EXCUSED, MARKED, Mark, Sheet, tidy
+from course.report.gradebook.sheets import (
+    EXCUSED,
+    INCOMPLETE,
+    MARKED,
+    NOT_HANDED_IN,
+    Mark,
+    Sheet,
+    tidy,
+)
 from course.report.verdict import HEADLINES, LABEL_WIDTH, MARKS, comparison, total_of
 
 NOTHING = "Nothing was handed in for this exercise."
+_NOTHING_AT_ALL = "Nothing of yours was found. If you did hand something in, tell your instructor."
+_NOTHING_IN_IT = "Nothing that can be graded was found in what you handed in. The note says why."
+_OWED = (
+    "Something could not be checked, through no fault of yours: see below. "
+    "Your points are final when that has been done."
+)
 
 
 def mark_of(check: CheckResult) -> str:
@@ -45,6 +59,16 @@ def decisions_on_all(sheet: Sheet) -> Iterator[str]:
     yield from (_decision(each, {}) for each in sheet.by_hand)
     if sheet.late:
         yield late_words(sheet)
+
+
+def says(sheet: Sheet) -> Iterator[str]:
+    """What a learner is told about the submission as a whole, a sentence or two each."""
+    if sheet.state == NOT_HANDED_IN:
+        yield _NOTHING_IN_IT if sheet.source and sheet.remarks else _NOTHING_AT_ALL
+    if sheet.state == INCOMPLETE:
+        yield _OWED
+    yield from decisions_on_all(sheet)
+    yield from (f"Note: {remark}" for remark in sheet.remarks)
 
 
 def comments(sheet: Sheet) -> Iterator[str]:

@@ -7,16 +7,17 @@ import hashlib
 import io
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict
 from importlib.resources import files
+from itertools import starmap
 from pathlib import Path
 from typing import Any
 
 from msgspec import to_builtins
 
 from course.files import write_pieces
-from course.model.gradebook import Delay, Gradebook, GradedExercise
+from course.model.gradebook import Delay, Gradebook, GradedExercise, Person
 from course.model.result import CheckResult
 from course.report.console import number
 from course.report.gradebook import gradescope, junit
@@ -208,6 +209,7 @@ def _digest(data: bytes) -> str:
 
 _MARKS_HEAD = """\
 # People's marks, on top of what the machine found. Fields left empty change nothing.
+# An entry counts for everyone in its list: people with equal code and equal results are in one.
 #   points   instead of the machine's      bonus    added; below zero takes away
 #   comment  for the learner               rubric   ids of items below
 #   check    the id of one check           excused  true: it does not count
@@ -218,22 +220,30 @@ marks:
 """
 
 
-def marks_to_review(sheets: Iterable[Sheet]) -> Iterator[str]:
-    """A marks.yaml to fill in: everybody, with each exercise that did not bring all of its points."""
+def marks_to_review(sheets: Iterable[Sheet], code_of: Callable[[int, str], str]) -> Iterator[str]:
+    """A marks.yaml to fill in: everybody, with each exercise that did not bring all of its points.
+
+    code_of: by place in the class and exercise, a text that those with equal code share; "" if not known.
+    """
+    entries: dict[object, tuple[Mark, list[Person]]] = {}
+    for place, sheet in enumerate(sheets):
+        for mark in sheet.marks:
+            if mark.points is None or mark.points < mark.exercise.max_points:
+                code = code_of(place, mark.exercise.id)
+                checks = tuple((one.id, one.outcome) for one in (mark.result.checks if mark.result else ()))
+                alike = (mark.exercise.id, mark.verdict, mark.points, checks, code or place)
+                entries.setdefault(alike, (mark, []))[1].append(sheet.person)
     yield _MARKS_HEAD
-    for sheet in sheets:
-        open_marks = [
-            mark for mark in sheet.marks if mark.points is None or mark.points < mark.exercise.max_points
-        ]
-        for mark in open_marks:
-            yield _to_review(sheet, mark)
+    yield from starmap(_to_review, entries.values())
 
 
-def _to_review(sheet: Sheet, mark: Mark) -> str:
+def _to_review(mark: Mark, people: Sequence[Person]) -> str:
     # JSON's texts are YAML's, whatever they contain; a comment ends with its line.
-    name = json.dumps(sheet.person.name, ensure_ascii=False)
+    texts = [[json.dumps(text, ensure_ascii=False) for text in (one.id, one.name)] for one in people]
+    one = f" {texts[0][0]}  # {texts[0][1]}\n"
+    several = "\n" + "".join(f"      - {who}  # {name}\n" for who, name in texts)
     return (
-        f"  - person: {json.dumps(sheet.person.id, ensure_ascii=False)}  # {name}\n"
+        f"  - person:{several if len(texts) > 1 else one}"
         f"    exercise: {mark.exercise.id}  # {mark.verdict}, {score(mark.points, mark.max_points)}\n"
         "    points:\n    bonus:\n    comment:\n"
     )

@@ -187,11 +187,7 @@ def _tests(mark: Mark) -> Iterator[dict[str, Any]]:
     times = [mark.seconds, *(0.0 for _ in applicable)]
     for check, seconds in zip(applicable, times, strict=False):
         earned = check.earned if mark.counts else 0
-        yield _test(_name(mark, check), _STATUS[check.outcome], why(check), seconds, earned)
-
-
-def _name(mark: Mark, check: CheckResult) -> str:
-    return f"{mark.exercise.id}: {check.title}"
+        yield _test(_title(mark, check), _STATUS[check.outcome], why(check), seconds, earned)
 
 
 def _test(name: str, status: str, feedback: Feedback | None, seconds: float, earned: float) -> dict[str, Any]:

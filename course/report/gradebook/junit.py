@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from datetime import datetime, timezone
 
 from course.model import replace
-from course.model.result import CheckResult, Feedback, Outcome, Result
+from course.model.result import CheckResult, Feedback, Outcome
 from course.report.console import number
 from course.report.gradebook.check_words import NOTHING, comments, text_of, why
 from course.report.gradebook.sheets import Mark, Names, Sheet
@@ -105,12 +105,9 @@ def _of_mark(mark: Mark) -> Iterator[Case]:
     if result.fault:
         yield Case(exercise, exercise, "error", mark.verdict, result.fault)
     elif not result.checks:
-        yield Case(exercise, exercise, "skipped", mark.verdict, _without_checks(result))
+        why_not = Feedback(" ".join(result.notes) or "It does not apply here.")
+        yield Case(exercise, exercise, "skipped", mark.verdict, why_not)
     yield from (_of_check(exercise, check) for check in result.checks)
-
-
-def _without_checks(result: Result) -> Feedback:
-    return Feedback(" ".join(result.notes) or "It does not apply here.")
 
 
 def _of_check(exercise: str, check: CheckResult) -> Case:

@@ -9,15 +9,15 @@ from course.model.result import CheckResult, Feedback
 from course.report.gradebook.check_words import (
     NOTHING,
     decisions,
-    decisions_on_all,
     headline,
     labeled,
     mark_of,
+    says,
     summary,
     total,
     why,
 )
-from course.report.gradebook.sheets import INCOMPLETE, NOT_HANDED_IN, Mark, Sheet
+from course.report.gradebook.sheets import Mark, Sheet
 from course.report.verdict import earned_of
 
 # Invisible, and no word goes on across it: after it, no renderer sees an address or a mention.
@@ -82,12 +82,6 @@ def _gap(index: int, parts: list[str]) -> str:
 
 
 _INDENT = "  "
-NOTHING_AT_ALL = "Nothing of yours was found. If you did hand something in, tell your instructor."
-NOTHING_IN_IT = "Nothing that can be graded was found in what you handed in. The note says why."
-OWED = (
-    "Something could not be checked, through no fault of yours: see below. "
-    "Your points are final when that has been done."
-)
 
 
 def letter(sheet: Sheet, course: str) -> str:
@@ -119,12 +113,7 @@ def _opening(sheet: Sheet, course: str) -> Iterator[str]:
     yield f"{plain(course)}: {plain(summary(sheet))}."
     if sheet.source:
         yield f"Handed in: {code(sheet.source)}"
-    if sheet.state == NOT_HANDED_IN:
-        yield NOTHING_IN_IT if sheet.source and sheet.remarks else NOTHING_AT_ALL
-    if sheet.state == INCOMPLETE:
-        yield OWED
-    yield from map(prose, decisions_on_all(sheet))
-    yield from (f"Note: {prose(remark)}" for remark in sheet.remarks)
+    yield from map(prose, says(sheet))
 
 
 def _check(check: CheckResult) -> Iterator[str]:

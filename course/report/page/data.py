@@ -17,16 +17,15 @@ from course.report.gradebook.check_words import (
     NOTHING,
     comments,
     decisions,
-    decisions_on_all,
     headline,
     labeled,
     mark_of,
+    says,
     summary,
     total,
     why,
 )
-from course.report.gradebook.letter import NOTHING_AT_ALL, OWED
-from course.report.gradebook.sheets import INCOMPLETE, NOT_HANDED_IN, Mark, Sheet
+from course.report.gradebook.sheets import Mark, Sheet
 from course.report.verdict import earned_of
 
 # A person's place in the class, from 0, and an exercise's id.
@@ -90,7 +89,7 @@ def submission_data(page: ClassPage, place: int) -> dict[str, Any]:
         "name": sheet.person.name or sheet.person.id,
         "source": sheet.source,
         "summary": summary(sheet),
-        "says": [*_opening(sheet), *decisions_on_all(sheet), *_notes(sheet)],
+        "says": list(says(sheet)),
         "marks": [
             {
                 **_mark(mark, page.then(sheet, mark)),
@@ -157,16 +156,6 @@ def _person(sheet: Sheet, before: Sheet | None) -> dict[str, Any]:
 def _said(sheet: Sheet) -> list[str]:
     """People's comments and remarks, shown beside the points. Lateness has its own column."""
     return [*comments(replace(sheet, lateness=None)), *sheet.remarks]
-
-
-def _notes(sheet: Sheet) -> list[str]:
-    return [f"Note: {remark}" for remark in sheet.remarks]
-
-
-def _opening(sheet: Sheet) -> list[str]:
-    if sheet.state == NOT_HANDED_IN:
-        return [NOTHING_AT_ALL]
-    return [OWED] if sheet.state == INCOMPLETE else []
 
 
 def _mark(mark: Mark, then: Mark | None) -> dict[str, Any]:

@@ -13,6 +13,7 @@ import pytest
 
 from course.batch.intake import Found, lay_out
 from course.batch.intake.packed import NOT_READ
+from course.batch.intake.recognize import FLAT
 from course.batch.intake.tree import Tree, read_tree
 from course.build import Workspace
 from course.errors import StorageError
@@ -32,6 +33,51 @@ def test_a_home(tmp_path: Path, looked: Looked) -> None:
     assert lay_out(looked(tmp_path / "in"), tmp_path / "home") == ()
     assert set(contents(tmp_path / "home")) == {*package("a", f"{WS}/src/"), *names}
     assert (tmp_path / "home/a_folder").is_dir()
+
+
+NODE = "amazing_quote_publisher_node.py"
+
+
+@pytest.mark.parametrize(
+    ("beside", "inside"),
+    [
+        ((NODE,), (f"{MESSAGES}/{NODE}", f"{MESSAGES}/__init__.py")),
+        ((f"{NODE[:-3]}-1.py",), (f"{MESSAGES}/{NODE}", f"{MESSAGES}/__init__.py")),
+        (
+            (NODE, "quotes.py", "__init__.py", MESSAGES),
+            (f"{MESSAGES}/{NODE}", f"{MESSAGES}/quotes.py", f"{MESSAGES}/__init__.py"),
+        ),
+        ((NODE, "resource"), (f"{MESSAGES}/{NODE}", "resource")),
+    ],
+)
+@pytest.mark.parametrize("folder", ["", "repo-main/"])
+def test_a_package_without_its_folders(
+    tmp_path: Path, looked: Looked, folder: str, beside: tuple[str, ...], inside: tuple[str, ...]
+) -> None:
+    names = ("package.xml", "setup.py", *beside)
+    lay(tmp_path / "in", *(f"{folder}{name}" for name in names))
+    (tmp_path / "in" / folder / "package.xml").write_text(manifest(MESSAGES))
+    found = looked(tmp_path / "in")
+    assert [(one.what, one.where) for one in found.findings][-1:] == [(FLAT, MESSAGES)]
+    assert lay_out(found, tmp_path / "home") == ()
+    laid = {file.removeprefix(f"{WS}/src/{MESSAGES}/") for file in contents(tmp_path / "home")}
+    marker = () if "resource" in beside else (f"resource/{MESSAGES}",)
+    assert laid >= {"package.xml", "setup.py", *inside, *marker}
+    assert "18-publisher" in found.exercises
+
+
+def test_a_package_with_its_folders_stays_as_it_is(tmp_path: Path, looked: Looked) -> None:
+    names = (*package(MESSAGES), f"{MESSAGES}/{MESSAGES}/{NODE}", f"{MESSAGES}/{NODE}", f"{MESSAGES}/more.py")
+    found = looked(lay(tmp_path / "in", *names))
+    assert (found.findings, found.written, len(found.places)) == ((), (), 1)
+
+
+def test_messages_beside_their_package_xml(tmp_path: Path, looked: Looked) -> None:
+    lay_out(
+        looked(lay(tmp_path / "in", f"{INTERFACES}/package.xml", f"{INTERFACES}/AmazingQuote.msg")),
+        tmp_path / "home",
+    )
+    assert f"{WS}/src/{INTERFACES}/msg/AmazingQuote.msg" in contents(tmp_path / "home")
 
 
 def test_a_workspace_an_archive_and_packages(tmp_path: Path, looked: Looked) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from course_similar import tokens
-from course_similar.tokens import TooSlow, language_of, words_of
+from course_similar.tokens import TooSlow, code_of, language_of, words_of
 from tests.extras.similar.classes import RENAMED, SHOP
 
 
@@ -29,6 +29,25 @@ def test_the_same_program_in_other_words(one: str, other: str) -> None:
 )
 def test_another_program(one: str, other: str) -> None:
     assert words_of(one, "python").text != words_of(other, "python").text
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "equal"),
+    [
+        ("a = 1", "# mine\nb = 1", True),
+        ("a = 1", "a = 2", False),
+        ("f('one')", "f('two')", False),
+        ("a = b + c", "a = b - c", False),
+    ],
+)
+def test_code_that_one_comment_fits(one: str, other: str, equal: bool) -> None:
+    assert (code_of({"n.py": one}) == code_of({"n.py": other, "README.md": other})) is equal
+
+
+def test_no_programs_are_not_equal_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert code_of({"README.md": "a"}) == ""
+    monkeypatch.setattr(tokens, "_LONGEST", -1.0)
+    assert code_of({"n.py": "a = 1"}) == ""
 
 
 def test_each_word_has_its_line() -> None:
