@@ -25,10 +25,12 @@ import course as package
 from course.batch.class_page import PICTURES_ROOM, read_class, with_pictures
 from course.batch.gradings import Graded, Unit
 from course.batch.results import BatchSettings, Results, Submission, keep_settings
-from course.content import Course, open_course
+from course.content import Course, Exercise, open_course
 from course.evidence import mcap_file
 from course.evidence.recording import Recording
+from course.evidence.sources import Sources, read_sources
 from course.files import write_pieces
+from course.model import replace
 from course.model.events import (
     GraphSeen,
     MessageSeen,
@@ -128,8 +130,9 @@ def opened(page: Path, times: int) -> tuple[float, float, float]:
 def a_class(out: Path, people: int, exercises: int, recorded: float) -> int:
     """Makes the results' folder; how many recordings are in it."""
     chance = random.Random(7)
-    asked = [exercise.id for exercise in Course(open_course().root).exercises()][:exercises]
-    recordings = [a_recording(name, chance) for name in asked]
+    chosen = [one for one in Course(open_course().root).exercises() if one.packages][:exercises]
+    asked = [exercise.id for exercise in chosen]
+    recordings = [a_recording(exercise, chance) for exercise in chosen]
     count = 0
     with Results.open(out) as results, results.all_or_nothing():
         every = [f"learner{number:04}" for number in range(people)]
@@ -174,15 +177,21 @@ def a_check(number: int, passed: bool, chance: random.Random) -> CheckResult:
     return CheckResult(f"step_{number}", title, 1, Outcome.FAILED, feedback=feedback)
 
 
-def a_recording(exercise: str, chance: random.Random) -> list[bytes]:
-    """Ten recordings, as files."""
+def a_recording(exercise: Exercise, chance: random.Random) -> list[bytes]:
+    """Ten recordings, as files, with the code that was judged: the solution, edited."""
     files = []
     with tempfile.TemporaryDirectory() as folder:
         for _ in range(10):
             file = Path(folder) / "one.mcap"
-            mcap_file.save(recording_of(exercise, chance), file, began_ns=10**18)
+            seen = recording_of(exercise.id, chance)
+            mcap_file.save(replace(seen, sources=sources_of(exercise, chance)), file, began_ns=10**18)
             files.append(file.read_bytes())
     return files
+
+
+def sources_of(exercise: Exercise, chance: random.Random) -> Sources:
+    texts = read_sources(exercise.solution, exercise.files).files
+    return Sources({name: f"# {chance.random()}\n{text}" for name, text in texts.items()})
 
 
 def recording_of(exercise: str, chance: random.Random) -> Recording:

@@ -366,10 +366,10 @@ def keep_settings(results: Results, noted: BatchSettings) -> None:
 def settings_of(results: Results) -> BatchSettings:
     """Raises UsageError when `grade` had not got as far as that."""
     text = results.noted(_KEY)
-    if text is None:
+    if text is None and not results.submissions():  # these are written later
         raise UsageError("Nothing has been graded there yet.", "Grade the class first.")
     try:
-        return codec.from_json(text, BatchSettings, FILE)
+        return codec.from_json(text or "", BatchSettings, FILE)
     except DamagedData as error:
         step = "Type the command that graded the class again: it notes that anew, and keeps what was graded."
         raise StorageError(f"What was asked for is damaged in {FILE}.", step) from error

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from course.content import Exercise, Mistake
 from course.grading.attempts import ATTEMPTS, MOST_LAG, deserves_another
 from course.grading.author import BUILDS
-from course.model.feedback import Feedback
+from course.model.feedback import Feedback, Location
 from course.model.result import CheckResult, Outcome, Result, Verdict
 from course.validate.proofs import ProofKind, ProofResult, starter_builds
 
@@ -19,6 +19,7 @@ class Claims:
         self._exercises = {exercise.id: exercise for exercise in exercises}
         every = (mistake for exercise in self._exercises.values() for mistake in exercise.mistakes())
         self._mistakes = {(mistake.exercise, mistake.id): mistake for mistake in every}
+        self._faulty: set[tuple[str, Location]] = set()  # places in graders
 
     def faults(self, proven: ProofResult) -> list[str]:
         """What is otherwise than claimed, in words; see `judge`. Nothing where this machine cannot tell."""
@@ -35,8 +36,11 @@ class Claims:
         """Whether something is wrong that the machine, or a fault of the engine, may be to blame for."""
         # On a busy machine, a mistake may slip through, too.
         busy = proven.result.timing.lag > MOST_LAG and proven.attempt < ATTEMPTS
-        if fault_of_grader(proven.result) and not busy:
-            return False  # it would fail at the same line again
+        if fault := fault_of_grader(proven.result):
+            place = (proven.proof.exercise, fault.where[0])
+            if not busy or place in self._faulty:
+                return False  # it would fail at the same line again
+            self._faulty.add(place)
         doubtful = proven.laid and (busy or deserves_another(proven.result, proven.attempt))
         return doubtful and bool(self.faults(proven))
 

@@ -79,7 +79,7 @@ def words_of(text: str, language: str) -> Words:
 def code_of(files: Mapping[str, str]) -> str:
     """By path: the same for programs that differ only in names, comments and spaces; "" without programs.
 
-    Unlike `words_of`, it tells texts and numbers apart, as whoever comments on them must.
+    Unlike for `words_of`, texts and numbers are different words: a comment may be about them.
     """
     found: list[str] = []
     for path, text in sorted(files.items()):

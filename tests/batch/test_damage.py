@@ -147,10 +147,13 @@ def test_a_damaged_person_is_gone_when_the_class_is_graded_again(results: Result
     check_the_others(results)
 
 
-@pytest.mark.parametrize("value", ["'{'", "'[]'", "'{}'", "X'FF'", "3", blob("a")])
-def test_what_was_asked_for_is_damaged(results: Results, tmp_path: Path, value: str) -> None:
+@pytest.mark.parametrize(
+    "change",
+    [f"value = {value}" for value in ("'{'", "'[]'", "'{}'", "X'FF'", "3", blob("a"))] + ["key = 'a'"],
+)
+def test_what_was_asked_for_is_damaged(results: Results, tmp_path: Path, change: str) -> None:
     results.note("asked", "{}")
-    spoil(tmp_path, f"UPDATE batch SET value = {value}")
+    spoil(tmp_path, f"UPDATE batch SET {change}")
     with pytest.raises(StorageError, match="damaged") as caught:
         settings_of(results)
     assert "keeps what was graded" in (caught.value.next_step or "")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from course.content import open_course
 from course.model import replace
 from course.model.feedback import Feedback, Location
-from course.model.result import CheckResult, Outcome, Result, Verdict, verdict_of
+from course.model.result import CheckResult, Outcome, Result, Timing, Verdict, verdict_of
 from course.validate.claims import Claims
 from course.validate.proof_results import Counts, ProofResults
 from course.validate.proofs import Proof, ProofKind, ProofResult
@@ -91,3 +91,5 @@ def test_a_fault_of_the_grader_is_one_finding_at_its_own_line() -> None:
     claims = Claims([EXERCISE])
     assert not any(claims.deserves_another(one) for one in every)
     assert claims.deserves_another(replace(every[0], result=replace(broken, fault=Feedback("It broke."))))
+    busy = [replace(one, result=replace(broken, timing=Timing(lag=9.0))) for one in every]
+    assert [claims.deserves_another(one) for one in busy] == [True, False, False]

@@ -22,7 +22,7 @@ def grader_findings(subject: Subject) -> Iterator[Finding]:
         yield from declared
         if graders.fault and not (graders.by_declaration and declared):
             yield graders.fault
-        if graders.fault is None and subject.lessons[chapter].data is not None:
+        if graders.fault is None and subject.is_read(chapter):
             yield from _strangers(subject, chapter, graders)
             yield from _lacking(subject, chapter, graders)
 

@@ -41,7 +41,7 @@ def stray_findings(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding
         yield from _promised(subject, exercise)
     for chapter in subject.chapters:
         yield from _left_to_write(chapter)
-        if subject.lessons[chapter].data is not None:
+        if subject.is_read(chapter):
             yield from _solution_files(subject, chapter)
 
 
@@ -53,7 +53,7 @@ def _beside_chapters(subject: Subject) -> Iterator[Path]:
 
 def _of_chapters(subject: Subject) -> Iterator[Path]:
     """Except for texts, starters, and mysteries, which `course.content.problems` checks."""
-    for chapter in subject.chapters:
+    for chapter in filter(subject.is_read, subject.chapters):
         questions = (one for exercise in subject.exercises_of(chapter) for one in exercise.questions)
         programs = {question.program for question in questions}
         for file in files_in(chapter):

@@ -37,6 +37,11 @@ class Subject:
     def exercises_of(self, chapter: Path) -> tuple[Exercise, ...]:
         return tuple(one for one in self.exercises.values() if one.folder == chapter)
 
+    def is_read(self, chapter: Path) -> bool:
+        """Whether its exercises are known. If not, a finding says why, and anything may belong to them."""
+        data = self.lessons[chapter].data
+        return data is not None and len(data["exercises"]) == len(self.exercises_of(chapter))
+
     @cached_property
     def lessons(self) -> Mapping[Path, LessonReading]:
         return {chapter: read_lesson(chapter) for chapter in self.chapters}

@@ -127,3 +127,9 @@ def test_a_package_that_the_text_says_is_there_and_that_no_starter_brings(change
 def test_sentences_that_new_chapter_wrote_are_found(change: Change, tell: Tell) -> None:
     change("chapters/04-lanterns/lesson.md", "", template_text("chapter/lesson.md"))
     assert [line.split(":")[1] for line in tell() if "`new chapter` wrote" in line] == ["1", "5", "9"]
+
+
+def test_a_missing_text_is_one_finding(root: Path, tell: Tell) -> None:
+    """Its exercise is not known then, so nobody knows what it uses."""
+    (root / "chapters/04-lanterns/04-dim.md").unlink()
+    assert tell() == ["chapters/04-lanterns/04-dim.md:None: 04-dim.md is missing"]
