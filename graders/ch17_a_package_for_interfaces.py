@@ -23,12 +23,22 @@ from lib.interfaces import Section, compare, interface_file
 PACKAGE = "package_with_interfaces"
 MESSAGE = f"{PACKAGE}/msg/AmazingQuote"
 SERVICE = f"{PACKAGE}/srv/WhatIsThePoint"
+NEWER = f"{PACKAGE}/srv/AddPoints"  # what the tutorial has in its place since Jazzy
 MESSAGE_HASH = "RIHS01_6eb8a339124c22e6ee8541e6132c3bccee5a2125c643270c85cae174a4aaeb21"
 REQUEST_HASH = "RIHS01_e87c30d67764861fc30a04b9d64414ff99bc5be6e31bdc2e5e5e18ea106f8ab4"
 RESPONSE_HASH = "RIHS01_c11b8860d83662096ca56a010676029161709fabb468dace3e4f362bd1d2c29c"
+ADD_REQUEST_HASH = "RIHS01_87cdf6994b1dbeeb83f054653589a7baf2ec119ad7565f29d36b41f74763869a"
+ADD_RESPONSE_HASH = "RIHS01_f46714f3f047386fa6edb3fa5b1414fcc53c6fcf7996a39da4987dffd1783fa0"
 QUOTE_FIELDS: Section = (("int32", "id"), ("string", "quote"), ("string", "philosopher_name"))
 REQUEST_FIELDS: Section = ((f"{PACKAGE}/AmazingQuote", "quote"),)
 RESPONSE_FIELDS: Section = (("geometry_msgs/Point", "point"),)
+ADD_REQUEST_FIELDS: Section = (("geometry_msgs/Point", "a"), ("geometry_msgs/Point", "b"))
+ADD_RESPONSE_FIELDS: Section = (("geometry_msgs/Point", "result"),)
+SERVICES = (
+    ("/probe/t1", SERVICE, (REQUEST_HASH, RESPONSE_HASH), (REQUEST_FIELDS, RESPONSE_FIELDS)),
+    ("/probe/t2", NEWER, (ADD_REQUEST_HASH, ADD_RESPONSE_HASH), (ADD_REQUEST_FIELDS, ADD_RESPONSE_FIELDS)),
+)
+PROBES = [name for name, *_ in SERVICES]
 EXPORTS = f"share/{PACKAGE}/cmake/ament_cmake_export_dependencies-extras.cmake"
 CMAKE = "CMakeLists.txt"
 
@@ -36,19 +46,19 @@ interfaces = Grader("17-interfaces")
 
 
 @interfaces.scenario
-def offer_both_types(arena: Arena) -> None:
+def offer_the_types(arena: Arena) -> None:
     """Use the learner's types in a program of ours; the graph shows their hashes."""
     arena.keep(PACKAGE, EXPORTS)
-    probe = arena.probe_types(MESSAGE, SERVICE)
+    probe = arena.probe_types(MESSAGE, SERVICE, NEWER)
     if arena.until(lambda: arena.printed("ready"), timeout=15, while_running=probe):
         missing = arena.printed("missing ")
-        arena.until(lambda: len(hashes_in(arena)) + missing >= 2, timeout=5, while_running=probe)
+        arena.until(lambda: len(hashes_in(arena)) + missing >= 3, timeout=5, while_running=probe)
     arena.interrupt(probe)
 
 
 def hashes_in(arena: Arena) -> list[str]:
     messages = [endpoint.type_hash for endpoint in arena.ros.graph.publishers("/probe/t0")]
-    services = [service.request_hash for service in arena.ros.graph.services if service.name == "/probe/t1"]
+    services = [service.request_hash for service in arena.ros.graph.services if service.name in PROBES]
     return [found for found in (*messages, *services) if found]
 
 
@@ -65,15 +75,18 @@ def message(recording: Recording) -> None:
 
 @interfaces.check("service", "WhatIsThePoint is as the task defines it", points=2, needs="message")
 def service(recording: Recording) -> None:
-    offered = [
-        found for found in recording.seen_graph().services if found.name == "/probe/t1" and found.request_hash
-    ]
-    if not offered:
+    """Accept AddPoints in its place: the tutorial's edition for Jazzy has only that."""
+    offered = {found.name: found for found in recording.seen_graph().services if found.request_hash}
+    wrong = []
+    for probe, name, hashes, fields in SERVICES:
+        if probe in offered:
+            if (offered[probe].request_hash, offered[probe].response_hash) == hashes:
+                return
+            wrong.append((name.rpartition("/")[2], fields))
+    if not wrong:
         raise Failure(unknown(recording, SERVICE))
-    if (offered[0].request_hash, offered[0].response_hash) == (REQUEST_HASH, RESPONSE_HASH):
-        return
-    file = interface_file(recording.sources, PACKAGE, "srv", "WhatIsThePoint")
-    raise Failure(compare(file, (REQUEST_FIELDS, RESPONSE_FIELDS), PACKAGE, "WhatIsThePoint"))
+    short, fields = wrong[0]
+    raise Failure(compare(interface_file(recording.sources, PACKAGE, "srv", short), fields, PACKAGE, short))
 
 
 def called_with(recording: Recording, package: str) -> str | None:

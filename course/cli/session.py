@@ -20,6 +20,7 @@ from course.home import (
     CourseHome,
     find_home,
     remembered_course,
+    starter_files,
 )
 from course.progress import Progress
 from course.report.console import error_console
@@ -107,9 +108,10 @@ def next_exercise(session: CourseSession) -> Exercise | None:
 
 
 def not_passed_yet(session: CourseSession, exercise: Exercise) -> tuple[str, ...]:
-    """The exercises on which this one builds and that are not passed."""
-    passed = session.progress.passed_ids()
-    return tuple(needed for needed in exercise.requires if needed not in passed)
+    """The exercises on which this one builds, that are not passed, and whose files it does not supply."""
+    passed, supplied = session.progress.passed_ids(), {*starter_files(exercise)}
+    needed = [session.course.exercise(one) for one in exercise.requires if one not in passed]
+    return tuple(one.id for one in needed if not one.files or not supplied.issuperset(one.files))
 
 
 def unread(session: CourseSession, lessons: Iterable[Lesson]) -> Iterator[Lesson]:

@@ -76,7 +76,7 @@ def render_new_home(console: Console, home: Path, *, was_there: bool, course: Pa
 def put_requires(console: Console, needed: Sequence[str]) -> None:
     """Which exercises come before this one and are not passed yet; nothing when there are none."""
     if needed:
-        put_prose(console, f"It builds on what you make in {', '.join(needed)}, which is not passed yet.")
+        put_prose(console, f"It builds on {', '.join(needed)}, which you have not passed yet.")
         put(console)
 
 

@@ -32,6 +32,17 @@ def test_progress_of_another_course_is_no_obstacle(ros2course: Ros2course, home:
     assert "== 04-light" in ros2course("next").out
 
 
+@pytest.mark.parametrize(
+    ("exercise", "needed"), [("18-rover", ""), ("18-subscriber", "17-interfaces, 18-publisher")]
+)
+def test_what_the_starter_supplies_need_not_be_passed(
+    ros2course: Ros2course, home: Path, exercise: str, needed: str
+) -> None:
+    out = " ".join(ros2course("next", exercise, course=Path(__file__).parents[2]).out.split())
+    said = out.partition("It builds on ")[2].partition(", which you have not passed yet.")[0]
+    assert said == needed
+
+
 def test_a_review_is_suggested_after_each_fourth_chapter(ros2course: Ros2course, home: Path) -> None:
     own = Path(__file__).parents[2]
     for exercise, suggested in (("04-terminator-quiz", 0), ("05-workspace", 1), ("06-pkg-create-quiz", 0)):
