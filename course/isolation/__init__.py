@@ -1,13 +1,13 @@
-"""Runs programs of others apart from this machine: `isolation.start(plan, command)`.
+"""Runs foreign programs apart from this machine: `isolation.start(plan, command)`.
 
-isolation_plan.py  what a program may see, write and use up; travels to the grading process
-bubblewrap.py      namespaces: the only module that names the program that makes them
-none.py            the same without namespaces, for tests and where there are none
-levels.py          which level this machine offers, and what is chosen for a check and a build
-identity.py        a user id and control groups that nobody else has, for as long as a grading takes
-view.py            which files are to be seen
-sandbox.py         programs of a submission, in namespaces that are held; launcher.py starts them there
-watchdog.py        sees when a submission uses up more than it may
+isolation_plan.py  what a program may see, write, and use; sent to the grading process
+bubblewrap.py      in namespaces made by bubblewrap; the only module that names it
+none.py            without namespaces, for tests and for machines that have none
+levels.py          which level this machine offers, and which one a check or a build gets
+identity.py        a user id and control groups for one grading, used by nobody else
+view.py            which files are visible
+sandbox.py         a submission's programs, in namespaces kept open for them; launcher.py starts them there
+watchdog.py        notices when a submission exceeds a limit
 linux.py           system calls that Python has no function for; system_calls.py: those that are refused
 
 Another isolation (Docker, say) is one more module with the functions of `Backend`. `ISOLATION` names the
@@ -28,25 +28,25 @@ __all__ = ["ISOLATION", "Backend", "IsolationPlan", "Level", "start"]
 
 
 class Backend(Protocol):
-    """What a module of an isolation has."""
+    """What each isolation module provides."""
 
     def program(self) -> str:
-        """The file whose change means that everything has to be tried again."""
+        """If this file changes, everything has to be tried again."""
 
     def obstacle(self, level: Level) -> str | None:
-        """Why this level cannot be had here, in one line with what to do; None when it can."""
+        """Why this level is not available here, in one line with what to do; None if it is."""
 
     def build_obstacle(self) -> str | None:
-        """Why commands of a build cannot be kept apart here; None when they can."""
+        """Why build commands cannot be confined here; None if they can."""
 
     def restriction(self) -> Restriction | None:
-        """The first setting of this machine that prevents it; None if it must be something else."""
+        """The first setting of this machine that prevents isolation; None if the cause is something else."""
 
     def prefix(self, plan: IsolationPlan) -> tuple[str, ...]:
-        """What stands before a command that sees the whole machine (`IsolationPlan.machine`)."""
+        """What to put in front of a command that sees the whole machine (`IsolationPlan.machine`)."""
 
     def with_own_memory(self, command: Sequence[str]) -> tuple[str, ...]:
-        """The command, with a /dev/shm that it shares with nobody, and the rest of the machine as it is."""
+        """The command, with its own private /dev/shm and the rest of the machine as it is."""
 
     def start(
         self, plan: IsolationPlan, command: Sequence[str], **options: Any
@@ -54,24 +54,23 @@ class Backend(Protocol):
         """See `start`."""
 
     def hold(self, plan: IsolationPlan, scratch: Path | None = None) -> AbstractContextManager[Holder]:
-        """Keep namespaces in which nothing happens, until the end; then all in them is killed.
+        """Keep empty namespaces open until the context ends; then kill everything in them.
 
-        scratch: a folder of their own, in memory, where the machine is hidden. Raises OurFault when it cannot
-        be done.
+        scratch: their own folder, in memory, if the machine is hidden. Raises OurFault if that fails.
         """
 
 
-# What is used wherever there is a plan.
+# Used wherever there is a plan.
 ISOLATION: Backend = bubblewrap
 
 
 def start(
     plan: IsolationPlan | None, command: Sequence[str], **options: Any
 ) -> AbstractContextManager[IsolatedProcess]:
-    """Start the command in a session of its own, as the plan says; without isolation if there is none.
+    """Start the command in its own session, as the plan says; without isolation if there is no plan.
 
-    options: for subprocess.Popen. At the end of the context the whole session is killed; with a plan, also
-    what had left it. Raises OurFault when something does not end.
+    options: for subprocess.Popen. When the context ends, the whole session is killed; with a plan, also
+    anything that left it. Raises OurFault if something does not end.
     """
     if plan is None:
         return none.start(None, command, **options)

@@ -45,33 +45,33 @@ _WRITABLE = "--dev-bind / / --proc /proc --tmpfs /dev/shm".split()
 _READABLE = (
     f"--ro-bind / / --proc /proc --dev /dev --size {TEMPORARY} --tmpfs /dev/shm --dir {SCRATCH} --tmpfs /tmp"
 ).split()
-# The machine has some 3,000 pseudo-terminals, and what builds needs none.
+# The machine has about 3,000 pseudo-terminals, and builds need none.
 _NO_TERMINALS = ("--tmpfs", "/dev/pts", "--remount-ro", "/dev/pts")
-# Before bubblewrap sees to that itself. If we are gone before the kernel knows whom to tell ($0 is our
-# number), nothing begins: a bubblewrap that nobody hears hangs forever.
+# Until bubblewrap does this itself. If we have ended before the kernel knows whom to signal ($0 is our
+# number), nothing starts: a bubblewrap that nobody listens to hangs forever.
 _WITH_US = "setpriv --pdeathsig KILL -- /bin/sh -c".split()
 _IF_WE_ARE_HERE = '[ "$PPID" = "$0" ] || exit 126; '
 _NAMESPACES = "--die-with-parent --unshare-pid --unshare-ipc --unshare-uts --hostname robot".split()
-# Inside, the only user that is not root. In a namespace of users there can be no others below.
+# The only user inside that is not root. Nested user namespaces cannot have others.
 _USER = "--unshare-user --uid 1000 --gid 1000 --disable-userns".split()
-# What programs look up there, and nothing that tells of this machine or its users.
+# What programs look up there, without anything about this machine or its users.
 _ETC = (
     "alternatives bash.bashrc bash_completion.d default/locale inputrc ld.so.cache ld.so.conf ld.so.conf.d "
     "locale.alias localtime lsb-release mime.types nsswitch.conf os-release profile profile.d protocols "
     "python3 python3.10 python3.11 python3.12 python3.13 services shells skel ssl/certs ssl/openssl.cnf "
     "terminfo timezone"
 ).split()
-# Of a right that does nothing: without it, no process of the same user gets at the one that has it.
+# A right that does nothing: processes of the same user without it cannot reach a process that has it.
 _GUARDED = ("--cap-add", "CAP_WAKE_ALARM")
-# What programs need may lie in SCRATCH.
+# What programs need may be in SCRATCH.
 _OWN_MEMORY = (
     f"--die-with-parent --dev-bind / / --perms 1777 --tmpfs /dev/shm --bind-try {SCRATCH} {SCRATCH} --"
 ).split()
 # The first process of a build's namespaces, which nothing in there can kill: it says how the command ended.
-# What bash itself says of that does not belong into the command's output.
+# What bash itself says about that does not belong in the command's output.
 _TELLING = 'exec 3>&2 2>/dev/null; "$@" 2>&3 3>&- {0}>&-; code=$?; echo "$code" >&{0}; exit "$code"'
-# The first process of an arena's, so that no signal from in there ends it. It ignores SIGCHLD, so it need
-# not take note of the end of what others leave behind. It ends when our end of its input closes.
+# The first process of an arena's namespaces, so no signal from inside ends it. It ignores SIGCHLD, so it
+# need not reap orphans. It ends when our end of its input closes.
 _IGNORING = "env --ignore-signal=CHLD"
 _HOLDING = f"echo ready; {_IGNORING} true 2>/dev/null && exec {_IGNORING} cat; exec cat"
 
@@ -82,7 +82,7 @@ def program() -> str:
 
 
 def obstacle(level: Level) -> str | None:
-    """Why this level cannot be had here, in one line with what to do; None when it can."""
+    """Why this level is not available here, in one line with what to do; None if it is."""
     if level is Level.DOMAIN:
         return None
     if level is Level.NAMESPACES:
@@ -98,7 +98,7 @@ def obstacle(level: Level) -> str | None:
 
 
 def build_obstacle() -> str | None:
-    """Why commands of a build cannot be confined here; None when they can."""
+    """Why build commands cannot be confined here; None if they can."""
     if shutil.which(program()) is None:
         return "bubblewrap does not start here: it is not installed"
     options: dict[str, Any] = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL}
@@ -131,13 +131,13 @@ def _tried(command: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
 
 
 def _complaint(done: subprocess.CompletedProcess[bytes]) -> str:
-    """The last line of what bubblewrap complained about, else its exit code."""
+    """The last line of bubblewrap's complaint, else its exit code."""
     reason = done.stderr.decode("utf-8", errors="replace").strip().splitlines()
     return reason[-1] if reason else str(done.returncode)
 
 
 def prefix(plan: IsolationPlan) -> tuple[str, ...]:
-    """What stands before a command that sees the whole machine."""
+    """What to put in front of a command that sees the whole machine."""
     if plan.machine == "write":
         return (program(), *_APART, *_WRITABLE, "--chdir", "/")
     private = [path for path in plan.shown if path.startswith(("/tmp/", "/dev/shm/"))]  # the rest is there
@@ -147,13 +147,13 @@ def prefix(plan: IsolationPlan) -> tuple[str, ...]:
 
 
 def with_own_memory(command: Sequence[str]) -> tuple[str, ...]:
-    """The command, with a /dev/shm that it shares with nobody."""
+    """The command, with its own private /dev/shm."""
     return (program(), *_OWN_MEMORY, *command)
 
 
 @contextlib.contextmanager
 def start(plan: IsolationPlan, command: Sequence[str], **options: Any) -> Iterator[IsolatedProcess]:
-    """See `isolation.start`. Where the machine is hidden, there is no network, and `cwd` is in there."""
+    """See `isolation.start`. If the machine is hidden, there is no network, and `cwd` is inside."""
     if plan.machine != "hidden":
         with none.start(None, [*prefix(plan), *command], **options) as started:
             yield started
@@ -161,7 +161,7 @@ def start(plan: IsolationPlan, command: Sequence[str], **options: Any) -> Iterat
     with contextlib.ExitStack() as stack:
         texts = [(stack.enter_context(data(text)), name) for name, text in users(plan)]
         info, telling = stack.enter_context(_pipe())  # which is the first process of the namespaces
-        gate, opening = stack.enter_context(_pipe())  # it waits until we have taken note of that
+        gate, opening = stack.enter_context(_pipe())  # it waits until we have noted that
         ending, ended = stack.enter_context(_pipe())  # how the command ended
         given = [*(number for number, _ in texts), *(end.fileno() for end in (telling, gate, ended))]
         words = ["--info-fd", str(telling.fileno()), "--block-fd", str(gate.fileno()), "--as-pid-1"]
@@ -211,7 +211,7 @@ def hold(plan: IsolationPlan, scratch: Path | None = None) -> Iterator[Holder]:
 
 
 def _answers(process: subprocess.Popen[bytes]) -> bool:
-    """Whether nobody has killed it, or bubblewrap, up to now: then it says what it is told."""
+    """Whether it, and bubblewrap, are still alive: then it repeats what it is told."""
     assert process.stdin is not None
     try:
         os.write(process.stdin.fileno(), _READY)
@@ -221,7 +221,7 @@ def _answers(process: subprocess.Popen[bytes]) -> bool:
 
 
 def _until_ready(process: subprocess.Popen[bytes]) -> bytes:
-    """What it says up to the word that it is ready, or to its end."""
+    """What it prints until it says that it is ready, or until it ends."""
     assert process.stdout is not None
     said = b""
     while not said.endswith(_READY):
@@ -235,9 +235,9 @@ def _until_ready(process: subprocess.Popen[bytes]) -> bytes:
 def arguments(
     plan: IsolationPlan, texts: Sequence[tuple[int, str]] = (), scratch: Path | None = None
 ) -> tuple[str, ...]:
-    """Namespaces, and what is to be seen in them. What is not named here is not there.
+    """Namespaces, and what is visible in them. Anything that is not named here is not there.
 
-    texts: descriptors that the text of a file of that name is read from. scratch: an empty folder of its own.
+    texts: a file's name, and the descriptor that its text is read from. scratch: its own empty folder.
     """
     return (
         *_NAMESPACES,
@@ -253,7 +253,7 @@ def arguments(
         *_mounts("--bind", plan.write),
         *(_memory(scratch, plan.limits.scratch) if scratch else ()),
         *(word for number, name in texts for word in ("--perms", "644", "--ro-bind-data", str(number), name)),
-        # What all of this is put into is memory without a bound, and belongs to root in there.
+        # All of this goes into memory that has no limit and belongs to root inside.
         # And in /proc, programs could change how the kernel schedules them.
         *(word for path in ("/", "/dev", "/proc", *plan.empty) for word in ("--remount-ro", path)),
     )
@@ -261,7 +261,7 @@ def arguments(
 
 def _mounts(how: str, paths: Iterable[str]) -> Iterator[str]:
     for path in paths:
-        # Else bubblewrap makes a way there that only root can go.
+        # Otherwise bubblewrap makes folders on the way that only root can enter.
         yield from ("--dir", str(Path(path).parent))
         if (target := _neighbor(Path(path))) is not None:
             yield from ("--symlink", target, path)
@@ -270,7 +270,7 @@ def _mounts(how: str, paths: Iterable[str]) -> Iterator[str]:
 
 
 def _neighbor(path: Path) -> str | None:
-    """What a link leads to that stays a link: lib64 is another name of lib."""
+    """The target of a link that stays a link: lib64 is another name for lib."""
     target = path.readlink() if path.is_symlink() else None
     is_near = target is not None and not target.is_absolute() and ".." not in target.parts
     return str(target) if is_near else None
@@ -293,7 +293,7 @@ def _system() -> Iterator[str]:
 
 
 def users(plan: IsolationPlan) -> tuple[tuple[str, str], ...]:
-    """Names and texts of the files that tell of users and machines: the same everywhere."""
+    """Names and texts of the files about users and machines: the same everywhere."""
     number = 1000 if plan.user is None else plan.user
     return (
         ("/etc/passwd", f"root:x:0:0:root:/root:/bin/bash\nlearner:x:{number}:{number}::/:/bin/bash\n"),
@@ -304,7 +304,7 @@ def users(plan: IsolationPlan) -> tuple[tuple[str, str], ...]:
 
 @contextlib.contextmanager
 def data(text: str | bytes) -> Iterator[int]:
-    """A descriptor that bubblewrap can read the text from, once."""
+    """A descriptor from which bubblewrap can read the text, once."""
     descriptor = os.memfd_create("text")
     try:
         os.write(descriptor, text if isinstance(text, bytes) else text.encode())
@@ -322,9 +322,9 @@ def _pipe() -> Iterator[tuple[IO[bytes], IO[bytes]]]:
 
 
 def _first_process(info: IO[bytes]) -> int | None:
-    """Its pid, as bubblewrap tells it; None if it did not get that far. It ends with its command.
+    """Its pid, as bubblewrap reports it; None if bubblewrap did not get that far. It ends with its command.
 
-    Raises OurFault when bubblewrap hangs.
+    Raises OurFault if bubblewrap hangs.
     """
     said = b""
     while not said.rstrip().endswith(b"}"):
@@ -353,7 +353,7 @@ def _end(process: int) -> None:
 
 
 def with_us(plan: IsolationPlan) -> tuple[str, ...]:
-    """What begins a command in the plan's control groups, and ends it when we end."""
+    """A prefix that starts a command in the plan's control groups, and ends it when we end."""
     files = " ".join(shlex.quote(f"{group}/cgroup.procs") for group in plan.control_groups)
     joining = f'for file in {files}; do echo 0 > "$file" || exit 126; done; ' if files else ""
     return (*_WITH_US, f'{_IF_WE_ARE_HERE}{joining}exec "$@"', str(os.getpid()))
@@ -377,7 +377,7 @@ def _without_rights(plan: IsolationPlan) -> tuple[str, ...]:
 
 
 def restriction(settings: Path = _SETTINGS) -> Restriction | None:
-    """See `isolation.Backend`. settings: where sysctls are read."""
+    """See `isolation.Backend`. settings: the folder to read sysctls from."""
     if _value(settings / "kernel/apparmor_restrict_unprivileged_userns") == 1:
         return Restriction(
             "AppArmor restricts user namespaces (kernel.apparmor_restrict_unprivileged_userns is 1).",

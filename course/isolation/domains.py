@@ -8,9 +8,9 @@ from collections.abc import Iterator
 
 from course.errors import MissingHere
 
-# The port numbers of higher domains meet the range that Linux gives to outgoing connections.
+# Higher domains have port numbers in the range that Linux uses for outgoing connections.
 _DOMAINS = range(1, 102)
-# As many programs in one domain as may be left over when the first has ended.
+# How many programs may remain in one domain when the first has ended.
 _PARTICIPANTS = 32
 
 
@@ -19,7 +19,7 @@ def free_domain() -> Iterator[int]:
     """A domain that no other check on this machine holds and no ROS program listens in.
 
     The claim is an abstract socket: the kernel keeps it unique for all users and frees it
-    when this process ends, however it ends. Raises MissingHere when all are taken.
+    when this process ends, however it ends. Raises MissingHere if all are taken.
     """
     for domain in _DOMAINS:
         with contextlib.ExitStack() as stack:
@@ -58,7 +58,7 @@ def _is_taken(port: int) -> bool:
 
 
 class Domains:
-    """around: the domain that the arena was given; None where it has a network of its own."""
+    """around: the domain that the arena was given; None if it has its own network."""
 
     def __init__(self, around: int | None) -> None:
         self._around = around
@@ -66,10 +66,10 @@ class Domains:
         self._claims = contextlib.ExitStack()
 
     def at(self, number: int) -> int:
-        """What a program must be given to be in the domain `number`, from 0, which is the arena's.
+        """The real ROS_DOMAIN_ID for domain `number`; 0 is the arena's.
 
-        On a network that others use, too, a free domain takes its place: in the one of that number there may
-        be other checks, or a robot. It is held until `close`. Raises MissingHere when all are taken.
+        On a network that others use, too, that is a free domain: in the one with that number, there may be
+        other checks, or a robot. It is held until `close`. Raises MissingHere if all are taken.
         """
         if self._around is None:
             return number
@@ -79,5 +79,5 @@ class Domains:
         return found
 
     def close(self) -> None:
-        """Others may have what was held."""
+        """Release the domains."""
         self._claims.close()

@@ -1,7 +1,7 @@
-"""Who a submission is to this machine: a user id that nobody else has, and control groups of its own.
+"""Who a submission is on this machine: a user id that nobody else has, and its own control groups.
 
-Control groups, where this machine lets us make any, bound memory, processes and the share of CPU. Both
-versions: with version 1 each resource has a tree of its own, with version 2 there is one for all.
+If this machine lets us make control groups, they limit memory, processes, and the share of CPU. Both
+versions work: version 1 has one tree for each resource, version 2 has one for all.
 Source: cgroups(7), and the kernel's documents on cgroup-v1 and cgroup-v2.
 """
 
@@ -27,16 +27,16 @@ _NEEDED = ("memory", "pids")
 _LEFT = re.compile(r"ros2course-(\d+)-\d+")
 _NUMBERS = itertools.count()
 _REMOVAL = 5.0
-# All of a submission's programs together get as much as one program outside, when there is too little CPU.
+# If CPU is short, all of a submission's programs together get as much as one program outside.
 _SHARES, _WEIGHT = "1024", "100"
-# Far above the users of any system; and, for a root who has but some of the ids, near the end of those.
+# Far above the users of any system; for a root with only some of the ids, near the end of those.
 _RANGES = (range(2_000_000_000, 2_000_010_000), range(55_000, 60_000))
 _MAP = Path("/proc/self/uid_map")
 
 
 @contextlib.contextmanager
 def control_groups(limits: ResourceLimits, root: Path = ROOT) -> Iterator[tuple[Path, ...]]:
-    """Folders of new groups with these limits, whose processes are killed at the end; () if none can be."""
+    """Folders of new groups with these limits, whose processes are killed at the end; () if impossible."""
     made = _make(limits, root)
     try:
         yield made
@@ -45,7 +45,7 @@ def control_groups(limits: ResourceLimits, root: Path = ROOT) -> Iterator[tuple[
 
 
 def available(root: Path = ROOT) -> bool:
-    """Whether this process may make groups that bound memory and processes."""
+    """Whether this process may make groups that limit memory and processes."""
     with control_groups(ResourceLimits(), root) as made:
         return bool(made)
 
@@ -57,7 +57,7 @@ def join(groups: Sequence[Path]) -> None:
 
 
 def memory_kills(groups: Sequence[Path]) -> int:
-    """How many programs the kernel has killed because the group's memory was used up."""
+    """How many programs the kernel has killed because the group had no memory left."""
     return sum(
         _counter(group / "memory.oom_control", "oom_kill") + _counter(group / "memory.events", "oom_kill")
         for group in groups
@@ -65,12 +65,12 @@ def memory_kills(groups: Sequence[Path]) -> int:
 
 
 def refused_processes(groups: Sequence[Path]) -> int:
-    """How often the group was refused another process or thread."""
+    """How often the kernel refused the group another process or thread."""
     return sum(_counter(group / "pids.events", "max") for group in groups)
 
 
 def cpu_seconds(groups: Sequence[Path]) -> float:
-    """CPU time of all that ever ran in the group; 0 where that is not counted."""
+    """CPU time of everything that ever ran in the group; 0 if nobody counts it."""
     nanoseconds = sum(_number(group / "cpuacct.usage") for group in groups)
     return nanoseconds / 1e9 + sum(_counter(group / "cpu.stat", "usage_usec") for group in groups) / 1e6
 
@@ -84,14 +84,14 @@ def _make(limits: ResourceLimits, root: Path) -> tuple[Path, ...]:
             (parent / name).mkdir()
             made.append(parent / name)
             _limit(parent / name, limits)
-    except OSError:  # not ours to change: what is left are the limits of each program, and the watchdog
+    except OSError:  # not ours to change: the limits of each program and the watchdog remain
         _remove(made)
         return ()
     return tuple(made)
 
 
 def _parents(root: Path) -> tuple[Path, ...]:
-    """The groups that new ones are made in, one for each tree; none if that cannot be done."""
+    """The groups in which to make new ones, one for each tree; none if that is impossible."""
     own = _own_groups()
     if (root / "cgroup.controllers").exists():
         return _of_version_2(root / own.get("", "/").lstrip("/"), root)
@@ -104,7 +104,7 @@ def _parents(root: Path) -> tuple[Path, ...]:
 
 
 def _own_groups() -> dict[str, str]:
-    """The path of our own group by the name of its controller, which is "" in version 2."""
+    """The path of our own group, by its controller's name, which is "" in version 2."""
     found: dict[str, str] = {}
     with contextlib.suppress(OSError, ValueError):
         for line in Path("/proc/self/cgroup").read_text(encoding="utf-8").splitlines():
@@ -114,7 +114,7 @@ def _own_groups() -> dict[str, str]:
 
 
 def _of_version_2(own: Path, root: Path) -> tuple[Path, ...]:
-    """The nearest group, from ours up, whose children may have limits.
+    """The nearest group, from ours upward, whose children may have limits.
 
     Except for the root, a group that has processes cannot pass limits on. Ours has one: this process.
     """
@@ -123,7 +123,7 @@ def _of_version_2(own: Path, root: Path) -> tuple[Path, ...]:
         with contextlib.suppress(OSError):
             if not set(_NEEDED) <= set(switch.read_text(encoding="ascii").split()):
                 switch.write_text(" ".join(f"+{name}" for name in (*_NEEDED, "cpu")), encoding="ascii")
-            # To put processes there, we must be allowed to change the groups of all that is below.
+            # To put processes there, we must be allowed to change all groups below it.
             if os.access(group, os.W_OK) and os.access(group / "cgroup.procs", os.W_OK):
                 return (group,)
     return ()
@@ -145,7 +145,7 @@ def _limit(group: Path, limits: ResourceLimits) -> None:
 
 
 def _sweep(parent: Path) -> None:
-    """Remove the groups of those who were killed before they could."""
+    """Remove the groups of processes that were killed before they could do it."""
     for group in parent.glob("ros2course-*"):
         found = _LEFT.fullmatch(group.name)
         if found and not Path("/proc", found[1]).exists():
@@ -167,7 +167,7 @@ def _is_removed(group: Path) -> bool:
         return True
     except OSError as error:
         if error.errno != errno.EBUSY:
-            return True  # nothing that waiting would change
+            return True  # waiting would not change that
         _kill(group)
         return False
     return True
@@ -197,9 +197,9 @@ def _counter(file: Path, name: str) -> int:
 
 @dataclass(frozen=True)
 class Identity:
-    """user: None where we are not root, and programs are the caller in a user namespace.
+    """user: None if we are not root: then programs run as the caller, in a user namespace.
 
-    control_groups: folders, none where none can be had.
+    control_groups: folders; empty if there can be none.
     """
 
     user: int | None
@@ -208,7 +208,7 @@ class Identity:
 
 @contextlib.contextmanager
 def new_identity(limits: ResourceLimits) -> Iterator[Identity]:
-    """Held until the end. Raises MissingHere when all ids are taken."""
+    """Held until the context ends. Raises MissingHere if all ids are taken."""
     with contextlib.ExitStack() as stack:
         user = stack.enter_context(_own_user()) if os.geteuid() == 0 else None
         yield Identity(user, stack.enter_context(control_groups(limits)))

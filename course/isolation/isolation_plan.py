@@ -1,4 +1,4 @@
-"""What a program may see, write and use up: plain data, which travels to the grading process."""
+"""What a program may see, write, and use: plain data, sent to the grading process."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from typing import Literal, Protocol
 from course.model import replace
 
 _MB = 1024 * 1024
-# The grading process's folder in memory, and where in it programs have the one that they may write.
+# The grading process's folder in memory, and the folder in it that programs may write.
 SCRATCH, PROGRAMS = Path("/dev/shm/ros2course"), "programs"
 # Bytes of /tmp and of /dev/shm, each.
 TEMPORARY = 64 * _MB
-# The address sanitizer marks each byte of all addresses there are: it takes 20 TB of them, and no memory.
+# The address sanitizer reserves 20 TB of addresses, one mark for each byte, and no memory.
 _FOR_SANITIZERS = 64 * 1024 * 1024 * _MB
-# Of the grading process: what it keeps of a submission is bounded, what its middleware puts together is not.
+# Of the grading process: it limits what it keeps of a submission, but its middleware limits nothing.
 _OURS = 2048 * _MB
 
 
 class Level(str, Enum):
-    """How well a submission is kept apart.
+    """How well a submission is isolated.
 
-    CONTAINED: the grading process in namespaces of its own, which reads the machine's files and writes none;
-    in there, the submission's programs in a sandbox, as a user without rights. NAMESPACES: the first of these
-    layers alone. DOMAIN: none of them; a ROS_DOMAIN_ID that nobody else on this machine uses, and discovery
+    CONTAINED: the grading process has its own namespaces, reads the machine's files, and writes none;
+    inside, the submission's programs run in a sandbox, as a user without rights. NAMESPACES: only the outer
+    layer. DOMAIN: no layer, but a ROS_DOMAIN_ID that nobody else on this machine uses, and discovery
     on this machine only.
     """
 
@@ -40,10 +40,10 @@ class Level(str, Enum):
 
 @dataclass(frozen=True)
 class ResourceLimits:
-    """memory, scratch: bytes, of the whole tree. processes: threads count, too. file: bytes of one file.
+    """memory, scratch: bytes, of the whole tree. processes: including threads. file: bytes of one file.
 
-    files: open ones in one program. cpu: seconds, of the whole tree. address_space: bytes of one program.
-    terminals: pseudo-terminals, of the whole tree; the machine has some 3,000.
+    files: open files of one program. cpu: seconds, of the whole tree. address_space: bytes of one program.
+    terminals: pseudo-terminals, of the whole tree; the machine has about 3,000.
     """
 
     memory: int = 1024 * _MB
@@ -61,12 +61,11 @@ BUILD = ResourceLimits(memory=3072 * _MB, scratch=1024 * _MB, processes=256, fil
 
 @dataclass(frozen=True)
 class IsolationPlan:
-    """user: the user id that programs get; None: the caller's own, in a user namespace.
+    """user: the user id of programs; None for the caller's own, in a user namespace.
 
-    shown, empty: what can be read, see `view.View`. control_groups: folders of the control groups that
-    programs are put into. own_network: with a network of its own, in which the grading process hears nothing.
-    write: folders that can be written to. machine: whether all files of the machine can be read, or written,
-    beside those; only for programs of ours.
+    shown, empty: what programs can read, see `view.View`. control_groups: folders of their control groups.
+    own_network: with its own network, in which the grading process hears nothing. write: folders that they
+    can write to. machine: whether they can read or write the machine's other files; only for our programs.
     """
 
     user: int | None = None
@@ -83,8 +82,8 @@ class IsolationPlan:
 class IsolatedProcess:
     """What `isolation.start` started.
 
-    saw_the_end: asked when it is over, whether it ended by itself. Else it was killed together with what is
-    around it: by us, or from outside.
+    saw_the_end: call it afterwards: whether the process ended by itself, and was not killed together with
+    the processes around it, by us or from outside.
     """
 
     process: subprocess.Popen[bytes]
@@ -93,7 +92,7 @@ class IsolatedProcess:
 
 @dataclass(frozen=True)
 class Holder:
-    """pid: as we see it, of the first process in the namespaces. is_alive: whether nobody has killed it."""
+    """pid: of the first process in the namespaces, as we see it. is_alive: whether it is still alive."""
 
     pid: int
     is_alive: Callable[[], bool]
@@ -108,19 +107,19 @@ class Restriction:
 
 
 class Started(Protocol):
-    """A program that leads a session of its own on its terminal. Its pid is its own until it is reaped."""
+    """A program that leads its own session on its terminal. It keeps its pid until it is reaped."""
 
     pid: int
 
     def reap(self) -> int:
-        """Its exit code, or minus the signal that ended it; waits for that."""
+        """Wait for its end, and return its exit code, or minus the signal that ended it."""
 
     def send_signal(self, number: signal.Signals) -> None:
-        """To the program alone. Nothing if it has ended."""
+        """Only to the program itself. Does nothing if it has ended."""
 
 
 class Starter(Protocol):
-    """Starts programs on terminals. Raises OSError when one cannot be started at all."""
+    """Starts programs on terminals. Raises OSError if a program cannot be started at all."""
 
     def __call__(
         self,
@@ -131,33 +130,33 @@ class Starter(Protocol):
         descriptors: Sequence[int],
         own_memory: bool = False,
     ) -> Started:
-        """terminal: becomes its controlling one. descriptors: of ours, which it inherits.
+        """terminal: becomes its controlling terminal. descriptors: ours, which it inherits.
 
-        own_memory: with a /dev/shm that it shares with nobody.
+        own_memory: with its own private /dev/shm.
         """
 
 
 def for_sanitizers(limits: ResourceLimits) -> ResourceLimits:
-    """The same, for programs that are compiled with the address sanitizer."""
+    """The same, for programs compiled with the address sanitizer."""
     return replace(limits, address_space=max(limits.address_space, _FOR_SANITIZERS))
 
 
 def bound_ourselves() -> None:
-    """No message, however large it says it is, takes more of this machine's memory through us."""
+    """Limit our own memory, however large a message claims to be."""
     hard = resource.getrlimit(resource.RLIMIT_DATA)[1]
     most = _OURS if hard == resource.RLIM_INFINITY else min(_OURS, hard)
     resource.setrlimit(resource.RLIMIT_DATA, (most, hard))
 
 
 def most_processes(limits: ResourceLimits) -> int:
-    """For RLIMIT_NPROC: a little more than the control group allows, which takes note of what it refuses."""
+    """For RLIMIT_NPROC: a little more than the control group allows, because the group counts refusals."""
     return limits.processes + limits.processes // 8
 
 
 def rlimits(limits: ResourceLimits) -> tuple[tuple[int, int], ...]:
-    """Numbers and values for setrlimit(2), for each program: the kernel holds them, whatever else fails.
+    """Numbers and values for setrlimit(2), for each program: the kernel enforces them, whatever else fails.
 
-    RLIMIT_NPROC counts all of a user's, and each arena is a user of its own.
+    RLIMIT_NPROC counts all processes of a user, and each arena is its own user.
     """
     return (
         (resource.RLIMIT_NPROC, most_processes(limits)),

@@ -1,9 +1,9 @@
-"""Starts programs inside of a sandbox, from outside: no process of the submission can see this one.
+"""Starts programs inside a sandbox, from outside: no process of the submission can see this one.
 
-It is forked off by the grading process in its first moment, while that has a single thread and holds
-nothing: between fork and exec of each program there is Python to run, which a process with threads must
-not do. It is asked over a socket, one message a packet, and answers in the same order. Each sandbox has a
-launcher of its own, which the first one forks off: who has entered a namespace does not get out again.
+The grading process forks it at its very start, while it has a single thread and no secrets: between fork
+and exec of each program, Python has to run, which is unsafe in a process with threads. Requests come over
+a socket, one message per packet, and are answered in order. Each sandbox has its own launcher, which the
+first one forks, because a process cannot leave a namespace that it has entered.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from course.isolation.isolation_plan import TEMPORARY, IsolationPlan, rlimits
 from course.isolation.system_calls import refusing
 from course.model import codec
 
-# A command line and an environment; the kernel takes less than that for both.
+# For a command line and an environment; the kernel accepts less than that for both.
 PACKET = 4 * 1024 * 1024
 MOST_DESCRIPTORS = 8
 MEMORY = "/dev/shm"
@@ -39,9 +39,9 @@ _PER_PROCESS = ("mnt", "ipc", "uts")
 
 @dataclass(frozen=True)
 class Order:
-    """A program to start. descriptors: the numbers that those sent along are to have, after the terminal.
+    """A program to start. descriptors: the numbers for the descriptors sent with it, after the terminal.
 
-    own_memory: folders in /dev/shm that it sees, when it gets one of its own; None when it does not.
+    own_memory: folders that it sees in its own /dev/shm; None if it shares one.
     """
 
     command: tuple[str, ...]
@@ -52,7 +52,7 @@ class Order:
 
 
 def serve(link: socket.socket) -> None:
-    """Answer until the other side is gone."""
+    """Answer requests until the other side is gone."""
     launcher = _Launcher()
     while True:
         data, descriptors, _, _ = socket.recv_fds(link, PACKET, MOST_DESCRIPTORS)
@@ -94,21 +94,21 @@ class _Launcher:
         return {}
 
     def _prepare(self, plan: IsolationPlan) -> None:
-        """Join the control groups, and all children with us: to move a process takes the kernel a while."""
+        """Join the control groups, so that children are in them: moving each child would take longer."""
         self._plan = plan
         join([Path(group) for group in plan.control_groups])
         with contextlib.suppress(OSError):  # only root may
-            _OOM_SCORE.write_text("-900", encoding="ascii")  # when memory is used up, it is not by us
+            _OOM_SCORE.write_text("-900", encoding="ascii")  # if memory runs out, we are not the cause
 
     def _enter(self, holder: int) -> None:
-        """From now on, children are in the holder's pid namespace; each enters the others by itself."""
+        """Put future children into the holder's pid namespace; each enters the other namespaces itself."""
         if self._plan.own_network:
             self._per_process = (*_PER_PROCESS, "net")
         for name in ("user", "pid", *self._per_process):
             path = f"/proc/{holder}/ns/{name}"
             self._namespaces[name] = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
         if self._plan.user is None:
-            # The one around it owns the other namespaces: without rights in it, none can be entered.
+            # The outer one owns the other namespaces: without rights in it, we can enter none of them.
             around = linux.parent_namespace(self._namespaces["user"])
             linux.enter_namespace(around)
             os.close(around)
@@ -116,17 +116,17 @@ class _Launcher:
         linux.enter_namespace(self._namespaces["pid"])
 
     def _bound_terminals(self) -> None:
-        """Bubblewrap sets no bound. In a child, as who has entered a namespace does not get out again."""
+        """Bubblewrap sets no limit. In a child, because a process cannot leave a namespace again."""
         pid = os.fork()
         if pid == 0:
-            with contextlib.suppress(OSError):  # a kernel without such bounds runs programs all the same
+            with contextlib.suppress(OSError):  # a kernel without such limits still runs programs
                 linux.enter_namespace(self._namespaces["mnt"])
                 linux.bound_terminals(TERMINALS, self._plan.limits.terminals)
             os._exit(0)  # noqa: TID251 - a forked child must not run our cleanups
         os.waitpid(pid, 0)
 
     def _start(self, order: Order, descriptors: list[int]) -> int:
-        """The pid of the program, which runs. Raises OSError when it could not be put into the sandbox."""
+        """The pid of the running program. Raises OSError if it could not be put into the sandbox."""
         reading, writing = os.pipe()
         pid = os.fork()
         if pid == 0:
@@ -134,7 +134,7 @@ class _Launcher:
             self._become(order, descriptors, writing)
         os.close(writing)
         with os.fdopen(reading, "rb") as trouble:
-            said = trouble.read()  # ends when the program has been executed
+            said = trouble.read()  # closes when the program has been executed
         if said:
             os.waitpid(pid, 0)
             number, _, text = said.decode().partition(" ")
@@ -143,7 +143,7 @@ class _Launcher:
 
     def _become(self, order: Order, descriptors: Sequence[int], trouble: int) -> NoReturn:
         try:
-            # Out of the way of the numbers that are asked for.
+            # Away from the requested numbers.
             trouble = fcntl.fcntl(trouble, fcntl.F_DUPFD_CLOEXEC, 1 + max(3, *order.descriptors, 3))
             os.setsid()
             fcntl.ioctl(descriptors[0], termios.TIOCSCTTY, 0)
@@ -171,7 +171,7 @@ class _Launcher:
         linux.process_control(linux.PR_SET_NO_NEW_PRIVS, 1)
         os.umask(0o022)
         if plan.user is None:
-            linux.enter_namespace(self._namespaces["user"])  # all rights in there end with exec
+            linux.enter_namespace(self._namespaces["user"])  # exec drops all rights inside
         linux.drop_all_rights()
         if plan.user is not None:
             os.setgroups([])
@@ -181,7 +181,7 @@ class _Launcher:
 
 
 def _hand_on(descriptors: Sequence[int], numbers: Sequence[int], keep: int) -> None:
-    """These descriptors under these numbers, the first one as output and errors, too; and no others."""
+    """Give these descriptors these numbers, the first one also 1 and 2, and close all others."""
     copies = [fcntl.fcntl(descriptor, fcntl.F_DUPFD, keep + 1) for descriptor in descriptors]
     wanted = list(zip((*copies, copies[0], copies[0]), (*numbers, 1, 2), strict=True))
     for copy, number in wanted:
@@ -204,13 +204,13 @@ def _execute(order: Order) -> NoReturn:
     try:
         os.execvpe(name, order.command, dict(order.environment))
     except OSError as error:
-        # As setsid(1) says it, which starts programs where there is no sandbox.
+        # In the words of setsid(1), which starts programs if there is no sandbox.
         os.write(2, f"setsid: failed to execute {name}: {error.strerror}\n".encode())
         os._exit(127 if isinstance(error, FileNotFoundError) else 126)  # noqa: TID251 - see above
 
 
 def fork_launcher() -> socket.socket:
-    """Start the first one; `another_launcher` asks it. Call it while there is a single thread."""
+    """Start the first launcher, for `another_launcher`. Call this while there is a single thread."""
     ours, theirs = socket_pair()
     if os.fork() == 0:
         _serve_alone(theirs)
@@ -219,7 +219,7 @@ def fork_launcher() -> socket.socket:
 
 
 def another_launcher(first: socket.socket) -> socket.socket:
-    """One for a sandbox, which `sandbox.Sandbox` asks. It ends when that socket is closed. Raises OSError."""
+    """A launcher for one `sandbox.Sandbox`. It ends when that socket is closed. Raises OSError."""
     ours, theirs = socket_pair()
     with theirs:
         socket.send_fds(first, [as_message("fork")], [theirs.fileno()])
@@ -246,13 +246,13 @@ def _serve_alone(link: socket.socket) -> NoReturn:
 
 
 def _let_go_of_everything(link: int) -> None:
-    """Above all of the pipe that verdicts travel over, and of the job."""
+    """Close everything, above all the pipe for verdicts, and the job."""
     nothing = os.open(os.devnull, os.O_RDWR)
     for number in (0, 1):
         os.dup2(nothing, number)
     os.closerange(3, link)
     os.closerange(link + 1, _limit_of_descriptors())
-    sys.stdin = sys.stdout = None  # they are not ours any more
+    sys.stdin = sys.stdout = None  # they no longer belong to us
 
 
 def as_message(kind: str, **fields: Any) -> bytes:

@@ -1,7 +1,7 @@
-"""What this machine offers to keep a submission apart, and what is chosen for a check and for a build.
+"""What this machine offers to isolate a submission, and what a check or a build gets.
 
-What was found to work is not tried again before each check, until the machine starts again or the program
-changes. Only success is kept: anyone who has just installed or allowed something sees it at once.
+A level that works is not tried again until the machine restarts or the program changes. Failures are not
+remembered, so anyone who has just installed or allowed something sees the effect at once.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from course.isolation.isolation_plan import IsolationPlan, Level, ResourceLimits
 from course.isolation.view import View, view
 from course.rosenv import Ros, cache_dir
 
-# Under which name it is remembered that this works here.
+# The name under which a success is remembered.
 KNOWN, _KNOWN_BUILDS = "containment", "confined-builds"
 _BOOT = Path("/proc/sys/kernel/random/boot_id")
 
 
 @dataclass(frozen=True)
 class MachinePlaces:
-    """What the grading process needs of the machine, also below /tmp, which it has to itself otherwise."""
+    """Places that the grading process needs, also below /tmp, where it otherwise has its own."""
 
     read: tuple[Path, ...] = ()
     write: tuple[Path, ...] = ()
@@ -35,10 +35,10 @@ class MachinePlaces:
 
 @dataclass(frozen=True)
 class Isolation:
-    """How one check is kept apart.
+    """How one check is isolated.
 
     plan: for the grading process. environment: added to its environment. missing: a quiet line on what this
-    machine lacks, or None. identity: what the sandbox's programs are; None without a sandbox.
+    machine lacks, or None. identity: of the sandbox's programs; None without a sandbox.
     """
 
     level: Level
@@ -50,11 +50,11 @@ class Isolation:
 
     @property
     def prefix(self) -> tuple[str, ...]:
-        """What stands before a command that runs where the grading process does."""
+        """What to put in front of a command that runs where the grading process does."""
         return isolation.ISOLATION.prefix(self.plan) if self.plan else ()
 
     def sandbox(self, seen: View) -> IsolationPlan | None:
-        """For programs of the submission that see this."""
+        """A plan for the submission's programs, which see this."""
         return _plan(self.identity, seen, self.limits) if self.identity else None
 
 
@@ -62,10 +62,10 @@ class Isolation:
 def isolated(
     places: MachinePlaces | None = None, *, namespaces: bool = True, limits: ResourceLimits | None = None
 ) -> Iterator[Isolation]:
-    """The strongest level that this machine offers without root; held until the end.
+    """The strongest level that this machine offers without root; held until the context ends.
 
-    places: None for a program of ours, which sees the whole machine and needs no sandbox. namespaces: False
-    takes a ROS domain even where namespaces would work.
+    places: None for our own program, which sees the whole machine and needs no sandbox. namespaces: False
+    chooses a ROS domain even if namespaces would work.
     """
     limits, missing = limits or ResourceLimits(), None
     if places is not None and namespaces:
@@ -93,10 +93,9 @@ def isolated_build(
     more: Sequence[Path],
     limits: ResourceLimits,
 ) -> Iterator[IsolationPlan | None]:
-    """No network, no process but its own, no file but what it needs; held until the end.
+    """No network, no processes but its own, no files but those it needs; None if that is not available.
 
-    writable: folders, which the plan's user may write once they are theirs. more: what else it reads. None
-    where that cannot be had.
+    writable: folders that the plan's user may write after they get them. more: what else it reads.
     """
     known = isolation.ISOLATION
     if unless_known(_KNOWN_BUILDS, known.program(), known.build_obstacle) is not None:
@@ -108,7 +107,7 @@ def isolated_build(
 
 
 def obstacle_to(level: Level) -> str | None:
-    """Why this level cannot be had here, in one line with what to do; None when it can."""
+    """Why this level is not available here, in one line with what to do; None if it is."""
     return isolation.ISOLATION.obstacle(level)
 
 
@@ -128,7 +127,7 @@ def _texts(paths: Sequence[Path]) -> tuple[str, ...]:
 
 
 def unless_known(name: str, program: str, obstacle: Callable[[], str | None]) -> str | None:
-    """What `obstacle()` says, which is asked only if it is not known that there is none."""
+    """What `obstacle()` returns; it is called only if no success is remembered."""
     file = cache_dir(os.environ) / "known" / name
     stamp = _stamp(program)
     with contextlib.suppress(OSError, UnicodeDecodeError):
@@ -142,7 +141,7 @@ def unless_known(name: str, program: str, obstacle: Callable[[], str | None]) ->
 
 
 def forget(name: str) -> None:
-    """It did not work after all."""
+    """Forget a success, because it did not work after all."""
     with contextlib.suppress(OSError):
         (cache_dir(os.environ) / "known" / name).unlink()
 

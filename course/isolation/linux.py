@@ -21,27 +21,27 @@ _MOST_RIGHTS = 64
 _NS_GET_PARENT = 0xB702
 _CLONE_NEWNS = 0x0002_0000
 _MS_NOSUID_NODEV, _MS_PRIVATE_BELOW, _MS_BIND_BELOW = 0x2 | 0x4, 0x4_0000 | 0x4000, 0x1000 | 0x4000
-_MS_TERMINALS = 0x20 | 0x2 | 0x8  # a remount; nosuid and noexec, as bubblewrap has it
+_MS_TERMINALS = 0x20 | 0x2 | 0x8  # a remount; nosuid and noexec, as in bubblewrap
 _MOST_FILES = 1024
 _LIBC = ctypes.CDLL(None, use_errno=True)
 
 
 def enter_namespace(descriptor: int) -> None:
-    """setns(2). For a pid namespace it holds for children from now on. Raises OSError."""
+    """setns(2). A pid namespace applies to future children only. Raises OSError."""
     if _LIBC.setns(descriptor, 0) != 0:
         _fail()
 
 
 def parent_namespace(descriptor: int) -> int:
-    """A descriptor of the user namespace that this one was made in. Raises OSError."""
+    """A descriptor of the user namespace in which this one was made. Raises OSError."""
     return fcntl.ioctl(descriptor, _NS_GET_PARENT)
 
 
 def mount_memory(folder: str, size: int, kept: Iterable[str]) -> None:
-    """Only this process, and what it starts, has a file system of its own there, of `size` bytes.
+    """Mount a file system of `size` bytes there, for this process and its children only.
 
-    kept: folders below it, which stay as they are; else it is empty. Takes the right to mount in the
-    namespace that it is in. Raises OSError.
+    kept: folders below it that stay as they are; otherwise it is empty. Needs the right to mount in its
+    namespace. Raises OSError.
     """
     if _LIBC.unshare(_CLONE_NEWNS) != 0:
         _fail()
@@ -55,9 +55,9 @@ def mount_memory(folder: str, size: int, kept: Iterable[str]) -> None:
 
 
 def bound_terminals(folder: str, most: int) -> None:
-    """That file system of pseudo-terminals gives so many at a time, not all that the machine has.
+    """Limit how many pseudo-terminals that file system offers at a time; otherwise it offers the machine's.
 
-    Takes the right to mount in the namespace that it is in. Raises OSError.
+    Needs the right to mount in its namespace. Raises OSError.
     """
     _mount(None, folder, _MS_TERMINALS, f"mode=620,ptmxmode=666,max={most}")
 
@@ -75,12 +75,12 @@ def process_control(option: int, value: int) -> None:
 
 
 def drop_all_rights() -> None:
-    """No program that is executed from now on can gain one. Takes a right of its own. Raises OSError."""
+    """Drop all rights: no program executed from now on can gain one. This needs a right. Raises OSError."""
     for right in range(_MOST_RIGHTS):
         if _LIBC.prctl(PR_CAPBSET_DROP, right, 0, 0, 0) != 0:
             if ctypes.get_errno() != errno.EINVAL:
                 _fail()
-            return  # the kernel knows no more
+            return  # the kernel knows no more rights
 
 
 class _Filter(ctypes.Structure):
@@ -90,9 +90,9 @@ class _Filter(ctypes.Structure):
 
 
 def filter_calls(instructions: bytes) -> None:
-    """For this process and all that it starts, for good; see `system_calls`. Raises OSError.
+    """Filter calls of this process and everything that it starts, forever; see `system_calls`.
 
-    Nothing where the kernel was made without filters.
+    Does nothing if the kernel was built without filters. Raises OSError.
     """
     if not instructions:
         return

@@ -1,6 +1,6 @@
-"""No isolation: programs are children of ours, and what they leave behind is found and ended.
+"""No isolation: programs are our children, and any processes that they leave behind are found and ended.
 
-For programs of ours, for tests, and where there are no namespaces. See `course.isolation.Backend`.
+For our own programs, for tests, and for machines without namespaces. See `course.isolation.Backend`.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def obstacle(level: Level) -> str | None:
 
 
 def prefix(plan: IsolationPlan | None) -> tuple[str, ...]:
-    """Nothing stands before a command."""
+    """Nothing is put in front of a command."""
     return ()
 
 
@@ -43,20 +43,20 @@ def start(plan: IsolationPlan | None, command: Sequence[str], **options: Any) ->
 
 
 def end(process: subprocess.Popen[bytes]) -> None:
-    """Kill all of its session that is left, unless its end was noted already."""
-    # As long as the leader is not reaped, nobody else can have its number.
+    """Kill what is left of its session, unless its end was noted already."""
+    # Until the leader is reaped, nobody else can have its number.
     if process.returncode is None:
         with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGKILL)
     process.wait()
     for stream in (process.stdin, process.stdout, process.stderr):
         if stream:
-            with contextlib.suppress(OSError):  # what was not written yet
+            with contextlib.suppress(OSError):  # output that was not written yet
                 stream.close()
 
 
 def program() -> str:
-    """Nothing that could change."""
+    """Nothing can change."""
     return ""
 
 
@@ -65,7 +65,7 @@ def build_obstacle() -> str | None:
 
 
 def restriction() -> None:
-    """No setting would change that."""
+    """No setting would help."""
 
 
 def with_own_memory(command: Sequence[str]) -> tuple[str, ...]:
@@ -77,16 +77,16 @@ def hold(plan: IsolationPlan, scratch: Path | None = None) -> NoReturn:
 
 
 def adopt_orphans(adopt: bool = True) -> None:
-    """From now on, processes whose parent dies become children of this process (or no longer).
+    """From now on, processes whose parent dies become children of this process (or no longer do).
 
-    So a daemon that a learner's node forked off cannot get out of sight. Source: prctl(2).
+    So a daemon that a learner's node forked cannot escape. Source: prctl(2).
     """
     ctypes.CDLL(None, use_errno=True).prctl(_PR_SET_CHILD_SUBREAPER, int(adopt), 0, 0, 0)
 
 
 @contextlib.contextmanager
 def nothing_left() -> Iterator[None]:
-    """Whatever starts below this process in the meantime, orphans included, ends with the context."""
+    """End whatever started below this process in the meantime, including orphans, with the context."""
     spared = frozenset(psutil.Process().children())
     adopt_orphans()
     try:
@@ -99,8 +99,8 @@ def nothing_left() -> Iterator[None]:
 def end_descendants(spared: Collection[psutil.Process] = ()) -> int:
     """Kill every process below this one, again and again until none is left.
 
-    spared: children that are left alone, with all below them.
-    Returns how many were still there (0 when everyone had ended in order).
+    spared: children that are left alone, with everything below them.
+    Returns how many were still there (0 if all had ended by themselves).
     """
     found: set[int] = set()
     numbers = {child.pid for child in spared}
@@ -120,9 +120,9 @@ def end_descendants(spared: Collection[psutil.Process] = ()) -> int:
 
 
 def _strike(spared: Collection[int]) -> set[int]:
-    """Kill those that exist at this moment; returns those that were still alive.
+    """Kill those that exist at this moment; return those that were still alive.
 
-    A process that forks is gone, and has a successor, before a look at all processes is over.
+    A process may fork and end before a look at all processes is over.
     """
     struck, waiting = set(), _children(os.getpid())
     while waiting:
@@ -132,12 +132,12 @@ def _strike(spared: Collection[int]) -> set[int]:
                 if _state(pid) != "Z":
                     os.kill(pid, signal.SIGKILL)
                     struck.add(pid)
-            waiting += _children(pid)  # after that it has no more of them
+            waiting += _children(pid)  # after that, it makes no more children
     return struck
 
 
 def _children(pid: int) -> list[int]:
-    """Its own ones, as the kernel has them at this moment; none where it does not tell."""
+    """Its direct children, as the kernel lists them at this moment; none if the kernel has no such list."""
     found: list[int] = []
     with contextlib.suppress(OSError):
         for thread in Path(f"/proc/{pid}/task").iterdir():
@@ -154,7 +154,7 @@ def _descendants(spared: Collection[psutil.Process]) -> list[psutil.Process]:
     for child in spared:
         with contextlib.suppress(psutil.NoSuchProcess):
             kept.update(child.children(recursive=True))
-    # One look at all processes, however many there are: they may be breeding.
+    # One look at all processes, however many there are: they may be multiplying.
     return [child for child in psutil.Process().children(recursive=True) if child not in kept]
 
 
@@ -166,6 +166,6 @@ def _alive(process: psutil.Process) -> bool:
 
 
 def _reap(pid: int) -> None:
-    """An adopted orphan stays a zombie until its new parent, us, takes note of its end."""
+    """An adopted orphan stays a zombie until its new parent, this process, reaps it."""
     with contextlib.suppress(ChildProcessError):
         os.waitpid(pid, os.WNOHANG)

@@ -1,4 +1,4 @@
-"""Programs of a submission, started in namespaces of their own: what the grading process uses."""
+"""A submission's programs in their own namespaces, for the grading process."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _LAUNCHER_GONE = "The process that starts programs in the sandbox was killed fro
 
 
 class SandboxOver(Exception):
-    """A limit was reached; nothing more can be started."""
+    """A limit was reached, so nothing more can be started."""
 
 
 class SandboxedProgram:
@@ -37,16 +37,16 @@ class SandboxedProgram:
         self._code: int | None = None
 
     def reap(self) -> int:
-        """Its exit code, or minus the signal that ended it; waits for that."""
+        """Wait for its end, and return its exit code, or minus the signal that ended it."""
         if self._code is None:
             try:
                 self._code = int(self._sandbox.ask(as_message("reap", pid=self.pid))["code"])
-            except Spoilt:  # nobody knows; and `require_ours` lets nothing of this count
+            except Spoilt:  # unknown; and `require_ours` discards this run anyway
                 self._code = -signal.SIGKILL
         return self._code
 
     def send_signal(self, number: signal.Signals) -> None:
-        if self._code is None:  # else the number may be another's
+        if self._code is None:  # otherwise the number may belong to another process
             with contextlib.suppress(ProcessLookupError):
                 os.kill(self.pid, number)
 
@@ -55,7 +55,7 @@ class Sandbox:
     """A starter of programs (see `isolation_plan.Starter`), while the namespaces are held."""
 
     def __init__(self, link: socket.socket, places: Sequence[str] = ()) -> None:
-        """places: folders that programs need, at any place."""
+        """places: folders that programs need, anywhere."""
         self._link = link
         self._in_memory = tuple(place for place in places if Path(place).is_relative_to(MEMORY))
         self._one_at_a_time = threading.Lock()
@@ -79,7 +79,7 @@ class Sandbox:
         try:
             started = self.ask(start_message(order), (terminal, *descriptors))
         except OSError as error:
-            # No process can be made in namespaces whose first one is dead, nor when there are too many.
+            # No process can start in namespaces whose first process is dead, or which have too many.
             self.look()
             if self.over:
                 raise SandboxOver from error
@@ -88,10 +88,10 @@ class Sandbox:
         return SandboxedProgram(self, int(started["pid"]))
 
     def require_ours(self) -> None:
-        """Raises Spoilt when one of our own processes, on which the programs depend, was killed.
+        """Raise Spoilt if one of our own processes, on which the programs depend, was killed.
 
-        No process of the submission can do that; one that uses up the machine may bring it about. To be
-        asked before anything is ended by us.
+        No process of the submission can do that directly, but one that exhausts the machine may cause it.
+        Call this before we end anything.
         """
         if self.over:
             return
@@ -100,7 +100,7 @@ class Sandbox:
         self.ask(as_message("are you there"))
 
     def ask(self, message: bytes, descriptors: Sequence[int] = ()) -> dict[str, Any]:
-        """Raises the OSError that the launcher met, and Spoilt when it is gone."""
+        """Raise the OSError that the launcher met, or Spoilt if the launcher is gone."""
         with self._one_at_a_time:
             self.send(message, descriptors)
             return self.receive()
@@ -148,7 +148,7 @@ def start_here(
     descriptors: Sequence[int],
     own_memory: bool = False,
 ) -> ChildProgram:
-    """As our own child, with all that we may do and see."""
+    """Start a program as our own child, with all our rights."""
     if own_memory:
         command = isolation.ISOLATION.with_own_memory(command)
     # setsid runs in the child itself: no Python between fork and exec, although this process has threads.
@@ -173,10 +173,10 @@ def open_sandbox(
     on_breach: Callable[[str], None],
     fill: Callable[[Path], None],
 ) -> Iterator[tuple[Sandbox, Path]]:
-    """A sandbox in which nothing has run yet, and its scratch folder as this process reaches it.
+    """A sandbox in which nothing has run yet, and the path by which this process reaches its scratch folder.
 
-    launcher: from `fork_launcher`. scratch: where programs have that folder, which is in memory and theirs
-    alone. on_breach: called from another thread when a limit has been reached, and all programs were killed.
+    launcher: from `fork_launcher`. scratch: the programs' path to that folder, which is in memory and only
+    theirs. on_breach: called from another thread after a limit was reached and all programs were killed.
     fill: puts the first files into the folder.
     """
     bound_ourselves()
@@ -196,7 +196,7 @@ def open_sandbox(
             sandbox.over = True
             on_breach(limit)
             with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, signal.SIGKILL)  # the first of its namespace: all others go with it
+                os.kill(pid, signal.SIGKILL)  # the first of its namespace: all others end with it
 
         groups = [Path(group) for group in plan.control_groups]
         further = [Path(f"/proc/{pid}/root", name) for name in ("tmp", "dev/shm")]
@@ -206,7 +206,7 @@ def open_sandbox(
 
 
 def hand_over(folder: Path, user: int | None) -> None:
-    """All in the folder belongs to this user from now on."""
+    """Make everything in the folder belong to this user."""
     if user is None:
         return
     os.chown(folder, user, user)

@@ -1,12 +1,12 @@
-"""What no program of a submission may ask of the kernel: a filter of system calls, as seccomp(2) takes it.
+"""System calls that no program of a submission may make: a filter for seccomp(2).
 
-Rights are gone already. This takes away what needs none: namespaces of users, in which one would be root
-again, looking into other processes, those parts of the kernel that have been its weakest, and memory that
-counts for no process. Of networks, a list is let through: local sockets, TCP and UDP, and asking about the
-own network. Calls that are refused fail with EPERM, as they do in most containers; what libraries can do
-without fails as if this kernel did not know it. Priorities seem to be set, but stay: a program that lets
-all others go first could always say that the machine was too busy, and Fast DDS prints errors where it is
-refused.
+Programs have no rights already. The filter refuses what needs no rights: user namespaces, in which a
+program would be root again; looking into other processes; the parts of the kernel that were attacked most;
+and memory that counts for no process. Of networks, it allows local sockets, TCP, UDP, and questions about
+the program's own network. Refused calls fail with EPERM, as in most containers. Calls that libraries can do
+without fail as if the kernel did not know them. Calls that set priorities seem to succeed but change
+nothing: a program with a low priority could always claim that the machine was too busy, and Fast DDS prints
+errors if they fail.
 Source: seccomp(2), and the kernel's tables of system calls for both architectures.
 """
 
@@ -23,14 +23,14 @@ _NEW_NAMESPACES = 0x7E02_0000
 _UNIX, _INET, _INET6, _NETLINK = 1, 2, 10, 16
 _KIND = 0xF  # of a socket's type, beside flags
 _STREAM, _DATAGRAM = 1, 2
-_PROTOCOLS = (0, 6, 17)  # what suits the type, TCP, UDP: not MPTCP, SCTP and others
-_ROUTES = 0  # of netlink's protocols, which network there is: not who uses it (sock_diag)
-_TYPING = (0x5412, 0x541C)  # TIOCSTI, TIOCLINUX: input for a terminal, in its user's place
+_PROTOCOLS = (0, 6, 17)  # the type's default, TCP, UDP; not MPTCP, SCTP, and others
+_ROUTES = 0  # of netlink's protocols: which networks there are, not who uses them (sock_diag)
+_TYPING = (0x5412, 0x541C)  # TIOCSTI, TIOCLINUX: type into a terminal in its user's place
 # The same numbers everywhere: io_uring, open_tree to fspick, pidfd_getfd, process_madvise, mount_setattr,
 # quotactl_fd, landlock, memfd_secret, process_mrelease.
 _REFUSED = (425, 426, 427, 428, 429, 430, 431, 432, 433, 438, 440, 442, 443, 444, 445, 446, 447, 448)
-_CLONE3 = 435  # its flags lie in memory, where no filter sees them; without it, libraries take clone
-_UNKNOWN = 454  # calls from here on are newer than this list; those of x32 are far beyond
+_CLONE3 = 435  # its flags are in memory, which no filter sees; without it, libraries use clone
+_UNKNOWN = 454  # calls from here on are newer than this list; x32 has far higher numbers
 
 _LOAD, _EQUAL, _ANY_BIT, _AT_LEAST, _AND, _RETURN = 0x20, 0x15, 0x45, 0x35, 0x54, 0x06
 _NUMBER, _ARCHITECTURE, _FIRST, _SECOND, _THIRD = 0, 4, 16, 24, 32  # offsets in struct seccomp_data
@@ -81,7 +81,7 @@ _MACHINES = {
 
 
 def refusing(name: str = platform.machine()) -> bytes:
-    """The filter for this kind of machine, an array of struct sock_filter; empty where none is known."""
+    """The filter for this kind of machine, an array of struct sock_filter; empty if none is known."""
     machine = _MACHINES.get(name)
     return b"" if machine is None else b"".join(_instructions(machine))
 
@@ -120,12 +120,12 @@ def _sockets() -> Iterable[bytes]:
 
 
 def _if_any(values: Iterable[int]) -> list[bytes]:
-    """Let the call through if what was loaded last is one of these."""
+    """Allow the call if the last loaded value is one of these."""
     return [step for value in values for step in _when(value, [_do(_RETURN, _ALLOW)])]
 
 
 def _when(value: int, steps: list[bytes]) -> list[bytes]:
-    """These steps if what was loaded last is the value. They must end the filter."""
+    """Take these steps if the last loaded value is this one. They must end the filter."""
     return [_do(_EQUAL, value, 0, len(steps)), *steps]
 
 

@@ -1,12 +1,12 @@
-"""Which files of the machine a submission's programs can read: a list, and nothing beside it.
+"""Which files of the machine a submission's programs can read: those on a list, and no others.
 
-system          what the distribution's packages bring; see `SYSTEM`
-environments    the Pythons and the ROS wheels: of each prefix the usual folders, and of its Python packages
-                those that the programs and builds of ROS packages need (`_PACKAGES`)
-ROS             an installed one, the workspaces it was built in, and what builds of this submission installed
-ours            the underlay's packages, and two programs that run among the learner's
+system          what the distribution's packages contain; see `SYSTEM`
+environments    the Pythons and the ROS wheels: the usual folders of each prefix, and the Python packages
+                that programs and builds of ROS packages need (`_PACKAGES`)
+ROS             an installed one, its workspaces, and what builds of this submission installed
+ours            the underlay's packages, and two programs that run alongside the learner's
 
-A course can be installed like any Python package. Its folders, the engine's among them, are on no list.
+A course can be installed like any Python package. Its folders, including the engine's, are not on the list.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import course
 from course.rosenv import Ros, places_of
 from course.rosenv.variables import PREFIXES
 
-# Shown as the system itself. In /usr/src, /usr/games and elsewhere below /usr/local, anything may be.
+# Shown as the system. /usr/src, /usr/games, and other folders below /usr/local may contain anything.
 _BELOW = ("bin", "sbin", "lib", "lib32", "lib64", "libx32", "libexec", "include")
 _LOCAL = Path("/usr/local")
 SYSTEM = tuple(
@@ -32,17 +32,17 @@ SYSTEM = tuple(
         *(f"/{name}" for name in ("bin", "sbin", "lib", "lib32", "lib64", "libx32")),
     )
 )
-# Of an environment's prefix. The last ones are the C library of conda's compilers, and what we wrote there.
+# In an environment's prefix. The last ones are the C library of conda's compilers, and our own files.
 _OF_A_PREFIX = (*_BELOW, "pyvenv.cfg", "*-conda-linux-gnu", "setup.*", "local_setup.*")
-# Beside those of ROS: what it brings without registering it, and where CMake and pkg-config look.
+# Besides those of ROS: packages that it does not register, and where CMake and pkg-config look.
 _SHARED = frozenset("ament_index ros2course colcon foonathan_memory pkgconfig aclocal man locale".split())
 _SHARED_BEGINNINGS = ("cmake", "colcon_", "fast")
 _PYTHON_FOLDERS = ("lib*/python3*/site-packages", "lib*/python3*/dist-packages")
-# Where a course may be installed beside what the distribution's packages bring.
+# Where a course may be installed beside the distribution's packages.
 _OF_THE_SYSTEM = (Path("/usr/share"), *(path for name in _PYTHON_FOLDERS for path in Path("/usr").glob(name)))
 _STEM = re.compile("[-.]")
 _LIBRARIES = ("LD_LIBRARY_PATH", "PKG_CONFIG_PATH")
-# Python packages beside those of ROS. By what they are for: nodes, builds, and what these two import.
+# Python packages besides those of ROS: for nodes, for builds, and what these two import.
 _PACKAGES = frozenset(
     """
     numpy dqrobotics yaml _yaml pyyaml PyYAML psutil typing_extensions six
@@ -60,23 +60,23 @@ _OURS = tuple(Path(course.__file__).parent / "arena" / name for name in ("probe_
 
 @dataclass(frozen=True)
 class View:
-    """shown: files and folders that can be read, at their own places.
+    """shown: files and folders that can be read, under their own paths.
 
-    empty: folders in them of which nothing can be read but what is also in `shown`.
+    empty: folders in them that show only what is also in `shown`.
     """
 
     shown: tuple[str, ...] = ()
     empty: tuple[str, ...] = ()
 
     def shows(self, path: Path) -> bool:
-        """Whether this file can be read: what is nearest around it decides."""
+        """Whether this file can be read: the nearest folder around it decides."""
         around = map(str, (path, *path.parents))
         near = next((place for place in around if place in (*self.shown, *self.empty)), None)
         return near in self.shown or (near is None and any(path.is_relative_to(place) for place in SYSTEM))
 
 
 def view(ros: Ros, environment: Mapping[str, str], more: Iterable[Path] = ()) -> View:
-    """What programs with this `environment` (see `node_environment`) need, and `more`."""
+    """What programs with this `environment` (see `node_environment`) need, plus `more`."""
     environments = _environments(ros)
     folders = {prefix: _python_folders(prefix) for prefix in environments}
     named = [path for name in PREFIXES for path in _named(environment, name)]
@@ -109,7 +109,7 @@ def _named(environment: Mapping[str, str], name: str) -> Iterator[Path]:
 
 
 def _with_targets(paths: Iterable[Path]) -> list[Path]:
-    """A link that leads there needs what it leads to."""
+    """A link needs its target, too."""
     everything = dict.fromkeys(place for path in paths for place in (path, path.resolve()))
     return [path for path in everything if path.exists()]
 
@@ -122,14 +122,14 @@ def _environments(ros: Ros) -> list[Path]:
 
 
 def _python_folders(prefix: Path) -> list[Path]:
-    """The folders of a prefix that Python packages are installed in, without other names of them."""
+    """The folders of a prefix in which Python packages are installed, each by one name only."""
     real = prefix.resolve()
     found = sorted(folder for pattern in _PYTHON_FOLDERS for folder in prefix.glob(pattern))
     return [folder for folder in found if folder.resolve() == real / folder.relative_to(prefix)]
 
 
 def _courses_of_the_system() -> list[Path]:
-    """Among what the distribution's packages brought there may also be what somebody else put there."""
+    """Somebody may have installed a course among the distribution's packages."""
     folders = (folder for folder in _OF_THE_SYSTEM if folder.is_dir())
     return [path for folder in folders for path in folder.iterdir() if _holds_course(path)]
 
@@ -159,7 +159,7 @@ def _registered(prefix: Path) -> frozenset[str]:
 
 
 def _packages(folder: str, registered: Container[str]) -> Iterator[str]:
-    """What ROS needs of this folder of Python packages."""
+    """What ROS needs from this folder of Python packages."""
     with os.scandir(folder) as entries:
         return (entry.path for entry in list(entries) if _is_package(entry, registered))
 
@@ -167,7 +167,7 @@ def _packages(folder: str, registered: Container[str]) -> Iterator[str]:
 def _is_package(entry: os.DirEntry[str], registered: Container[str]) -> bool:
     name, stem = entry.name, _STEM.split(entry.name)[0]
     known = stem in _PACKAGES or stem.startswith("colcon_")
-    if name.endswith("-info"):  # read for the programs and plugins that the package offers
+    if name.endswith("-info"):  # lists the programs and plugins that the package offers
         return (known or stem in registered) and Path(entry, "entry_points.txt").exists()
     if stem in registered:
         return Path(entry, "__init__.py").exists()
@@ -175,7 +175,7 @@ def _is_package(entry: os.DirEntry[str], registered: Container[str]) -> bool:
 
 
 def _outermost(paths: Iterable[Path], empty: Iterable[Path]) -> list[Path]:
-    """Without what can be read anyway because of what is around it, unless that is empty."""
+    """Without paths that a folder around them shows anyway, unless that folder is empty."""
     full, hollow = {*SYSTEM}, {*empty}
     kept: list[Path] = []
     for path in sorted(set(paths), key=lambda path: (len(path.parts), path)):

@@ -1,4 +1,4 @@
-"""Sees when a submission uses up more than it may: by its control groups, or by looking at its processes."""
+"""Notices when a submission exceeds a limit, by its control groups or by looking at its processes."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ _MANY = 0.2
 
 
 def most_of(limits: ResourceLimits, limit: str) -> float:
-    """What a submission may have of it: bytes, a number, or seconds."""
+    """The limit for one resource: bytes, a number, or seconds."""
     known = {MEMORY: limits.memory, PROCESSES: limits.processes, CPU: limits.cpu, DISK: limits.scratch}
     return known[limit]
 
 
 class Watchdog:
-    """Asked from time to time. root: pid whose descendants are the submission's, with itself,
-    and all in a namespace that it is the first process of.
+    """Looks when asked. root: the pid of a process that belongs to the submission, like its descendants and
+    all processes in a namespace in which it is the first.
 
-    groups: its control groups. scratch: says how many bytes it has written, and how many it may.
-    cpu: seconds of computing, when it was last asked.
+    groups: its control groups. scratch: returns how many bytes it has written, and how many it may write.
+    cpu: seconds of computing at the last look.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class Watchdog:
 
     def _by_groups(self) -> str | None:
         self.cpu = identity.cpu_seconds(self._groups)
-        # First: so many take all the memory, too.
+        # First, because so many processes use up the memory, too.
         if identity.refused_processes(self._groups):
             return PROCESSES
         if identity.memory_kills(self._groups):
@@ -71,17 +71,17 @@ class Watchdog:
                 threads += process.num_threads()
                 seconds += sum(process.cpu_times()[:4])
         self.cpu = seconds
-        if threads >= self._limits.processes:  # the kernel refuses what goes far beyond
+        if threads >= self._limits.processes:  # the kernel refuses anything far beyond
             return PROCESSES
         if memory > self._limits.memory:
-            # What they share counts for each of them: so many are too many, whatever they need.
+            # Shared memory counts for each of them: so many are too many, whatever they need.
             return PROCESSES if threads >= self._limits.processes * _MANY else MEMORY
         return CPU if seconds > self._limits.cpu else None
 
 
 @contextlib.contextmanager
 def watching(watchdog: Watchdog, on_breach: Callable[[str], None]) -> Iterator[Callable[[], None]]:
-    """Look in a thread of its own; `on_breach` is called once. Yields what looks at once, from any thread."""
+    """Look in a separate thread; call `on_breach` once. Yields a function that looks now, from any thread."""
     over, one_at_a_time = threading.Event(), threading.Lock()
 
     def look() -> None:
@@ -100,16 +100,16 @@ def watching(watchdog: Watchdog, on_breach: Callable[[str], None]) -> Iterator[C
     try:
         yield look
     finally:
-        look()  # what ended a program, or made starting one fail, may be what it was ended for
+        look()  # whatever ended a program, or kept one from starting, may be the limit
         over.set()
         thread.join()
 
 
 def filesystem(folder: Path, further: Sequence[Path] = ()) -> Callable[[], tuple[int, int]]:
-    """For a file system of the submission's own: full means too much.
+    """For the submission's own file system: full means too much.
 
-    Each file counts as a page at least, as on a disk: empty ones take the kernel's memory. further: other
-    file systems, of which the number of files counts.
+    Each file counts as at least a page, because empty files use the kernel's memory. further: other file
+    systems, whose number of files counts.
     """
 
     def used() -> tuple[int, int]:
@@ -124,13 +124,13 @@ def filesystem(folder: Path, further: Sequence[Path] = ()) -> Callable[[], tuple
 def _files(folder: Path) -> int:
     try:
         status = os.statvfs(folder)
-    except OSError:  # not to be seen from here, or gone
+    except OSError:  # not visible from here, or gone
         return 0
     return status.f_files - status.f_ffree
 
 
 def _tree(root: int) -> Iterable[psutil.Process]:
-    """What is below that process, and what else is in its namespace: programs are put in from outside."""
+    """All processes below that one, and others in its namespace: programs are put in from outside."""
     found: dict[int, psutil.Process] = {}
     with contextlib.suppress(psutil.Error):
         top = psutil.Process(root)
