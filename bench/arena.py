@@ -1,7 +1,7 @@
-"""What containment adds to a check: the same exercise, alternately contained and in a ROS domain of its own.
+"""What containment adds to a check: the same exercise, alternately contained and in its own ROS domain.
 
-A script that prints a line is checked, without ROS, so that little else is timed. The parts are timed
-besides: what of it is opening and closing, seen from outside.
+The exercise is a script that prints a line, without ROS, so that little else is timed. Opening and closing
+are also timed separately, from outside.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""A class graded by `grade`, and a sample of it by `check`, one after another.
+"""Grades a class with `grade`, and a sample of it with `check`, one after another.
 
-Right solutions and known mistakes take turns. Half of the sample is checked before the class is graded and
-half afterwards, so that a machine that others use, too, does both alike. Each has its own cache of builds,
-in which nothing but the reference solution is built yet.
+Right solutions and known mistakes alternate. Half of the sample is checked before the class is graded and
+half afterwards, so that a busy machine affects both equally. Each has its own build cache, which contains
+only the reference solution.
 
     .venv/bin/python bench/batch.py                     100 submissions of 18-publisher
     .venv/bin/python bench/batch.py --jobs 2,4,6 --people 24 --sample 0
@@ -67,7 +67,7 @@ class Peaks:
 
 @dataclass(frozen=True)
 class Go:
-    """One command. gradings: verdicts by person. attempts: over all, one each when nothing was retried."""
+    """One command. gradings: verdicts by person. attempts: in total; one each if nothing was retried."""
 
     people: int
     jobs: int
@@ -112,7 +112,7 @@ def numbers(text: str) -> list[int]:
 
 
 def warmed(folder: Path, who: str, exercise_id: str) -> dict[str, str]:
-    """The environment of commands with a cache of their own, which has seen the solution."""
+    """An environment with its own cache, in which the solution is already built."""
     environment = {**os.environ, "ROS2COURSE_CACHE": str(folder / f"cache-{who}"), "PYTHONPATH": str(ROOT)}
     first = lay_mixed(folder / f"first-{who}", 1, exercise_id)
     grade(folder, first, exercise_id, 1, environment)
@@ -174,7 +174,7 @@ def _role(process: psutil.Process) -> str:
 def checked(
     homes: Sequence[Path], exercise: str, environment: dict[str, str]
 ) -> list[tuple[str, float, Judged]]:
-    """Each by a command of its own, as an instructor would type it: person, seconds, verdict."""
+    """Each by a separate command, as an instructor would type it: person, seconds, verdict."""
     found = []
     for home in homes:
         subprocess.run(command("init", home), env=environment, check=True, stdout=subprocess.DEVNULL)

@@ -1,7 +1,7 @@
-"""A class graded by a local Dask cluster, beside the local pool; and with one of its workers killed half-way.
+"""A class graded by a local Dask cluster and by the local pool; and with one worker killed halfway.
 
-Both grade the same submissions (right ones and known mistakes of one exercise), in turns, with as many
-gradings at once. The rate leaves out the cluster's start, which the table names by itself.
+Both grade the same submissions (right ones and known mistakes of one exercise), in turns, with the same
+number of gradings at once. The rate leaves out the cluster's start, which has its own row in the table.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from course_cluster.fitness import wanted
 
 @dataclass
 class Go:
-    """One class, graded. start: seconds until the first could be graded. seconds: from then on."""
+    """One graded class. start: seconds until the first grading could start. seconds: from then on."""
 
     start: float
     seconds: float = 0.0
@@ -50,7 +50,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="ros2course-bench-") as folder:
         top = Path(folder)
         lay_mixed(top / "class", options.count, options.exercise)
-        grade(top, "warm", options.exercise)  # builds what is not yet built
+        grade(top, "warm", options.exercise)  # builds everything that is not built yet
         pairs = [pair(top, n, options.exercise) for n in range(options.goes)]
         killed = grade(top, "killed", options.exercise, LOCAL, kill_after=options.count // 2)
     rows = [
@@ -67,7 +67,7 @@ def main() -> None:
 
 
 def pair(top: Path, number: int, exercise: str) -> tuple[Go, Go]:
-    """The pool's go and the cluster's. Now one, now the other comes first: a machine's load drifts."""
+    """The pool's run and the cluster's. They take turns at being first, because a machine's load drifts."""
     order = (None, LOCAL) if number % 2 == 0 else (LOCAL, None)
     goes = {who: grade(top, f"{who or 'pool'}{number}", exercise, who) for who in order}
     return goes[None], goes[LOCAL]

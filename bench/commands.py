@@ -1,6 +1,6 @@
-"""Cold time of the quick commands, beside a Python that starts and does nothing.
+"""Cold time of the quick commands, compared with a Python that starts and does nothing.
 
-Every round runs each command once, so that a busy moment of the machine meets them all.
+Every round runs each command once, so that a busy moment affects them all.
 """
 
 from __future__ import annotations

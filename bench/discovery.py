@@ -1,7 +1,7 @@
-"""From a publisher being ready to its first message in the recording, many new publishers in turn.
+"""The time from a publisher being ready to its first message in the recording, for many new publishers.
 
-Ours is the environment of the arena; its peer is the same with Fast DDS's default settings.
-Both run in a network namespace of their own.
+Ours has the arena's environment; its peer has the same, but with Fast DDS's default settings. Each runs in
+its own network namespace.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def row(name: str, values: list[float]) -> list[str]:
 
 
 def measured(tries: int, *, default: bool, namespaces: bool) -> list[float]:
-    """In batches, each in namespaces of its own, as every check has one."""
+    """In batches, each in its own namespaces, as in a check."""
     batches = [min(BATCH, tries - start) for start in range(0, tries, BATCH)]
     return [delay for size in batches for delay in batch(size, default=default, namespaces=namespaces)]
 
@@ -81,7 +81,7 @@ def batch(tries: int, *, default: bool, namespaces: bool) -> list[float]:
 
 
 def first_messages(tries: int) -> list[float]:
-    """Runs in there: one recorder, one new publisher process after the other."""
+    """Runs inside the namespaces: one recorder, and one new publisher process after the other."""
     from course.evidence.recorder import Recorder
     from course.evidence.timeline import Timeline
 
@@ -97,9 +97,9 @@ def first_messages(tries: int) -> list[float]:
             ready = float(process.stdout.readline().split()[1])
             if not timeline.wait_until(lambda listener=listener: listener.count > 0, 10):
                 raise SystemExit(f"no message came on {listener.topic} within 10 s")
-            # By our own clock: what the message says of its time is when it was sent.
+            # By our own clock: the time in the message is the time of sending.
             delays.append(time.monotonic() - ready)
-            process.send_signal(signal.SIGINT)  # it takes its leave, so nobody goes on announcing to it
+            process.send_signal(signal.SIGINT)  # it says goodbye, so nobody keeps announcing to it
             process.wait()
     return delays
 

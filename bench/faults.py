@@ -1,8 +1,8 @@
 """Do the quick tests notice random one-line faults in the engine?
 
 Each fault is tried alone, in a copy of the repository. First run the tests of the changed module's room and
-those that name the module; with `--all` every other quick test runs, too, where these notice nothing. Which
-faults are drawn depends only on the engine's lines and the seed, so that two states of the tests compare.
+those that name the module; with `--all`, all other quick tests run, too, if these notice nothing. The choice
+of faults depends only on the engine's lines and the seed, so that two states of the tests are comparable.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from course_mutation.source import Judging, Source  # noqa: E402
 
 LONGEST = 900.0
 LEFT_OUT = (".git", ".venv", ".*_cache", "__pycache__")
-# The slowest of the others: they test the launcher and the ROS packages beside the engine.
+# The slowest ones: they test the launcher and the ROS packages, not the engine.
 NO_ENGINE = ("tests/launcher", "tests/underlay")
 
 
@@ -49,7 +49,7 @@ class Fault:
 
 
 def faults_of(file: Path) -> Iterator[Fault]:
-    """Comparisons, `not`, `and` and `or` turned around; bounds changed; statements taken out."""
+    """Comparisons, `not`, `and`, and `or` reversed; limits changed; statements removed."""
     source = Source(file)
     lines = source.text.splitlines()
     functions = [node for node in ast.walk(source.tree) if isinstance(node, ast.FunctionDef)]
@@ -76,7 +76,7 @@ def faults_of(file: Path) -> Iterator[Fault]:
 
 
 def _is_a_step(node: ast.AST) -> bool:
-    """Whether it can be taken out. A docstring can, and nobody should notice."""
+    """Whether it can be removed with an effect, so not a docstring."""
     is_text = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
     return isinstance(node, ast.Expr | ast.AugAssign | ast.Continue | ast.Raise) and not is_text
 
@@ -96,7 +96,7 @@ class Copy:
         self.failing: set[str] = set()
 
     def near(self, fault: Fault) -> list[str]:
-        """Test files of the module's room, and those that name it; first those that are called like it."""
+        """Test files of the module's room and those that name it; first those with its name."""
         room, module = (
             fault.file.parts[1],
             ".".join(fault.file.with_suffix("").parts).removesuffix(".__init__"),
@@ -115,7 +115,7 @@ class Copy:
         return [str(file.relative_to(self.root)) for file in found]
 
     def notices(self, fault: Fault, tests: Sequence[str]) -> str:
-        """Which test fails with the fault, and not without it; empty for none."""
+        """The test that fails with the fault and passes without it; empty if there is none."""
         file = self.root / fault.file
         clean = file.read_bytes()
         while tests:

@@ -1,11 +1,11 @@
 """What a learner reads about mistakes that no feedback was written for: `bench/mistakes/*.yaml`.
 
-Each mistake is made in the solution, or in the alternative that `over` names, and graded as `check` grades.
-The feedback of those that match PATTERN is printed, to be read and judged by a person. --figures prints what
-`bench/mistakes/judgments.yaml` says of them: for each mistake its letters c (the true cause is named), l (the
-feedback leads to the fix) or p (it leads there partly), m (it misleads), and u (not caught). `e` marks what
-turned out to be right. Of each file, every other mistake belongs to the set `blind`: to be read only after
-explanations were mended.
+Each mistake is made in the solution, or in the alternative that `over` names, and graded as `check` does. The
+feedback for those that match PATTERN is printed, for a person to read and judge. --figures prints the
+judgments in `bench/mistakes/judgments.yaml`: for each mistake its letters c (the true cause is named), l (the
+feedback leads to the fix) or p (it leads there partly), m (it misleads), and u (not caught). `e` marks edits
+that turned out to be right. Every other mistake of each file belongs to the set `blind`: read these only
+after explanations were improved.
 """
 
 from __future__ import annotations

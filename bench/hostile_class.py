@@ -1,4 +1,4 @@
-"""Honest submissions among hostile ones: does every honest one keep its marks, and the machine its peace?
+"""Honest submissions among hostile ones: does each honest one keep its marks, and does the machine survive?
 
 Grades a class in which every eleventh submission is right and all others attack (tests/hostile/programs),
 with the ordinary command. Compares files that anybody may write, processes, control groups and the
@@ -94,7 +94,7 @@ def verdicts(file: Path) -> dict[str, str]:
 
 
 def processes() -> set[tuple[int, float]]:
-    """Those of the course and of the users that it gives to submissions."""
+    """Processes of the course, and of the users that it gives to submissions."""
     found = set()
     for process in psutil.process_iter(["pid", "create_time", "uids", "cmdline"]):
         uids, words = process.info["uids"], " ".join(process.info["cmdline"] or ())

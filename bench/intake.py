@@ -1,6 +1,6 @@
-"""A class found, looked at and laid out, and the same copied or unpacked without a look.
+"""Finds, inspects, and lays out a class, compared with copying or unpacking it without inspection.
 
-The floor of folders is `shutil.copytree`, that of archives `shutil.unpack_archive`, on the same disk.
+The baseline is `shutil.copytree` for folders and `shutil.unpack_archive` for archives, on the same disk.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Does the recorder take a robot's joint stream without loss, and at what share of a core?
+"""Does the recorder keep up with a robot's joint stream without loss, and with what share of a core?
 
-A publisher in a process of its own keeps to 500 Hz, then 2 kHz, for ten seconds, and numbers its messages in
-their first joint. The floor takes the same bytes and keeps them: a bare rclpy subscription, spun by rclpy's
-executor. Both listeners are processes of their own, one after the other in the same run. Ours is waited for
-as a scenario does it, which looks at its condition again after each message.
+A publisher in a separate process publishes at 500 Hz, then at 2 kHz, for ten seconds each, and numbers its
+messages in their first joint. The baseline only keeps the same bytes: a bare rclpy subscription, spun by
+rclpy's executor. Each listener is a separate process, one after the other in the same run. Ours waits as a
+scenario does, which checks its condition after each message.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ STATES = ("/myrobot_1/get/joint_states", "sensor_msgs/msg/JointState")
 TARGETS = ("/myrobot_1/set/target_joint_positions", "std_msgs/msg/Float64MultiArray")
 RATES = (500.0, 2000.0)
 HEAD = ("message", "rate (Hz)", "listener", "sent", "lost", "of a core (%)", "MCAP (MB)")
-# Patched in the bytes, so that the publisher takes next to nothing of the machine.
+# Patched in the bytes, so that the publisher needs almost no CPU.
 MARK = 4711.0815
 PUBLISHER = """
 import struct, sys, time
@@ -62,7 +62,7 @@ sys.stdin.read()  # until all of it has been received
 
 @dataclass(frozen=True)
 class Heard:
-    """numbers: of the messages, as they came. cpu: seconds of it. size: bytes of the MCAP file."""
+    """numbers: of the messages, in order of arrival. cpu: seconds of CPU. size: bytes of the MCAP file."""
 
     numbers: list[int]
     cpu: float
@@ -115,7 +115,7 @@ def row(topic: str, kind: str, rate: float, who: str, seconds: float) -> list[st
 
 
 def floor(topic: str, kind: str, sent: int) -> Heard:
-    """A bare raw subscription, spun by rclpy's own executor in a thread of its own."""
+    """A bare raw subscription, spun by rclpy's executor in a separate thread."""
     import threading
 
     import rclpy
@@ -162,7 +162,7 @@ def recorder(topic: str, kind: str, sent: int) -> Heard:
 
 
 def cpu_of(sent: int, count: Callable[[], int], wait: Callable[[Callable[[], bool], float], object]) -> float:
-    """CPU time of this process from the first message until all are here; a second without one is the end."""
+    """CPU time of this process from the first message to the last; a second without any is the end."""
     wait(lambda: count() > 0, 60)
     began, heard = time.process_time(), 0
     while heard < count() < sent:
@@ -172,14 +172,14 @@ def cpu_of(sent: int, count: Callable[[], int], wait: Callable[[Callable[[], boo
 
 
 def wait(condition: Callable[[], bool], timeout: float) -> None:
-    """Without a time line: look now and then."""
+    """Without a time line: look from time to time."""
     last = time.monotonic() + timeout
     while not condition() and time.monotonic() < last:
         time.sleep(0.01)
 
 
 def number(data: bytes) -> int:
-    """The first of six joints: in both messages six doubles stand together."""
+    """The first of six joints: both messages contain six doubles in a row."""
     rest = struct.pack("<5d", 0.1, 0.2, 0.3, 0.4, 0.5)
     place = data.index(rest) - 8
     return round(struct.unpack_from("<d", data, place)[0])

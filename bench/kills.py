@@ -1,13 +1,13 @@
-"""Processes of ours are killed while a class is graded: does a mark change, is anything lost or doubled?
+"""Kills our own processes while a class is graded: does a mark change, is anything lost or doubled?
 
 A class hands in the solution and the known mistakes in turn. The usual `grade` command grades it once
 quietly, and then in rounds, each with other packages to build. During a round, processes are killed
-(SIGKILL) at random moments: one of the kind that was killed least so far, and sometimes the command itself,
-which is then typed again. One command hits each submission at most twice, because the third attempt at a
-grading is the last one; and it is killed itself only after it has judged a few.
+(SIGKILL) at random moments: one of the kind that was killed least often so far, and sometimes the command
+itself, which is then started again. One command hits each submission at most twice, because the third attempt
+at a grading is the last one. The command is killed only after it has judged a few.
 
-All that is done is in the folder --keep: stop this at any moment, even with kill -9, and the same command
-goes on where it was.
+All results are in the folder --keep: you can stop this at any moment, even with kill -9. The same command
+then continues.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ from tests.batch.command import groups_of, half_written, outliving  # noqa: E402
 from tests.processes import ours_below  # noqa: E402
 
 COMMAND, WORKER, DASK = "command", "worker", "Dask worker"
-# `grade` that also notes which worker is given whose submission: no process shows that from outside.
+# `grade` that also notes which worker gets whose submission, because no process shows that from outside.
 NOTING = """
 import sys
 from course.batch.pool import Worker
@@ -68,9 +68,9 @@ Gradings = dict[str, tuple[str, float]]
 
 @dataclass
 class Round:
-    """What a round has come to. again: whose first attempt did not count. changed: what, by person.
+    """The result of a round. again: whose first attempt did not count. changed: what, by person.
 
-    our_errors, lost, doubled: by person. left: files, processes and control groups that nobody needs.
+    our_errors, lost, doubled: by person. left: files, processes, and control groups that nobody needs.
     """
 
     hits: list[Hit] = field(default_factory=list)
@@ -84,7 +84,7 @@ class Round:
 
 @dataclass(frozen=True)
 class Class:
-    """One class, and where its results are. before: of the gradings, `grade` and all that comes before."""
+    """One class, and where its results are. before: the command line up to and including `grade`."""
 
     folder: Path
     words: tuple[str, ...]
@@ -102,7 +102,7 @@ class Class:
         return {home.name for home in (self.folder / "class").glob("p*")}
 
     def start(self) -> subprocess.Popen[bytes]:
-        """It ends with us."""
+        """Start a command that ends with us."""
         guard = ["setpriv", "--pdeathsig", "KILL", "--"]
         self.notes.write_text("")
         program = [sys.executable, "-c", NOTING, str(self.notes)]
@@ -119,7 +119,7 @@ class Class:
         return sqlite3.connect(self.out / FILE)
 
     def judged(self) -> Gradings:
-        """When each was graded, and how long it took: another grading of it has others."""
+        """When each was graded, and how long it took, which identifies a grading."""
         with suppress(sqlite3.OperationalError), closing(self.database()) as database:
             rows = database.execute("SELECT person, at, seconds FROM gradings WHERE verdict <> 'our error'")
             return {person: (at, seconds) for person, at, seconds in rows}
@@ -152,7 +152,7 @@ def main() -> None:
 
 
 def graded_quietly(options: argparse.Namespace) -> tuple[Class, list[str]]:
-    """A class of one of each as it must always come out, and the kinds of processes that were seen."""
+    """The expected results of a class with one of each, and the kinds of processes that were seen."""
     course = open_course(options.course)
     quiet = lay_class(options, "quiet", len(variants(options.exercise, course)))
     file = quiet.folder / "kinds.json"
@@ -172,7 +172,7 @@ def lay_class(options: argparse.Namespace, name: str, people: int) -> Class:
     lay_variants(folder / "class", people, options.exercise, open_course(options.course))
     for file in (folder / "class").glob("p*/**/setup.py"):
         mark = f"# {file}"
-        if mark not in file.read_text(encoding="utf-8"):  # else its build is in the cache
+        if mark not in file.read_text(encoding="utf-8"):  # otherwise its build is in the cache
             with file.open("a", encoding="utf-8") as opened:
                 opened.write(f"\n{mark}\n")
     about = ("--course", str(options.course), "grade", str(folder / "class"))
@@ -181,7 +181,7 @@ def lay_class(options: argparse.Namespace, name: str, people: int) -> Class:
 
 
 def played(this: Class, kills: Counter[str], wanted: int) -> Round:
-    """Grade the class, and kill. kills: how many of each kind there have been; counted on."""
+    """Grade the class, and kill. kills: how many of each kind there were so far; updated."""
     one, journal = Round(), this.folder / "hits.jsonl"
     for line in lines(journal):
         kind, person = json.loads(line)
@@ -215,7 +215,7 @@ def strikes(
     most: int,
     started: set[psutil.Process],
 ) -> Iterator[Hit]:
-    """Kill until the command has ended. started: all that it has started is added."""
+    """Kill until the command has ended. started: everything that it starts is added."""
     top, hits, judged = psutil.Process(command.pid), Counter[str](), len(this.judged())
     while command.poll() is None:
         time.sleep(random.uniform(0, LONGEST_PAUSE))
@@ -237,7 +237,7 @@ def strikes(
 
 
 def targets(top: psutil.Process, tasks: dict[int, str]) -> Iterator[tuple[str, psutil.Process, str]]:
-    """Kind, process and person of all that works on somebody's submission now; and the command itself."""
+    """Kind, process, and person of everything that is working on a submission; and the command itself."""
     whose: dict[psutil.Process, str] = {}
     found = list(ours_below(top))
     for _, worker in (each for each in found if each[0] == WORKER):
@@ -245,7 +245,7 @@ def targets(top: psutil.Process, tasks: dict[int, str]) -> Iterator[tuple[str, p
             whose.update(dict.fromkeys([worker, *below(worker)], person))
     yield from ((kind, process, whose[process]) for kind, process in found if process in whose)
     dask = [process for kind, process in found if kind == DASK]
-    yield from ((DASK, process, "") for process in dask)  # whose submission it has, nobody has noted
+    yield from ((DASK, process, "") for process in dask)  # nobody has noted whose submission it has
     if whose or dask:
         yield COMMAND, top, ""
 
@@ -285,7 +285,7 @@ HEAD = ("process", "kills", "graded again", "our errors", "marks changed", "lost
 
 
 def report(rounds: list[Round], kinds: list[str]) -> None:
-    """Each grading counts for every kind that it was hit by; those of the whole class for the command."""
+    """Each grading counts for every kind of kill that hit it; all gradings count for the command."""
     rows = []
     for kind, kills in sorted(killed(rounds, kinds).items()):
         figures = [0] * (len(HEAD) - 2)

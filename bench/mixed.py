@@ -27,7 +27,7 @@ def lay_mixed(folder: Path, people: int, exercise_id: str) -> list[Path]:
 
 
 def variants(exercise_id: str, course: Course | None = None, *, right: bool = False) -> list[tuple[str, str]]:
-    """Kind and name of the solution, the alternatives and, unless `right`, the known mistakes."""
+    """Kind and name of the solution, the alternatives, and, unless `right`, the known mistakes."""
     exercise = (course or open_course()).exercise(exercise_id)
     found = [("solution", ""), *(("alternative", other.name) for other in exercise.alternatives())]
     return found + [("mistake", mistake.id) for mistake in exercise.mistakes() if not right]
@@ -36,7 +36,7 @@ def variants(exercise_id: str, course: Course | None = None, *, right: bool = Fa
 def lay_variants(
     folder: Path, people: int, exercise_id: str, course: Course | None = None, *, right: bool = False
 ) -> None:
-    """Person n has the n-th variant, in turn. Homes that are there already stay as they are."""
+    """Person n has the n-th variant, in turn. Homes that already exist stay as they are."""
     course = course or open_course()
     exercise, kinds = course.exercise(exercise_id), variants(exercise_id, course, right=right)
     for number in range(people):
@@ -47,4 +47,4 @@ def lay_variants(
             shutil.rmtree(beside, ignore_errors=True)
             beside.mkdir(parents=True)
             lay(course, exercise, Proof(exercise_id, ProofKind(kind), name), beside)
-            beside.rename(home)  # whole or not at all
+            beside.rename(home)  # complete or not at all

@@ -1,8 +1,8 @@
 """How many messages a second go through rclcpp, rclpy and rcl itself; what a node costs to compile and start.
 
-Messages come in bursts of a hundred; the next burst begins when the hearer has thanked for the last message
-of the one before, so nothing is lost and everybody does the same work. Programs in C++ are compiled as a
-learner's are: without optimization. All of it runs in namespaces of its own, in turns.
+Messages come in bursts of a hundred. The next burst begins after the receiver has confirmed the last message
+of the previous one, so nothing is lost and all do the same work. C++ programs are compiled like a learner's,
+without optimization. Everything runs in separate namespaces, in turns.
 """
 
 from __future__ import annotations
@@ -167,7 +167,7 @@ def compiled(optimization: str) -> float:
 
 
 def started(command: list[str]) -> float:
-    """Seconds until a node that publishes has reported, less the time for which it was to publish."""
+    """Seconds until a publishing node has reported, minus the time for which it had to publish."""
     began = time.monotonic()
     rate([*command, "both", "0"])
     return time.monotonic() - began

@@ -1,7 +1,7 @@
 """How long it takes to judge a thousand stored recordings again, and whether the verdicts stay the same.
 
-Solutions and known mistakes of different exercises are graded once; their recordings are copied to a
-thousand files. The floor is to load these files and judge nothing.
+Solutions and known mistakes of different exercises are graded once, and their recordings are copied to a
+thousand files. The baseline loads these files and judges nothing.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ EXERCISES = """
     01-files 02-script 02-class 08-template-node 12-print-forever 14-library 18-publisher 18-subscriber
     19-inspect-topics 20-server 20-client 22-parameters 22-launch 24-inspect-parameters
 """.split()
-MB = 1024.0  # of what getrusage counts in
+MB = 1024.0  # the unit of getrusage
 
 
 class Kept:
@@ -73,7 +73,7 @@ _SELF, _CHILDREN = resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN
 
 
 def recorded(solved: list[tuple[Exercise, Path]], folder: Path) -> list[Kept]:
-    """Each exercise as it is right, and then with its first mistake that is one of files or acts."""
+    """The right solution of each exercise, and then its first mistake in files or acts."""
     with ThreadPoolExecutor(2) as pool:
         right = list(pool.map(lambda one: Kept(*one, folder / f"{one[0].id}.mcap"), solved))
         wrong = list(pool.map(lambda one: mistaken(*one, folder), solved))
@@ -104,7 +104,7 @@ def loaded(stored: list[StoredRecording[Kept]]) -> None:
 
 
 def judged(stored: list[StoredRecording[Kept]], jobs: int) -> None:
-    """Ends the bench where a verdict is another one now, or a recording is said not to suffice."""
+    """End the bench if a verdict has changed, or if a recording is said to be incomplete."""
     count = 0
     for kept, answer in rejudge(stored, jobs=jobs):
         if isinstance(answer, Unjudged):

@@ -1,10 +1,10 @@
 """Many gradings of right and wrong programs under load: does any verdict differ from the quiet one?
 
-For each exercise, a class hands in the solution, the alternatives and the known mistakes in turn. The usual
-`grade` command grades each of them once quietly, two at a time, and then GRADINGS in all with LOAD programs
+For each exercise, a class hands in the solution, the alternatives, and the known mistakes in turn. The usual
+`grade` command grades each of them once quietly, two at a time, and then GRADINGS in total with LOAD programs
 at once: JOBS gradings, and busy loops for the rest. Each check is compared with the quiet grading of the same
-files. All that is done is in the folder --keep: stop this at any moment, even with kill -9, and the same
-command goes on where it was.
+files. All results are in the folder --keep: you can stop this at any moment, even with kill -9. The same
+command then continues.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from table import percentile, show
 from course.batch.results import FILE
 
 EXERCISES = ("18-publisher", "18-subscriber", "20-server", "20-client", "22-parameters")
-# So many of each exercise in turn, with a table after each turn.
+# This many of each exercise in turn, with a table after each turn.
 PORTION = 50
 Checks = dict[str, str]
 
@@ -65,13 +65,13 @@ def main() -> None:
 
 
 def graded(exercise: str, folder: Path, people: int, jobs: int, right: bool) -> sqlite3.Connection:
-    """The results of a class of so many people; only what is not in the folder yet is graded."""
+    """The results of a class of this size; only what is not in the folder yet is graded."""
     lay_variants(folder / "class", people, exercise, right=right)
     command = ["grade", str(folder / "class"), "--exercises", exercise, "--jobs", str(jobs)]
     subprocess.run(
         [sys.executable, "-m", "course", *command, "--out", str(folder / "grades")],
         cwd=Path(__file__).parents[1],
-        check=False,  # that not all pass, or something is our error, is what is asked for
+        check=False,  # failures and our errors are expected here
         stdout=subprocess.DEVNULL,
     )
     return sqlite3.connect(folder / "grades" / FILE)
@@ -124,7 +124,7 @@ def outcomes(database: sqlite3.Connection) -> dict[str, Checks]:
 
 @contextlib.contextmanager
 def busy(processes: int) -> Iterator[None]:
-    """Keep that many cores busy."""
+    """Keep this many cores busy."""
     started = [multiprocessing.Process(target=burn, daemon=True) for _ in range(processes)]
     for process in started:
         process.start()
@@ -138,7 +138,7 @@ def busy(processes: int) -> Iterator[None]:
 
 def burn() -> None:
     parent = os.getppid()
-    while os.getppid() == parent:  # if we are killed, nobody should have to look for these
+    while os.getppid() == parent:  # they end with us, even if we are killed
         pass
 
 

@@ -1,6 +1,6 @@
-"""The page of a large class: how long it takes to make, how large it is, how soon a browser can be used.
+"""The page of a large class: how long it takes to make, how large it is, how soon a browser can use it.
 
-People, marks and feedback are made up; the recordings are a talkative publisher's, of 6 s. A page is ready
+People, marks, and feedback are made up; the recordings, of 6 s, are from a busy publisher. A page is ready
 when its script has drawn the table and the browser's main thread is free again.
 
     .venv/bin/python bench/report.py                    500 people, 10 exercises, each with a recording
@@ -88,7 +88,7 @@ def row(people: int, options: argparse.Namespace) -> list[str]:
 
 
 def cpu() -> float:
-    """Seconds used by this process and by those that it began and that have ended."""
+    """CPU seconds used by this process and by its children that have ended."""
     used = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
     return sum(each.ru_utime + each.ru_stime for each in used)
 
@@ -128,7 +128,7 @@ def opened(page: Path, times: int) -> tuple[float, float, float]:
 
 
 def a_class(out: Path, people: int, exercises: int, recorded: float) -> int:
-    """Makes the results' folder; how many recordings are in it."""
+    """Make the folder of results; return how many recordings are in it."""
     chance = random.Random(7)
     chosen = [one for one in Course(open_course().root).exercises() if one.packages][:exercises]
     asked = [exercise.id for exercise in chosen]

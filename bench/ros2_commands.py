@@ -1,7 +1,7 @@
-"""How long commands of our `ros2` take among running nodes, beside the real ones' times.
+"""How long commands of our `ros2` take among running nodes, compared with the real ones.
 
-The real command is not to be had from pip, so its times are those of one earlier run on a machine of two
-cores, with its daemon warm: only large differences mean something. The floors are of this run.
+The real command is not available from pip, so its times are from one earlier run on a machine with two cores
+and a warm daemon: only large differences mean something. The baselines are from this run.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from course.rosenv import find_ros, node_environment, prepare
 
 ROOT = Path(__file__).parents[1]
 NODES = (("demo_nodes_py", "talker"), ("demo_nodes_py", "listener"))
-# Wall time of the real command in seconds, None where there is nothing to compare with.
+# Wall time of the real command in seconds; None if there is nothing to compare.
 CAPTURED: Mapping[str, float | None] = {
     "ros2 -h": 0.421,
     "ros2 pkg list": 0.232,
@@ -77,7 +77,7 @@ def in_namespaces(rounds: int) -> dict[str, list[float]]:
 
 
 def measured(rounds: int) -> dict[str, list[float]]:
-    """Runs in there: each round every command once, so that a busy moment meets them all."""
+    """Runs inside: every command once in each round, so that a busy moment affects them all."""
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     nodes = [subprocess.Popen(["ros2", "run", *node], **quiet) for node in NODES]
     commands = {name: [sys.executable, *words] for name, words in FLOORS.items()}
@@ -99,7 +99,7 @@ def measured(rounds: int) -> dict[str, list[float]]:
 
 
 def wait_for_nodes() -> None:
-    """Ask until all are listed: this also warms the daemon, as the real figures had it."""
+    """Ask until all are listed. This also warms the daemon, as it was for the real figures."""
     for _ in range(100):
         listed = subprocess.run(["ros2", "node", "list"], capture_output=True, text=True, check=False).stdout
         if len(listed.split()) >= len(NODES):

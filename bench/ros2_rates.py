@@ -1,7 +1,7 @@
-"""What `ros2 topic hz` reads beside the true rate, and how many messages `ros2 topic echo` misses at 1 kHz.
+"""What `ros2 topic hz` shows compared with the true rate, and what `ros2 topic echo` misses at 1 kHz.
 
-The publisher keeps to a schedule of its own clock and tells afterwards what it really did; both the
-reading and the truth are of the same run.
+The publisher follows a schedule by its own clock and reports afterwards what it really did. The output and
+the truth are from the same run.
 """
 
 from __future__ import annotations
@@ -72,20 +72,20 @@ def in_namespaces() -> dict[str, list]:
 
 
 def hz(rate: float, seconds: float) -> tuple[float, float]:
-    """The true rate, and the last one that was read while it lasted."""
+    """The true rate, and the last one that was shown."""
     (_, true), text = beside(rate, seconds, "hz", "/numbers")
     return true, float(re.findall(r"average rate: ([\d.]+)", text)[-1])
 
 
 def echo(rate: float) -> tuple[int, float, int]:
-    """How many messages were sent, how fast, and how many of them were shown in their order."""
+    """How many messages were sent, how fast, and how many of them were shown in order."""
     (sent, true), text = beside(rate, RATES[rate], "echo", "--csv", "--qos-depth", "1000", "/numbers")
     numbers = [int(line) for line in text.split()]
     return sent, true, len(numbers) if numbers == sorted(set(numbers)) else -1
 
 
 def beside(rate: float, seconds: float, *verb: str) -> tuple[tuple[int, float], str]:
-    """What the publisher says of itself, and what `ros2 topic <verb>` printed meanwhile."""
+    """What the publisher reports about itself, and what `ros2 topic <verb>` printed meanwhile."""
     source = [sys.executable, "-c", PUBLISHER, str(rate), str(seconds)]
     with subprocess.Popen(source, stdout=subprocess.PIPE, text=True) as publisher:
         watcher = subprocess.Popen(["ros2", "topic", *verb], stdout=subprocess.PIPE, text=True)

@@ -1,7 +1,7 @@
 """The shape of the engine in numbers: lines, files, names used twice, crumbs, lazy imports, circles.
 
 A *crumb* is a file of at most 50 lines with a single importer. A *lazy import* is in a function. With
-names of rooms, only these are looked at: `bench/shape.py cli report`; `--list` shows what is counted.
+names of rooms, it looks only at these: `bench/shape.py cli report`; `--list` shows what is counted.
 `tests/test_shape.py` holds limits.
 """
 
@@ -18,7 +18,7 @@ from statistics import median
 
 REPO = Path(__file__).parents[1]
 CRUMB = 50
-# Names that stand for a role and not for a topic. Every command has a file of its name.
+# Names for a role, not for a topic. Every command has a file with its name.
 NO_TOPIC = frozenset({"__init__", "__main__"})
 
 
@@ -101,7 +101,7 @@ class Engine:
         }
 
     def shared_bases(self) -> dict[str, list[str]]:
-        """Base names of several files. A command may be called like what it is about."""
+        """Base names of several files. A command may have the name of its topic."""
         found: dict[str, list[str]] = defaultdict(list)
         for module in self.modules.values():
             if module.base not in NO_TOPIC and module.room != "cli":

@@ -1,8 +1,8 @@
-"""A class compared: what it costs, and how many copies are found, by other tools as well.
+"""The cost of comparing a class, and how many copies are found, also by other tools.
 
-Every person has an own way of the exercise with numbers and the order of methods changed, so that no two
-files are the same. Some have another one's work, disguised in one of several ways. Each tool ranks all
-pairs; a copy is found when it is among the first pairs, as many as there are copies.
+Every person has a different version of the exercise, with changed numbers and another order of methods, so
+no two files are the same. Some have another person's work, disguised in one of several ways. Each tool ranks
+all pairs. With n copies, a copy counts as found if it is among the first n pairs.
 `--copydetect` and `--dolos FOLDER` add these tools: `pip install copydetect`; in FOLDER,
 `npm install @dodona/dolos-lib`. They are given each submission as one file, which suits them best.
 """
@@ -148,7 +148,7 @@ def whole(paths: list[Path]) -> str:
 
 
 def a_class(folder: Path, exercise: Exercise, people: int) -> dict[Pair, str]:
-    """Lays it out; the copies in it, with their disguises."""
+    """Lay out a class; return the copies in it, with their disguises."""
     course, ways = open_course(), exercise.alternatives()
     honest = people - len(DISGUISES) * max(1, people // 20)
     copies = {}
@@ -174,14 +174,14 @@ def is_own(path: Path) -> bool:
 
 
 def of_one_s_own(text: str, draw: random.Random) -> str:
-    """Statements in another order, and others beside them."""
+    """Statements in another order, with others between them."""
     return (
         reordered(text, draw) + f"\ndef extra(a, b):\n{statements(draw, draw.randrange(4, 12))}    return a\n"
     )
 
 
 def renamed(text: str, draw: random.Random) -> str:
-    """Every name that is not the language's own or a library's, `self` too."""
+    """Rename everything that is not part of the language or a library, even `self`."""
     names = re.findall(r"(?:def|class) ([a-z]\w+)|\b(?:self\.)?(\w+) = |\b(self)\b", text)
     for name in {name for group in names for name in group if name and name.islower()}:
         text = re.sub(rf"\b{name}\b(?!=)", f"{name[:2]}{draw.randrange(100)}", text)
@@ -206,7 +206,7 @@ def reordered(text: str, draw: random.Random) -> str:
 
 
 def padded(text: str, draw: random.Random) -> str:
-    """A statement after every fifth line, where one may stand."""
+    """Add a statement after every fifth line, if one is allowed there."""
     lines = []
     for number, line in enumerate(text.split("\n")):
         lines.append(line)
@@ -217,7 +217,7 @@ def padded(text: str, draw: random.Random) -> str:
 
 
 def halved(text: str, draw: random.Random) -> str:
-    """Half of it is one's own."""
+    """Half of it is the person's own."""
     count = text.count("\n") // 12
     own = (f"\n\ndef own_{number}(a, b):\n{statements(draw, 8)}" for number in range(count))
     return text + "".join(own)

@@ -1,4 +1,4 @@
-"""How long `validate` takes: the whole course with no builds kept, again with all of them, and one exercise.
+"""How long `validate` takes: the whole course without builds, again with all of them, and one exercise.
 
 .venv/bin/python bench/validate.py                       all three
 .venv/bin/python bench/validate.py --only 18-publisher   cold and warm, of this exercise alone

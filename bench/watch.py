@@ -75,7 +75,7 @@ def watching(home: Path, exercise: str) -> Iterator[pexpect.spawn]:
 
 def once(child: pexpect.spawn, home: Path, exercise: str, file: Path, turn: int) -> tuple[float, float]:
     """Seconds from the save to the verdict, and of the check. Another comment each time: a new build."""
-    child.send("t")  # the last verdict goes off the screen
+    child.send("t")  # the last verdict disappears from the screen
     child.expect_exact(f"== {exercise}: ".encode())
     text = file.read_text(encoding="utf-8").partition("\n# turn ")[0]
     began = time.monotonic()

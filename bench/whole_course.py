@@ -1,6 +1,6 @@
-"""All reference solutions graded in one go, quiet or with all cores kept busy, and whether a verdict changes.
+"""Grades all reference solutions, quietly or with all cores busy: does a verdict change?
 
-The floor of a go is what its checks watch: programs run as long as their evidence takes, two at once.
+The baseline is the time that the checks watch: programs run as long as their evidence takes, two at once.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def main() -> None:
     parser.add_argument("only", nargs="*", help="these exercises only")
     options = parser.parse_args()
     with homes(options.only) as solved, busy(os.cpu_count() or 1 if options.busy else 0):
-        graded(solved, options.jobs)  # builds what is not yet built
+        graded(solved, options.jobs)  # builds everything that is not built yet
         if options.each:
             show(
                 "Checks with nothing to rebuild (s)", ("exercise", "watched", "whole", "beyond"), each(solved)
@@ -77,7 +77,7 @@ _VERDICTS = (Verdict.PASSED, Verdict.NOT_PASSED, Verdict.OUR_ERROR)
 
 
 def each(solved: list[tuple[Exercise, Path]]) -> list[list[str]]:
-    """One row an exercise, in one process; the start of the command itself comes on top (`commands.py`)."""
+    """One row per exercise, in one process, without the start of the command itself (`commands.py`)."""
     rows = []
     for one in solved:
         began = time.monotonic()
@@ -95,7 +95,7 @@ def graded(solved: list[tuple[Exercise, Path]], jobs: int) -> list[Result]:
 
 @contextlib.contextmanager
 def homes(only: list[str]) -> Iterator[list[tuple[Exercise, Path]]]:
-    """A course home for each exercise that files can solve, with the reference solution in it."""
+    """A course home with the reference solution for each exercise that files can solve."""
     course = open_course()
     chosen = [e for e in course.exercises() if not e.local_only and (not only or e.id in only)]
     with tempfile.TemporaryDirectory(prefix="ros2course-bench-") as folder:

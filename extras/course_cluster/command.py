@@ -1,4 +1,4 @@
-"""`grade --cluster`: what the core asks of this package."""
+"""`grade --cluster`, as the core calls it."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ def cluster_rounds(
     say: Callable[[str], None],
     on_look: Callable[[], None],
 ) -> Iterator[Rounds]:
-    """What grades on the workers of the scheduler at `address`.
+    """A function that grades on the workers of the scheduler at `address`.
 
-    security: a file with the keys of TLS. course: root of the course, None for ours. contained: refuse
+    security: a file with keys for TLS. course: root of the course, None for ours. contained: refuse
     workers that cannot contain submissions. most, say, on_look: see `Cluster`.
-    Raises UsageError for an address or a file that is none, MissingHere when nobody is there.
+    Raises UsageError for an invalid address or file, and MissingHere if nobody answers.
     """
     like_this = wanted(course, contained)
     with scheduler_at(address, security) as client:

@@ -1,4 +1,4 @@
-"""The way to a Dask scheduler: one that runs somewhere, or one of our own on this machine."""
+"""Connects to a Dask scheduler: one that is already running, or our own on this machine."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ from course.cli.usage import installing
 from course.errors import MissingHere, UsageError
 from course_cluster.coordinator import TIMED_OUT
 
-# In place of a scheduler's address: a cluster of this machine's own.
+# Instead of a scheduler's address: a cluster on this machine.
 LOCAL = "local"
 _CONNECT_TIME = 10.0
 _ADDRESS = re.compile(r"(tcp|tls|ws|wss)://[^/\s]+:\d+")
 _SETTINGS_ARE = "docs/cluster.md shows them."
 _LOGS = ("distributed", "distributed.client", "tornado.application")
-# One warning for each submission of some size says nothing new; Dask's log is for its own terminals.
+# Dask would warn about each large submission; its log belongs on its own terminals.
 _SETTINGS = {"distributed.admin.large-graph-warning-threshold": "1 GB"}
 
 
 @contextlib.contextmanager
 def scheduler_at(address: str, security: Path | None = None) -> Iterator[Client]:
-    """A connection to the scheduler at `address`, or to workers of our own for `local`.
+    """A connection to the scheduler at `address`, or to our own workers for `local`.
 
-    security: a YAML file of Dask's own configuration, for the keys of TLS.
-    Raises UsageError for an address or a file that is none, MissingHere when nobody is there.
+    security: a YAML file with Dask's configuration, for the keys of TLS.
+    Raises UsageError for an invalid address or file, and MissingHere if nobody answers.
     """
     with _quiet(), dask.config.set(_SETTINGS), dask.config.set(_configuration(security)):
         if address == LOCAL:
@@ -61,7 +61,7 @@ def _client(address: str) -> Client:
 
 
 def _require_keys(address: str) -> None:
-    """Dask would fail late, and in other words."""
+    """Dask itself would fail later, with a worse message."""
     try:
         keys = Security().get_connection_args("client")
     except (OSError, ValueError) as error:
@@ -76,7 +76,7 @@ def _require_keys(address: str) -> None:
 
 @contextlib.contextmanager
 def _workers_here() -> Generator[Client, None, None]:
-    """Workers that end with us. Keys made for the moment keep everybody else of this machine out."""
+    """Workers that end with us. Temporary keys keep all other users of this machine out."""
     workers = max(1, default_jobs() // 2)
     with (
         LocalCluster(
@@ -103,7 +103,7 @@ def _own_keys() -> Security:
 
 
 def _configuration(file: Path | None) -> dict[str, Any]:
-    """Dask's configuration with that of `file` over it."""
+    """Dask's configuration, overridden by that of `file`."""
     if file is None:
         return {}
     try:
@@ -118,7 +118,7 @@ def _configuration(file: Path | None) -> dict[str, Any]:
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
-    """What goes wrong is told by us, once."""
+    """Silence Dask: we report errors ourselves, once."""
     levels = {name: logging.getLogger(name).level for name in _LOGS}
     try:
         for name in levels:

@@ -1,8 +1,8 @@
-"""A round of gradings on a cluster: as many on their way as its workers need, and no more.
+"""A round of gradings on a cluster: sends as many at a time as its workers need, and no more.
 
-Dask chooses the worker of each grading, chooses again when one dies, and asks only workers that offer the
-resource that fit ones give themselves (see `worker.look`). Functions are named, not sent: the scheduler, or
-a worker without this package, must not die of what it cannot import.
+Dask chooses a worker for each grading, and another one if that one dies. It chooses only among workers that
+offer the resource that suitable workers give themselves (see `worker.look`). Functions are sent by name:
+the scheduler, or a worker without this package, must not crash because it cannot import something.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ from course_cluster.parcel import pack
 
 Say = Callable[[str], None]
 
-# What Dask raises when it has waited long enough: two classes before Python 3.11.
+# What Dask raises after a timeout: two classes before Python 3.11.
 TIMED_OUT = (TimeoutError, AsyncTimeoutError)
-# Bytes of submissions on their way, at the most; one travels whatever its size.
+# The most bytes of submissions on their way; a single submission may be larger.
 MOST_BYTES = 64_000_000
-# How often to see who has come and who has gone, at least; and how long a result may take to arrive.
+# The longest time between two looks at the workers; and how long a result may take to arrive.
 _LOOK = 1.0
 _FETCH = 30.0
 _BEFORE_GRADINGS = 10
@@ -51,7 +51,7 @@ _NOT_INSTALLED = Unfit(
 
 
 class Roster:
-    """Each worker is looked at when it is first seen, and again when it comes back under another address.
+    """Looks at each worker when it appears, and again if it comes back under another address.
 
     say: takes a sentence for the instructor.
     """
@@ -67,22 +67,22 @@ class Roster:
 
     @property
     def fit(self) -> dict[str, int]:
-        """Addresses of those that may grade, and how many gradings each does at once."""
+        """The workers that may grade, by address, and how many gradings each does at once."""
         return {address: self._threads[address] for address in self._fit}
 
     @property
     def looking(self) -> list[Future]:
-        """What is not yet known of workers that may turn out to be fit."""
+        """Looks that have not ended yet, at workers that may turn out to be suitable."""
         return [*self._asked.values()]
 
     @property
     def hosts(self) -> int:
-        """How many machines they are on."""
+        """The number of their machines."""
         return len(set(self._fit.values()))
 
     @property
     def all_unfit(self) -> CourseError | None:
-        """The error to end with when there are workers and none of them may ever grade."""
+        """The error to end with if there are workers, but none of them will ever be able to grade."""
         if not self._unfit or self._fit or self._asked:
             return None
         count = len(self._unfit)
@@ -90,7 +90,7 @@ class Roster:
         return MissingHere(f"{which} can{'not' if count == 1 else ''} be used.", "What to do stands above.")
 
     def look(self) -> None:
-        """See who has come and who has gone. Raises MissingHere when the scheduler does not answer."""
+        """See which workers came and went. Raises MissingHere if the scheduler does not answer."""
         if self._client.status != "running":
             raise _lost()
         try:
@@ -123,9 +123,9 @@ class Roster:
 
 
 def call(client: Client, name: str, *details: object, **options: Any) -> Future:
-    """Have a worker call the function `name` of `course_cluster.worker`. options: of Dask's `submit`.
+    """Make a worker call the function `name` of `course_cluster.worker`. options: for Dask's `submit`.
 
-    details: plain data. Where there is no such function, an ImportError or AttributeError comes of it.
+    details: plain data. If a worker has no such function, the result is an ImportError or AttributeError.
     """
     options |= {"pure": False}
     function = client.submit(resolve_name, f"course_cluster.worker:{name}", **options)
@@ -144,7 +144,7 @@ def _answer(future: Future) -> tuple[str, Unfit | None]:
 
 
 def _lost(error: BaseException | None = None) -> MissingHere:
-    """The scheduler is gone."""
+    """The error if the scheduler is gone."""
     return MissingHere(f"The scheduler does not answer any more{f': {error}' if error else ''}.", _RESUME)
 
 
@@ -157,10 +157,10 @@ class Sent:
 
 
 class Cluster:
-    """The workers behind `client`, as what grades a round of tasks (see `course.batch.run.Rounds`).
+    """Grades rounds of tasks on the workers of `client` (see `course.batch.run.Rounds`).
 
-    most: gradings at once in the whole cluster, None for as many as its workers have threads.
-    say: takes a sentence for the instructor. on_look: called about once a second; ends all if it raises.
+    most: gradings at once in the whole cluster; None for the number of its workers' threads. say: takes a
+    sentence for the instructor. on_look: called about once a second; ends everything if it raises.
     """
 
     def __init__(
@@ -184,7 +184,7 @@ class Cluster:
         self._fit_before: set[str] = set()
 
     def __call__(self, next_task: NextTask, *, waiting: int, alone: bool) -> Generator[Graded, None, None]:
-        """Whatever ends the iteration calls off what is still on its way."""
+        """When the iteration ends, whatever the reason, unfinished tasks are canceled."""
         more = True
         try:
             while more or self._sent:
@@ -218,14 +218,14 @@ class Cluster:
             self._send(task, alone)
 
     def _room(self, alone: bool) -> int:
-        """How many tasks may be on their way: those being graded, and one for each worker to go on with."""
+        """How many tasks may be on their way: those being graded, and the next one for each worker."""
         fit = self._roster.fit
         if alone:
             return self._roster.hosts
         return min(sum(fit.values()) + len(fit), self._most or sum(fit.values()) + len(fit))
 
     def _fill(self, next_task: NextTask, alone: bool) -> bool:
-        """Send what there is room for. False when there are no more tasks."""
+        """Send as many tasks as there is room for. False if there are no more tasks."""
         while len(self._sent) < self._room(alone) and self._bytes() < MOST_BYTES:
             task = next_task()
             if task is None:
@@ -256,7 +256,7 @@ class Cluster:
             self._say(_WAITING)
 
     def _arrivals(self, alone: bool) -> Iterator[Graded]:
-        """What has come back. Waits for the first, but no longer than until it is time to look around."""
+        """Results that came back. Wait for the first one, but only until the next look at the workers."""
         while self._ready:
             yield self._ready.popleft()
         looking = self._roster.looking
@@ -267,7 +267,7 @@ class Cluster:
                 yield graded
 
     def _graded(self, future: Future, sent: Sent, alone: bool) -> Graded | None:
-        """None when it has to be waited for again."""
+        """None if it has to be waited for again."""
         if future.cancelled():  # not by us: somebody restarted the workers, or the scheduler is gone
             self._roster.look()
             self._send(sent.task, alone)
@@ -278,7 +278,7 @@ class Cluster:
             return not_laid(sent.task.unit, OurFault(what))
         try:
             line, evidence = future.result(timeout=_FETCH)
-        except TIMED_OUT:  # its worker died with it: it is being graded again
+        except TIMED_OUT:  # its worker died, so another one grades it
             self._sent[future] = sent
             return None
         except OSError as error:
@@ -287,7 +287,7 @@ class Cluster:
 
 
 def _done(client: Client, futures: list[Future]) -> list[Future]:
-    """Those that are done; waits for one, but no longer than until it is time to look around."""
+    """The finished ones; wait for one, but only until the next look at the workers."""
     if not futures:
         threading.Event().wait(_LOOK)
         return []
@@ -300,7 +300,7 @@ def _done(client: Client, futures: list[Future]) -> list[Future]:
 
 
 def _kept(task: GradingTask, line: str, evidence: bytes | None) -> Graded:
-    """The grading, once its recording is where it belongs. Raises StorageError."""
+    """The grading, after its recording was stored. Raises StorageError."""
     graded = codec.from_json(line, Graded, "the answer")
     if graded.unit != task.unit:
         return not_laid(task.unit, OurFault("The worker answered for something else."))

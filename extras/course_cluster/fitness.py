@@ -1,4 +1,4 @@
-"""Whether a machine may grade for a coordinator: the same course, a ROS, and containment."""
+"""Whether a machine may grade for a coordinator: it needs the same course, ROS, and containment."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from course.rosenv import find_ros
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a coordinator asks of its workers.
+    """What a coordinator requires of its workers.
 
-    engine, lessons: stand for the files of both. course: root of the course, None for the own one.
+    engine, lessons: digests of these files. course: root of the course, None for the worker's own.
     """
 
     version: str
@@ -32,7 +32,7 @@ class Wanted:
 
     @property
     def resource(self) -> str:
-        """What workers that fit offer to Dask, and nobody else does."""
+        """The resource that only suitable workers offer to Dask."""
         return f"{self}"
 
 
@@ -45,13 +45,13 @@ class Unfit:
 
 
 def wanted(course_root: Path | None, contained: bool) -> Wanted:
-    """What this machine asks of the others. Raises UsageError when `course_root` is not a course."""
+    """What this machine requires of the others. Raises UsageError if `course_root` is not a course."""
     root = str(course_root) if course_root else None
     return Wanted(course.__version__, engine_digest(), _lessons_digest(course_root), root, contained)
 
 
 def unfit(asked: Wanted, engine: str) -> Unfit | None:
-    """Why this machine may not grade for who asked; None when it may. engine: the one that runs here."""
+    """Why this machine may not grade for that coordinator; None if it may. engine: the one running here."""
     ours = _other_engine(asked, engine) or _other_lessons(asked)
     return ours or _no_ros() or (_not_contained() if asked.contained else None)
 
@@ -61,7 +61,7 @@ def host() -> str:
 
 
 def engine_digest() -> str:
-    """Stands for the engine's files as they are now."""
+    """A digest of the engine's files as they are now."""
     return _digest([Path(course.__file__).parent, Path(__file__).parent])
 
 
@@ -120,7 +120,7 @@ def _digest(folders: Iterable[Path]) -> str:
 
 
 def _files(folder: Path) -> Iterator[Path]:
-    """In order. The course inside an installed engine is not part of the engine."""
+    """Sorted. The course inside an installed engine is not part of the engine."""
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name != "_course" and not _is_left_over(name))
         yield from (Path(place, name) for name in sorted(names) if not _is_left_over(name))

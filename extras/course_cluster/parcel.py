@@ -1,4 +1,4 @@
-"""What travels between coordinator and worker: text and bytes, within bounds."""
+"""What coordinator and worker send each other: text and bytes, up to a limit."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from pathlib import Path
 from course.home.opening import USUAL, Refused, Remark, open_archive
 from course.model import replace
 
-# Bytes of a packed home, and of a recording: more does not travel.
+# The most bytes of a packed home, and of a recording, that are sent.
 LARGEST_HOME = 64_000_000
 LARGEST_EVIDENCE = 128_000_000
 _TOO_LARGE = Remark(
     f"It is too large to be sent to a worker: more than {LARGEST_HOME // 1_000_000} MB when packed.",
     "Once the others are done, the same command without --cluster grades what is left on this machine.",
 )
-# We packed it ourselves, from files that had been looked at: how well they pack says nothing.
+# We packed it ourselves, after looking at the files, so a high compression ratio is no reason to refuse it.
 _OWN = replace(USUAL, ratio=1_000_000)
 
 
 def pack(home: Path) -> bytes:
-    """A laid-out course home as a compressed tar. Raises Refused when it is too large, OSError else."""
+    """A course home as a compressed tar. Raises Refused if it is too large, and OSError."""
     packed = _Bounded()
     with tarfile.open(fileobj=packed, mode="w:gz", compresslevel=1) as archive:
         for path in sorted(home.rglob("*")):
@@ -30,7 +30,7 @@ def pack(home: Path) -> bytes:
 
 
 def unpack(packed: bytes, folder: Path) -> Path:
-    """The home again, as `folder/home`. Raises Refused for bytes that are no such thing, and StorageError."""
+    """Unpack the home to `folder/home`. Raises Refused if this is not a packed home, and StorageError."""
     archive = folder / "home.tar.gz"
     archive.write_bytes(packed)
     open_archive(archive, folder / "home", _OWN)
@@ -39,7 +39,7 @@ def unpack(packed: bytes, folder: Path) -> Path:
 
 
 def evidence_of(recording: Path) -> bytes | None:
-    """The recording as bytes; None when there is none, or one that is too large."""
+    """The recording as bytes; None if there is none, or if it is too large."""
     if not recording.is_file() or recording.stat().st_size > LARGEST_EVIDENCE:
         return None
     return recording.read_bytes()

@@ -1,4 +1,4 @@
-"""What runs on a Dask worker: each grading in a process of its own, in a folder that is gone afterwards."""
+"""What runs on a Dask worker: each grading in a separate process and a temporary folder."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ Answer = tuple[bytes, bytes | None]
 def look(asked: Mapping[str, Any]) -> tuple[str, tuple[str, str] | None]:
     """A Dask task: the name of this machine, and why it may not grade (see Unfit). asked: a Wanted.
 
-    When it may, it offers a resource of Dask's for as many gradings as suit its processors.
+    If it may, it offers Dask a resource for as many gradings as its processors can handle.
     """
     wanted, worker = Wanted(**asked), get_worker()
     problem = unfit(wanted, _plugin(worker).engine)
@@ -63,10 +63,10 @@ def _plugin(worker: Worker) -> GradingPlugin:
 
 
 class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not looked at
-    """Each of the worker's threads keeps a grading process, which ends with it."""
+    """Each of the worker's threads has a grading process, which ends with the thread."""
 
     def __init__(self) -> None:
-        self.engine = engine_digest()  # of what was imported; its files may be replaced at any time
+        self.engine = engine_digest()  # of the imported code; its files may be replaced at any time
         self._own = threading.local()
         self._lock = threading.Lock()
         self._running: dict[str, GradingProcess | None] = {}
@@ -81,7 +81,7 @@ class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not
                 return codec.to_json(not_laid(task.unit, error)), None
 
     def transition(self, key: str, start: str, finish: str, **_: object) -> None:
-        """Called by Dask. Nobody waits for it any more: the coordinator was stopped, or is gone."""
+        """Called by Dask when nobody waits for a task any more, because the coordinator ended."""
         if finish == "cancelled":
             with self._lock:
                 process = self._running.pop(key, None)
@@ -89,7 +89,7 @@ class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not
                     process.interrupt()
 
     def teardown(self, worker: Worker) -> None:
-        """Called by Dask, at the worker's end."""
+        """Called by Dask when the worker ends."""
         for process in self._processes:
             process.interrupt()
 
@@ -116,7 +116,7 @@ class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not
         return codec.to_json(graded), evidence_of(recording)
 
     def _process(self) -> GradingProcess:
-        """This thread's: the kernel ends it with the thread that started it."""
+        """This thread's process. The kernel ends it with the thread that started it."""
         if not hasattr(self._own, "process"):
             self._own.process = GradingProcess()
             self._processes.append(self._own.process)
@@ -134,10 +134,10 @@ def _gate() -> Path:
 
 @contextlib.contextmanager
 def turn(gate: Path, *, alone: bool) -> Iterator[None]:
-    """Waits until this grading may run: several do so together, or one alone.
+    """Wait until this grading may run: several run together, or one alone.
 
-    gate: a file that all workers of the machine share. Who waits to be alone lets nobody past meanwhile. A
-    process that dies lets go of it.
+    gate: a file that all workers of the machine share. While one waits to run alone, no others start. A
+    process that dies releases it.
     """
     with contextlib.ExitStack() as stack:
         with locked(gate.with_name(f"{gate.name}.next")):
@@ -147,7 +147,7 @@ def turn(gate: Path, *, alone: bool) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _folder(scratch: Path) -> Iterator[Path]:
-    """In the worker's own folder, which Dask removes when the worker was killed."""
+    """In the worker's own folder, which Dask removes if the worker is killed."""
     try:
         folder = Path(tempfile.mkdtemp(prefix="grading-", dir=scratch))
     except OSError as error:

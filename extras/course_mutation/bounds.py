@@ -1,4 +1,4 @@
-"""Bounds of a judgment made wider: tolerances, least and most amounts, numbers that are compared with."""
+"""Widens the limits of a judgment: tolerances, least and greatest amounts, numbers in comparisons."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from course.evidence.topic_view import TopicView
 from course_mutation.model import Change, Operator
 from course_mutation.source import Source
 
-# Names of arguments: the judgment is milder with a higher value, or with a lower one.
+# Arguments that make the judgment milder if they are higher, or lower.
 _MOST = frozenset({"tolerance", "within", "at_most", "most", "rel", "abs", "rel_tol", "abs_tol"})
 _LEAST = frozenset({"at_least", "least"})
 _ORDERS = (ast.Lt, ast.LtE, ast.Gt, ast.GtE)
 _ENGINE = "course."
-# What is smaller allows for rounding, and no mistake comes that close.
+# Smaller numbers allow for rounding, and no mistake comes that close.
 _ROUNDING = 1e-3
 
 
 def of_comparison(source: Source, node: ast.Compare) -> Iterator[Change]:
-    """Numbers in `<` and the like, twice and half as large: which is milder, the text does not say."""
+    """Numbers in `<` and similar, doubled and halved: the text does not say which is milder."""
     if not any(isinstance(operator, _ORDERS) for operator in node.ops):
         return
     for operand in (node.left, *node.comparators):
@@ -33,7 +33,7 @@ def of_comparison(source: Source, node: ast.Compare) -> Iterator[Change]:
 
 
 def of_call(source: Source, node: ast.Call) -> Iterator[Change]:
-    """Tolerances and amounts that a helper is given, or takes by default."""
+    """Tolerances and amounts that a helper gets, or has by default."""
     for argument in node.keywords:
         if argument.arg in _MOST | _LEAST:
             for number in _numbers(source, argument.value):
@@ -49,7 +49,7 @@ def of_call(source: Source, node: ast.Call) -> Iterator[Change]:
 
 
 def is_whole(source: Source, node: ast.expr) -> bool:
-    """Whether it is a whole number, so that one more or less is another case."""
+    """Whether it is a whole number, so that one more or less makes a difference."""
     if isinstance(node, ast.Constant):
         return type(node.value) is int
     if isinstance(node, ast.Name):
@@ -58,7 +58,7 @@ def is_whole(source: Source, node: ast.expr) -> bool:
 
 
 def _numbers(source: Source, node: ast.expr) -> Iterator[ast.Constant | ast.Name]:
-    """The node itself, or what is reckoned with in it, as far as it is a known number."""
+    """The node itself, or the parts of its calculation, if they are known numbers."""
     if isinstance(node, ast.BinOp):
         yield from _numbers(source, node.left)
         yield from _numbers(source, node.right)
@@ -70,7 +70,7 @@ def _numbers(source: Source, node: ast.expr) -> Iterator[ast.Constant | ast.Name
 
 
 def _scaled(source: Source, node: ast.Constant | ast.Name, factor: float) -> Change | None:
-    """None for what allows for rounding, and for nothing and one: see `Operator.BOUNDARY`."""
+    """None for numbers that allow for rounding, and for 0 and 1: see `Operator.BOUNDARY`."""
     value = source.numbers[node.id] if isinstance(node, ast.Name) else node.value
     assert isinstance(value, int | float)
     scaled = value * factor if isinstance(value, float) else int(value * factor)
@@ -81,7 +81,7 @@ def _scaled(source: Source, node: ast.Constant | ast.Name, factor: float) -> Cha
 
 
 def _defaults(source: Source, node: ast.Call) -> dict[str, float]:
-    """The bounds that an `expect_*` of the engine has when it is not told any."""
+    """The default limits of an `expect_*` of the engine."""
     name = ast.unparse(node.func).rpartition(".")[2]
     if not name.startswith("expect_"):
         return {}
@@ -98,7 +98,7 @@ def _defaults(source: Source, node: ast.Call) -> dict[str, float]:
 
 
 def _imported(source: Source, name: str) -> object:
-    """What the module imports by this name from the engine; else None."""
+    """What the module imports from the engine by this name, or None."""
     imports = (node for node in source.tree.body if isinstance(node, ast.ImportFrom))
     for node in imports:
         module = node.module or ""

@@ -1,4 +1,4 @@
-"""What `validate --mutate` does with a course's graders, and shows of it."""
+"""`validate --mutate`: weakens a course's graders, and shows the result."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def _mutated(course: Course, exercises: Sequence[Exercise], jobs: int | None) ->
 
 
 def _line(step: Step) -> str | None:
-    """Where there is no bar: survivors as they come, and how each part ended."""
+    """Without a progress bar: survivors as they appear, and how each part ended."""
     if step.judged and step.judged.fate is Fate.SURVIVED:
         mutant = step.judged.mutant
         return f"{mutant.file.name}:{mutant.line} survived, {mutant.change.operator.value}"
@@ -54,7 +54,7 @@ def _line(step: Step) -> str | None:
 
 
 def _notes(mutation: Mutation) -> list[Note]:
-    """For a step of GitHub Actions: survivors on the grader's lines."""
+    """For GitHub Actions: survivors at the grader's lines."""
     root = Path(os.environ.get("GITHUB_WORKSPACE") or Path.cwd())
     return [
         Note(shown(finding.file, root), finding.line, finding.what, finding.next_step, finding.exercise)

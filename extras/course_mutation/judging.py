@@ -1,4 +1,4 @@
-"""Judges the recordings of one exercise by mutants of its grader: is all still as the course claims?"""
+"""Judges the recordings of one exercise by mutants of its grader: do the course's claims still hold?"""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _LONGEST = 300
 
 @dataclass(frozen=True)
 class _Proven:
-    """A proof with its recording. before: what came of it. mistake: None for a right way."""
+    """A proof with its recording. before: its result. mistake: None for a right way."""
 
     proof: Proof
     recording: Recording
@@ -32,7 +32,7 @@ class _Proven:
     mistake: Mistake | None
 
     def complaints(self, judgment: Judgment, questions: set[str]) -> tuple[Result, list[str]]:
-        """What would have come of this judgment, and how that is not what the course claims."""
+        """How the result of this judgment differs from what the course claims."""
         asked = tuple(check for check in self.before.checks if check.id in questions)
         checks = (*judgment.checks, *asked)
         verdict = Verdict.OUR_ERROR if judgment.fault else verdict_of(checks)
@@ -41,7 +41,7 @@ class _Proven:
 
 
 class Judge:
-    """problems: the proofs that do not hold even with the grader as it is; these are not asked."""
+    """problems: the proofs that fail even with the unchanged grader; they are not used."""
 
     def __init__(self, case: Case) -> None:
         course = open_course(Path(case.course), cache=cache_dir(os.environ) / "lessons")
@@ -54,7 +54,7 @@ class Judge:
         self.problems = self._as_it_is()
 
     def judge(self, mutated: Mutated, index: int) -> tuple[Fate, str]:
-        """What becomes of it, and by which proof; the first that notices ends it."""
+        """The mutant's fate, and the proof that decided it; the first that notices ends the search."""
         text = self._text[: mutated.start] + mutated.new.encode() + self._text[mutated.end :]
         proofs = sorted(self._proven, key=lambda proven: _order(proven, mutated.checks))
         for proven, result, said in self._judged(text, str(index), proofs):
@@ -74,7 +74,7 @@ class Judge:
     def _judged(
         self, text: bytes, suffix: str, proofs: Sequence[_Proven], *, to_the_end: bool = False
     ) -> list[tuple[_Proven, Result, list[str]]]:
-        """Each with its complaints; the last one is the first that has any."""
+        """Each with its complaints, up to the first that has any."""
         judged: list[tuple[_Proven, Result, list[str]]] = []
 
         def recordings() -> Iterator[Recording]:
@@ -86,7 +86,7 @@ class Judge:
             proven = proofs[len(judged)]
             judged.append((proven, *proven.complaints(judgment, self._questions)))
 
-        # A name of its own: Python knows the module by it.
+        # A unique name, because Python caches modules by name.
         file = self._folder / f"{self._exercise.grader.stem}_mutant{suffix}.py"
         file.write_bytes(text)
         judge(file, {self._exercise.id}, recordings(), tell)
@@ -101,7 +101,7 @@ def _loaded(proven: Evidence, mistakes: dict[str, Mistake]) -> _Proven:
 
 
 def _order(proven: _Proven, checks: Sequence[str]) -> int:
-    """First who is most likely to notice: the mistakes that these checks are to catch."""
+    """First the ones most likely to notice: the mistakes that these checks should catch."""
     if proven.mistake is None:
         return 2 if proven.proof.kind is ProofKind.SOLUTION else 3
     if proven.mistake.caught_by in checks:
@@ -110,7 +110,7 @@ def _order(proven: _Proven, checks: Sequence[str]) -> int:
 
 
 def _stage(root: Path, folder: Path) -> Path:
-    """A folder for graders which to them is that of the course."""
+    """A folder that looks to graders like that of the course."""
     for part in root.iterdir():
         if part.name != "graders":
             (folder / part.name).symlink_to(part)

@@ -1,4 +1,4 @@
-"""A mutant of a grader, what became of it, and the whole of a mutation run."""
+"""A mutant of a grader, its fate, and a whole mutation run."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from course.validate.proofs import Proof
 
 
 class Operator(str, Enum):
-    """What was done to the grader."""
+    """How the grader was changed."""
 
     RETURN = "returns early"
     RAISE = "a failure removed"
@@ -23,9 +23,9 @@ class Operator(str, Enum):
 
 
 class Fate(str, Enum):
-    """What became of a mutant. All but SURVIVED were noticed.
+    """A mutant's fate. All but SURVIVED were noticed.
 
-    BROKEN: it could not be imported, or ran into an error of its own. ENDLESS: it did not end.
+    BROKEN: it could not be imported, or raised an error. ENDLESS: it did not end.
     """
 
     KILLED = "killed"
@@ -38,7 +38,7 @@ class Fate(str, Enum):
 class Change:
     """One change of a module's text, in bytes of UTF-8. It keeps the number of lines.
 
-    bounds: of a bound, what it was and what it is now.
+    bounds: the old and the new limit, if one was changed.
     """
 
     operator: Operator
@@ -55,8 +55,8 @@ class Change:
 class Mutant:
     """A grader with one change. line: from 1. function: which was changed. checks: ids of those that use it.
 
-    before, after: what was changed, with what is around it in its lines; each in one line. text: of the file,
-    as it was when the mutant was made: someone may write it meanwhile.
+    before, after: the changed lines, each as a single line. text: the file's text when the mutant was made,
+    because someone may edit the file meanwhile.
     """
 
     exercise: str
@@ -72,7 +72,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Judged:
-    """A mutant, and by what it was noticed: one line; empty for a survivor."""
+    """A mutant, and what noticed it, in one line; empty for a survivor."""
 
     mutant: Mutant
     fate: Fate
@@ -81,9 +81,9 @@ class Judged:
 
 @dataclass(frozen=True)
 class OfExercise:
-    """What came of one exercise. problems: why its grader could not be mutated; it is proven first.
+    """The result for one exercise. problems: why its grader could not be mutated; proofs come first.
 
-    recorded: how many recordings were made now, the others were kept. recording, judging: seconds.
+    recorded: how many recordings were made now; the others were kept. recording, judging: seconds.
     """
 
     exercise: str
@@ -104,7 +104,7 @@ class OfExercise:
 
 @dataclass(frozen=True)
 class Mutation:
-    """Of each exercise that has a grader, what came of it."""
+    """The result for each exercise that has a grader."""
 
     exercises: tuple[OfExercise, ...]
 
@@ -116,7 +116,7 @@ class Mutation:
 
 @dataclass(frozen=True)
 class Step:
-    """How far it is. stage: what is done; done, total: of it. judged: the mutant that is done, if one is."""
+    """Progress. stage: the current work, with `done` of `total`. judged: the mutant just finished, if any."""
 
     exercise: str
     stage: str
@@ -127,7 +127,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Evidence:
-    """A proof with its recording, and the result that it led to: paths of the two files."""
+    """A proof with the paths of its recording and of its result."""
 
     proof: Proof
     recording: str
@@ -136,7 +136,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Mutated:
-    """A change of the grader's text, as in `Change`; and the checks that use what it changes."""
+    """A change of the grader's text, as in `Change`, and the checks that it affects."""
 
     start: int
     end: int
@@ -146,9 +146,9 @@ class Mutated:
 
 @dataclass(frozen=True)
 class Case:
-    """All mutants of one exercise. course: its root. folder: an empty one, for the mutants' files.
+    """All mutants of one exercise. course: its root. folder: an empty folder for the mutants' files.
 
-    text: of the grader, which the mutants' changes are of. jobs: mutants at once. seconds: of a CPU, for one.
+    text: the grader's text, to which the changes apply. jobs: mutants at once. seconds: CPU time for each.
     """
 
     course: str
@@ -163,7 +163,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Ended:
-    """What became of a mutant. index: among those of the case."""
+    """A mutant's fate. index: its place in the case."""
 
     index: int
     fate: Fate

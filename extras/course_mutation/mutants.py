@@ -17,7 +17,7 @@ _BESIDE = 30
 
 
 def mutants(exercise: Exercise) -> tuple[Mutant, ...]:
-    """In the order of the file. Raises OurFault when the grader cannot be read."""
+    """In the order of the file. Raises OurFault if the grader cannot be read."""
     source = _read(exercise)
     judging = source.judging(exercise.id)
     left_alone = words([one.node for one in judging])
@@ -51,7 +51,7 @@ def _mutant(exercise: Exercise, source: Source, judging: Judging, change: Change
 
 
 def _shown(text: bytes, start: int, end: int) -> str:
-    """This part with what is around it in its lines."""
+    """This part with the rest of its lines."""
     begin, after = text.rfind(b"\n", 0, start) + 1, text.find(b"\n", end)
     before, changed = _tidy(text[begin:start]), _tidy(text[start:end])
     rest = _tidy(text[end : after if after >= 0 else len(text)])

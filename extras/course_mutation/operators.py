@@ -1,7 +1,7 @@
 """Ways to weaken a function that judges.
 
-They are made of the standard library's `ast`, whose nodes know their place in the text: only the bytes of one
-node are exchanged, so that all lines keep their numbers. (docs/mutation.md says why no library does it.)
+They use the standard library's `ast`, whose nodes know their place in the text. Only the bytes of one node
+are replaced, so all lines keep their numbers. (docs/mutation.md says why no library is used.)
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _NEWLINE = b"\n"
 
 
 def changes(source: Source, judging: Judging, words: set[ast.AST]) -> Iterator[Change]:
-    """Every change of this function, in no particular order. words: nodes that are left alone."""
+    """Every change of this function, in no particular order. words: nodes to leave alone."""
     if all(part in words for part in judging.node.body):
         return
     yield from _statements(source, judging)
@@ -55,9 +55,9 @@ def changes(source: Source, judging: Judging, words: set[ast.AST]) -> Iterator[C
 
 
 def _statements(source: Source, judging: Judging) -> Iterator[Change]:
-    """What fails is taken out: one at a time, and all of it by returning first.
+    """Remove statements that fail: one at a time, and all of them by returning first.
 
-    Where there is one thing alone that fails, both are the same; then it only returns.
+    If only one statement fails, both are the same; then only return first.
     """
     body = _after_docstring(judging.node)
     found = [node for part in body for node in ast.walk(part) if _fails(node)]
@@ -73,7 +73,7 @@ def _statements(source: Source, judging: Judging) -> Iterator[Change]:
 
 
 def _fails(node: ast.AST) -> bool:
-    """Whether it is a statement that fails, or may do so, for what the learner did."""
+    """Whether this statement may fail because of what the learner did."""
     if isinstance(node, ast.Raise):
         return isinstance(node.exc, ast.Call) and ast.unparse(node.exc.func) == "Failure"
     value = node.value if isinstance(node, ast.Expr | ast.Assign | ast.Return) else None
@@ -117,7 +117,7 @@ def _compared(source: Source, left: ast.expr, right: ast.expr, operator: Operato
 
 
 def _joined_otherwise(source: Source, node: ast.BoolOp) -> Change:
-    """In parentheses: `or` binds less than what stood there."""
+    """In parentheses, because `or` binds less strongly than the original operator."""
     pattern, other = _JOINS[type(node.op)]
     parts = [source.text[source.start(node) : source.end(node.values[0])]]
     for value, following in pairwise(node.values):

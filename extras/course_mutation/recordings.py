@@ -1,8 +1,8 @@
-"""Recordings of an exercise's proofs: those kept from before, and the others made now, by running them.
+"""Recordings of an exercise's proofs: kept from earlier runs, or made now by running the proofs.
 
-They lie in the cache, a file each (MCAP), with the result that they led to beside it (JSON). Both are named
-by all that they depend on (see `keys`), so a recording that does not fit any more is not found. Only what
-bore out the course's claims is kept.
+They are in the cache, one file each (MCAP), with their result beside it (JSON). Both are named by everything
+that they depend on (see `keys`), so an outdated recording is not found. Only recordings that confirmed the
+course's claims are kept.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _FOLDER = "proofs"
 
 @dataclass(frozen=True)
 class Recorded:
-    """A proof with its recording, and the result that it led to (JSON) when it was made."""
+    """A proof with its recording, and its result (JSON) at that time."""
 
     proof: Proof
     file: Path
@@ -45,7 +45,7 @@ class Recorded:
 
 @dataclass(frozen=True)
 class Found:
-    """problems: of each proof without a recording, why; it has to be mended first. made: how many now."""
+    """problems: why a proof has no recording, to be fixed first. made: how many were made now."""
 
     recorded: tuple[Recorded, ...]
     problems: tuple[str, ...]
@@ -57,7 +57,7 @@ def recordings(
 ) -> Found:
     """One for each right way and each mistake of the exercise.
 
-    on_progress: how many of how many are made. Raises CourseError for what is missing on this machine.
+    on_progress: gets the number done and the total. Raises CourseError if this machine lacks something.
     """
     every = [proof for proof in proofs([exercise]) if proof.kind is not ProofKind.STARTER]
     keys = Keys(course, exercise, find_ros().identity)
@@ -76,7 +76,7 @@ def _folder(course: Course, exercise: Exercise) -> Path:
 
 
 def _is_kept(file: Path) -> bool:
-    """Whether both are there, and readable."""
+    """Whether both are there and readable."""
     try:
         load(file)
         from_json(file.with_suffix(".json").read_text(encoding="utf-8"))
@@ -92,7 +92,7 @@ def _make(
     jobs: int,
     on_progress: Callable[[int, int], None],
 ) -> dict[Proof, str]:
-    """Run these proofs. Gives those that did not bear out what the course claims, and why."""
+    """Run these proofs. Return those that did not confirm the course's claims, and why."""
     problems: dict[Proof, str] = {}
     if not wanted:
         return problems
@@ -120,20 +120,20 @@ def _problem(claims: Claims, proven: ProofResult, file: Path) -> str:
 
 
 def _forget_others(folder: Path, files: Iterable[Path]) -> None:
-    """What is kept of proofs that are other ones now."""
+    """Remove recordings of proofs that have changed."""
     known = {file.stem for file in files}
     for file in folder.glob("*"):
         if file.stem not in known:
             file.unlink(missing_ok=True)
 
 
-# What records, besides the scenario and the modules of `course.grading` that it uses.
+# What affects a recording, besides the scenario and the modules of `course.grading` that it uses.
 _ENGINE = ("arena", "evidence", "build", "rosenv")
 _LEFT_OUT = frozenset({"__pycache__"})
 
 
 class Keys:
-    """Of the recordings of one exercise. ros: the identity of the ROS that they are made with."""
+    """Keys of one exercise's recordings. ros: the identity of the ROS that made them."""
 
     def __init__(self, course: Course, exercise: Exercise, ros: str) -> None:
         self._mistakes = {mistake.id: mistake for mistake in exercise.mistakes()}
@@ -158,13 +158,13 @@ def _of_exercise(exercise: Exercise) -> Iterator[str]:
     for name in exercise.grader_packages:
         for manifest in sorted(exercise.solution.parent.glob(f"*/*workspace/src/{name}/package.xml")):
             yield _tree(manifest.parent)
-    if exercise.play is not None:  # its module says also what a learner did who did everything right
+    if exercise.play is not None:  # its module also says what a learner did who did everything right
         yield _tree(exercise.play)
         yield _tree(exercise.grader)
 
 
 def _homes(course: Course, exercise: Exercise) -> Iterator[str]:
-    """What trial homes are made of, but for alternatives and mistakes."""
+    """What trial homes are made of, apart from alternatives and mistakes."""
     for name in exercise.requires:
         yield from _homes(course, course.exercise(name))
     yield _tree(exercise.solution, without="alternatives")

@@ -1,4 +1,4 @@
-"""Weakened graders in the terminal: how many were noticed, and each that was not. Works without color."""
+"""Weakened graders in the terminal: how many were noticed, and which were not. Works without color."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _NOT_ASKED = "`validate` without `--mutate` first: it was left out"
 
 
 def render_mutation(console: Console, mutation: Mutation) -> None:
-    """A table, what could not be judged, the survivors by file and line, and how it ended."""
+    """A table, problems, the survivors by file and line, and a summary."""
     exercises = mutation.exercises
     console.print(_table(exercises))
     for exercise in exercises:
@@ -40,7 +40,7 @@ def render_mutation(console: Console, mutation: Mutation) -> None:
 
 
 def shown(file: Path, base: Path) -> str:
-    """The path from `base` on, where the file is in it."""
+    """The path relative to `base`, if the file is in it."""
     return str(file.relative_to(base) if file.is_relative_to(base) else file)
 
 

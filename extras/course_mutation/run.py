@@ -1,4 +1,4 @@
-"""Mutates the graders of exercises, one exercise after the other; the mutants of one at the same time."""
+"""Mutates graders, one exercise after the other; the mutants of one exercise run at the same time."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from course_mutation.model import (
 from course_mutation.mutants import mutants
 from course_mutation.recordings import Found, Recorded, recordings
 
-# Of what is run, most waits for most of the time: as for `grade`.
+# Most programs wait most of the time, as in `grade`.
 _RUNS_A_CORE = 3
 
 OnProgress = Callable[[Step], None]
@@ -47,10 +47,10 @@ def mutate(
 ) -> Mutation:
     """Weaken the graders of these exercises, one thing at a time, and judge their proofs' recordings by each.
 
-    Exercises without a grader of their own (questions alone), and those about the learner's own machine,
-    which no tree of files solves, are left out. jobs: processes at once; by default as many as there are
-    cores, and three times as many where something is run. What is wrong with one exercise is among its
-    `problems`. Raises MissingHere for what this machine lacks.
+    This leaves out exercises without a grader (only questions), and those about the learner's own machine,
+    which no tree of files solves. jobs: processes at once; by default the number of cores, and three times
+    as many if something is run. Errors of one exercise go into its `problems`. Raises MissingHere if this
+    machine lacks something.
     """
     found = [
         _Exercise(course, exercise, jobs, on_progress).mutated()
@@ -112,7 +112,7 @@ class _Exercise:
 
 
 def known_elsewhere(every: Sequence[OfExercise]) -> Iterator[OfExercise]:
-    """What several exercises use is proven when one of them notices."""
+    """Code that several exercises use is proven if one of them notices."""
     noticed: dict[tuple[object, Change], str] = {}
     for one in every:
         for judged_ in one.judged:
@@ -143,10 +143,10 @@ def judged(
     jobs: int,
     seconds: float = SECONDS,
 ) -> Generator[Judged | tuple[str, ...], None, None]:
-    """First which proofs do not hold with the grader as it is; then each mutant, in no particular order.
+    """First the proofs that fail with the unchanged grader; then each mutant, in no particular order.
 
-    mutants: at least one. seconds: of a CPU, that a mutant may use. To stop early, close the iterator: all
-    processes end. Raises OurFault when nothing can be judged.
+    mutants: at least one. seconds: CPU time that a mutant may use. To stop early, close the iterator, which
+    ends all processes. Raises OurFault if nothing can be judged.
     """
     with tempfile.TemporaryDirectory(prefix="ros2course-mutants-") as folder:
         case = Case(
@@ -187,9 +187,9 @@ def _answers(case: Case) -> Iterator[bytes]:
 
 
 def _end(worker: Child) -> None:
-    """It, and the mutants' processes: none of them writes a file any more."""
+    """End it and the mutants' processes, so that none of them writes a file any more."""
     if worker.process.poll() is None:
-        os.killpg(worker.process.pid, signal.SIGKILL)  # it leads a group of its own
+        os.killpg(worker.process.pid, signal.SIGKILL)  # it leads its own process group
     while worker.read() is not None:  # all of them hold the other end
         pass
     worker.close()

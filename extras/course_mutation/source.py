@@ -13,7 +13,7 @@ Defined = ast.FunctionDef | ast.ClassDef
 
 @dataclass(frozen=True)
 class Judging:
-    """A function (or class) that takes part in judging. checks: ids of those that use it, in their order."""
+    """A function (or class) that takes part in judging. checks: ids of the checks that use it, in order."""
 
     node: Defined
     checks: tuple[str, ...]
@@ -21,7 +21,7 @@ class Judging:
 
 
 class Source:
-    """A grader module, parsed. Raises OSError, SyntaxError and ValueError for what is none."""
+    """A parsed grader module. Raises OSError, SyntaxError, or ValueError if it cannot be parsed."""
 
     def __init__(self, file: Path) -> None:
         self.file = file
@@ -44,7 +44,7 @@ class Source:
         return found
 
     def judging(self, exercise: str) -> tuple[Judging, ...]:
-        """Those of the exercise's checks, and what they use of this module; in the order of the file."""
+        """The exercise's checks, and what they use of this module, in the order of the file."""
         used: dict[str, list[str]] = {}
         own = dict(self._checks(exercise))
         for check, name in own.items():
@@ -83,7 +83,7 @@ class Source:
 
 
 def _graders(tree: ast.Module, exercise: str) -> Iterator[str]:
-    """Of `name = Grader("exercise")`: the name."""
+    """The names in `name = Grader("exercise")`."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Call) and node.value.args:
             first = node.value.args[0]
@@ -93,7 +93,7 @@ def _graders(tree: ast.Module, exercise: str) -> Iterator[str]:
 
 
 def _check_of(decorator: ast.expr, graders: set[str]) -> str | None:
-    """Of `@name.check("id", ...)`: the id."""
+    """The id in `@name.check("id", ...)`."""
     if not isinstance(decorator, ast.Call) or not isinstance(decorator.func, ast.Attribute):
         return None
     if decorator.func.attr != "check" or ast.unparse(decorator.func.value) not in graders:
@@ -107,12 +107,12 @@ _TEXTS = frozenset({"advice", "remedy", "summary", "what", "near_miss", "details
 
 
 def words(functions: Sequence[Defined]) -> set[ast.AST]:
-    """All nodes of these functions that are only about words."""
+    """All nodes of these functions that only make texts."""
     found: set[ast.AST] = set()
     for node in _every(functions):
         found.update(_plainly(node))
     before = -1
-    while before != len(found):  # what is used only for words is about words itself
+    while before != len(found):  # code that is used only for texts only makes texts
         before = len(found)
         for function in functions:
             found.update(_of_variables(function, found))
@@ -141,7 +141,7 @@ def _plainly(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def _is_ours(node: ast.stmt) -> bool:
-    """Whether it raises something that is not a judgment of the learner's work."""
+    """Whether it raises something that does not judge the learner's work."""
     return isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call) and not _judges(node.exc)
 
 
@@ -164,7 +164,7 @@ def _of_variables(function: Defined, known: set[ast.AST]) -> Iterator[ast.AST]:
 
 
 def _of_choices(function: Defined, known: set[ast.AST]) -> Iterator[ast.AST]:
-    """An `if` that only chooses between words."""
+    """An `if` that only chooses between texts."""
     for node in ast.walk(function):
         if isinstance(node, ast.If) and all(part in known for part in (*node.body, *node.orelse)):
             yield from ast.walk(node)

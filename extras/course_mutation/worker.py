@@ -1,8 +1,8 @@
 """A process that judges the mutants of one exercise: `python -m course_mutation.worker DESCRIPTOR`.
 
-It is told its work (`Case`) in a line of JSON on standard input, and writes a line for each mutant. The
-recordings are read once; each mutant has a process of its own, forked from this one, so whatever it does
-concerns nobody else. One that uses too much time or memory is ended by the kernel.
+It reads its work (`Case`) as a line of JSON on standard input, and writes a line for each mutant. It loads
+the recordings once. Each mutant runs in a separate process, forked from this one, so it cannot affect
+others. The kernel ends a mutant that uses too much time or memory.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from course_mutation.judging import Judge
 from course_mutation.model import Case, Ended, Fate
 
 _MOST_MEMORY = 1 << 30
-# Elapsed seconds for each second of a CPU: for one that waits for something that does not come.
+# Elapsed seconds for each second of CPU time, for a mutant that waits forever.
 _PATIENCE = 12
 _FORK = multiprocessing.get_context("fork")
 

@@ -1,9 +1,8 @@
-"""Finds pairs of submissions whose code is alike; nothing of them is run or imported.
+"""Finds pairs of submissions with similar code, without running or importing any of it.
 
-Programs are compared as sequences of words of their language, so that comments, spaces and names do not
-count. Which pairs to look at is told by winnowing (Schleimer, Wilkerson, Aiken 2003), as the library
-`scanoss-winnowing` does it; what those pairs share is then counted word by word. What the course itself
-gives, in starters and lessons, counts for nobody.
+Programs are compared as sequences of words of their language, so comments, spaces, and names do not count.
+Winnowing (Schleimer, Wilkerson, Aiken 2003), by the library `scanoss-winnowing`, selects the pairs to look
+at. Then the words that they share are counted. Code from the course's starters and lessons does not count.
 """
 
 from course_similar.find import Solutions, Wanted, find_similar

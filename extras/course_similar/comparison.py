@@ -1,6 +1,6 @@
-"""What is shown of a comparison, and the words for it that the terminal and the page share.
+"""A comparison as it is shown, and the phrases that the terminal and the page share.
 
-Texts and names are a stranger's: each is made harmless where it becomes words.
+Texts and names come from strangers: each is sanitized when it becomes part of a phrase.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ NO_VERDICT = (
     "Alike is not a verdict: look at both sides, and ask. There may be one natural way to write it, two may "
     "have worked together as they were allowed to, or both may have used the same source."
 )
-# Of one that is longer, the rest is counted.
+# If it is longer, the other lines are only counted.
 _NAME = 100
 _FILE = 400
 
@@ -33,7 +33,7 @@ class Passage:
 
 @dataclass(frozen=True)
 class Match:
-    """The same in both, except for names, texts, numbers, comments and spaces."""
+    """Passages that are the same except for names, texts, numbers, comments, and spaces."""
 
     one: Passage
     other: Passage
@@ -41,7 +41,7 @@ class Match:
 
 @dataclass(frozen=True)
 class Side:
-    """share: of this side's own code, what is in the other's too (0 to 1). lines: how many lines that is."""
+    """share: how much of this side's own code the other side contains (0 to 1). lines: in lines."""
 
     name: str
     share: float
@@ -50,7 +50,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Pair:
-    """matches: the longest first. more: matches that are left out here."""
+    """matches: the longest first. more: how many matches are left out."""
 
     one: Side
     other: Side
@@ -60,10 +60,10 @@ class Pair:
 
 @dataclass(frozen=True)
 class Comparison:
-    """pairs: those that are alike, most alike first. more: such pairs that are left out here.
+    """pairs: similar ones, the most similar first. more: how many similar pairs are left out.
 
-    compared: submissions with code of their own. threshold: from which share on a pair is shown (0 to 1).
-    without: names of submissions that have no code of their own to compare. remarks: what was left out.
+    compared: submissions with their own code. threshold: the smallest share that is shown (0 to 1).
+    without: names of submissions without their own code. remarks: what was left out.
     """
 
     pairs: tuple[Pair, ...]
@@ -106,7 +106,7 @@ def more_pairs(comparison: Comparison) -> str:
 
 
 def without(comparison: Comparison) -> str:
-    """Whose code could not be compared; "" when there is nobody."""
+    """Whose code could not be compared; "" if there is nobody."""
     if not comparison.without:
         return ""
     names = ", ".join(sanitize.one_line(name, _NAME) for name in comparison.without[:10])

@@ -1,4 +1,4 @@
-"""From a class to its pairs that are alike: reads every submission, then compares them."""
+"""Finds the similar pairs of a class: reads every submission, then compares them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Say = Callable[[str], None]
 
 
 class Solutions(Enum):
-    """What the course's own solutions are here."""
+    """How to treat the course's own solutions."""
 
     ALONE = "left alone"
     COMPARED = "compared too, as if somebody had handed them in"
@@ -48,7 +48,7 @@ def find_similar(
 
     only: names of the exercises whose code is compared; all code if there are none.
 
-    Raises MissingHere without the library, UsageError when there are no two to compare, and StorageError.
+    Raises MissingHere without the library, UsageError if there are not two to compare, and StorageError.
     """
     reading = _Reading(course, solutions, on_progress)
     works = reading.works(submissions, opened, exercises_named(course, only))
@@ -69,7 +69,7 @@ def find_similar(
 
 
 class _Reading:
-    """remarks: what was left out, and whose it is."""
+    """remarks: what was left out, and whose."""
 
     def __init__(self, course: Course, solutions: Solutions, say: Say) -> None:
         self._fingerprinter = fingerprinter()  # first: without the library, nothing needs to be read
@@ -110,16 +110,16 @@ def _remark(name: str, finding: Remark) -> str:
     return f"{name}: {finding.what}{f' ({finding.where})' if finding.where else ''}"
 
 
-# Fingerprints are a sample. A pair is counted word by word from this part of the wanted share on.
+# Fingerprints are a sample. From this fraction of the wanted share on, a pair's words are counted.
 _LENIENT = 0.5
 _LONGEST_PASSAGE = 200  # lines
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """Which pairs are shown. share: of either side's code, at least (0 to 1). lines: at least so many.
+    """Which pairs are shown. share: the smallest share of either side's code (0 to 1). lines: the fewest.
 
-    pairs: at most so many. matches: of each pair, at most so many.
+    pairs: the most pairs. matches: the most of each pair.
     """
 
     share: float = 0.6
@@ -137,14 +137,14 @@ class _Alike:
 
     @property
     def order(self) -> tuple[float, int, str, str]:
-        """The most alike first; of those, the longer first."""
+        """The most similar first; of those, the longer first."""
         return -round(max(self.shares), 2), -max(self.lines), self.one.name, self.other.name
 
 
 def compare(
     works: Sequence[Work], wanted: Wanted, on_progress: Callable[[str], None] = lambda _: None
 ) -> tuple[tuple[Pair, ...], int]:
-    """The pairs that are alike, most alike first, and how many more there are."""
+    """The similar pairs, the most similar first, and how many more there are."""
     candidates = [pair for pair in combinations(works, 2) if _may_be_alike(*pair, wanted.share)]
     found = []
     for number, (one, other) in enumerate(candidates, 1):
@@ -188,7 +188,7 @@ def _pair(alike: _Alike, most: int) -> Pair:
 
 
 def _passage(work: Work, begin: int, length: int) -> Passage:
-    """The lines are read now, so that not all texts of a class need be held."""
+    """Read the lines only now, so that memory does not have to hold all texts of a class."""
     file = work.sources[work.files[begin]]
     first, last = work.lines[begin], work.lines[begin + length - 1]
     last = min(last, first + _LONGEST_PASSAGE - 1)
@@ -198,7 +198,7 @@ def _passage(work: Work, begin: int, length: int) -> Passage:
 
 @dataclass(frozen=True)
 class HandedIn:
-    """The files of one submission. name: whose it is, different for each, safe to show."""
+    """The files of one submission. name: its owner, unique and safe to show."""
 
     name: str
     files: tuple[File, ...]
@@ -232,12 +232,12 @@ def _laid_out(tree: Tree, found: Found) -> list[File]:
 
 
 def _as_it_is(source: Upload) -> list[File]:
-    """Nothing of the course was recognized in it; its programs can be compared all the same."""
+    """No part of the course was recognized in it, but its programs can still be compared."""
     entries = read_tree(source.parts).entries
     return [File(path, entry.path) for path, entry in entries.items() if not entry.folder]
 
 
-# Shorter than what counts as alike, so that own code around a line of the starter is not taken for given.
+# Shorter than what counts as similar, so that own code around a line of the starter still counts.
 GIVEN = 16  # words in a row
 _ALTERNATIVES = "alternatives"
 _LANGUAGES = frozenset({"python", "cpp", "yaml", "xml"})
@@ -246,7 +246,7 @@ Given = frozenset[str]
 
 
 def given_of(course: Course, reader: Reader, *, solutions: bool = False) -> Given:
-    """The runs of GIVEN words in starters and lessons; with `solutions`, in those too."""
+    """The runs of GIVEN words in starters, lessons, and, with `solutions`, in solutions."""
     exercises = course.exercises()
     folders = [exercise.starter for exercise in exercises]
     if solutions:
@@ -257,7 +257,7 @@ def given_of(course: Course, reader: Reader, *, solutions: bool = False) -> Give
 
 
 def solutions_of(course: Course) -> dict[str, list[File]]:
-    """The reference solution of each chapter, and each other right one, with the name that is shown."""
+    """The reference solution of each chapter, and each alternative, with the name that is shown."""
     found: dict[str, list[File]] = {}
     for folder in _each(exercise.solution for exercise in course.exercises()):
         for file in _files(folder):

@@ -1,4 +1,4 @@
-"""Pairs that are alike, as one HTML page: no script, nothing fetched, every text escaped."""
+"""Similar pairs as one HTML page: without scripts or downloads, and with every text escaped."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ pre { font: 0.85rem/1.4 ui-monospace, monospace; margin: 0; padding: 0.5rem; ove
 pre b { font-weight: normal; opacity: 0.5; user-select: none; }
 ol { padding-left: 2rem; }
 """
-# Nothing of a submission could do anything here, even if it were not escaped.
+# A submission's text could do nothing here, even if it were not escaped.
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 
 

@@ -1,4 +1,4 @@
-"""Pairs that are alike, in the terminal: how much, and the longest passage of both sides."""
+"""Similar pairs in the terminal: how similar, and the longest passage on both sides."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _BETWEEN = " | "
 
 
 def render_similar(console: Console, comparison: Comparison) -> None:
-    """All pairs, the most alike first, then what was left out. Works without color, and at 80 columns."""
+    """All pairs, the most similar first, then what was left out. Works without color, and at 80 columns."""
     put_prose(console, Text(headline(comparison), "bold"))
     for number, pair in enumerate(comparison.pairs, 1):
         put(console)
@@ -58,7 +58,7 @@ def _put_pair(console: Console, number: int, pair: Pair) -> None:
 
 
 def _put_match(console: Console, match: Match) -> None:
-    """Both sides beside each other, each line cut to half of the width."""
+    """Both sides next to each other, with each line cut to half of the width."""
     width = (console.width - len(INDENT) - len(_BETWEEN)) // 2
     one, other = (Text(_end_of(place_of(side), width), "cyan") for side in (match.one, match.other))
     _put_row(console, one, other, width)
@@ -71,7 +71,7 @@ def _put_match(console: Console, match: Match) -> None:
 
 
 def _end_of(place: str, width: int) -> str:
-    """The end tells more than the beginning."""
+    """Keep the end, which says more than the beginning."""
     while cell_len(place) > width:
         place = "..." + place[4 if place.startswith("...") else 1 :]
     return place

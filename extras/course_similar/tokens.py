@@ -1,7 +1,7 @@
-"""Programs as sequences of words, one character each: what stays the same when names are changed.
+"""Programs as sequences of words, one character each, which stay the same when names change.
 
-Comments, docstrings and spaces are left out. In Python and C++ every name is the same word, and so is
-every string and every number; in YAML and XML, which hold little but names and values, they stay apart.
+Comments, docstrings, and spaces are left out. In Python and C++, all names are the same word, and so are all
+strings and all numbers. In YAML and XML, which contain little else, they remain different words.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from course.home.opening import Notes, Remark
 if TYPE_CHECKING:
     from pygments.token import _TokenType
 
-# Three digits to the base of 36 for each word: that is what fingerprints are made of.
+# Fingerprints are made from three digits in base 36 for each word.
 DIFFERENT = 36**3
 _FIRST = 0x100
-# For a text made to be slow, a lexer's time grows with the square of its length.
+# On a malicious text, a lexer's time grows with the square of its length.
 _LONGEST = 3.0  # seconds of this thread's own time for one file
 
 _LANGUAGES = {
@@ -58,16 +58,13 @@ class Words:
 
 
 def language_of(path: str) -> str | None:
-    """What a file is written in, by its name; None when it is not one that is compared."""
+    """A file's language, by its name; None if such files are not compared."""
     name = PurePosixPath(path)
     return "xml" if name.name.endswith(_LAUNCH) else _LANGUAGES.get(name.suffix)
 
 
 def words_of(text: str, language: str) -> Words:
-    """Whatever the text says, this does not fail: what the language does not know is passed over.
-
-    Raises TooSlow.
-    """
+    """Works for any text, because it skips what is not valid in the language. Raises TooSlow."""
     found: list[str] = []
     lines = array("i")
     for value, line in _values(text, language):
@@ -115,7 +112,7 @@ def _tokens(text: str, language: str) -> Iterator[tuple[int, _TokenType, str]]:
     from pygments.lexers import get_lexer_by_name  # only this command needs it
 
     latest = time.thread_time() + _LONGEST
-    # A lexer knows a comment by the end of its line.
+    # A lexer finds a comment by the end of its line.
     tokens = get_lexer_by_name(language).get_tokens_unprocessed(f"{text}\n")
     for number, token in enumerate(tokens):
         if number % 16 == 0 and time.thread_time() > latest:
@@ -127,7 +124,7 @@ _STRING = '""'
 
 
 def _word(kind: _TokenType, raw: str, data: bool) -> str:
-    """ "" for what does not count."""
+    """ "" for anything that does not count."""
     first, second = (*kind, "", "")[:2]
     if first in ("Comment", "Text", "Error") or kind[2:3] == ("Doc",):
         return ""
@@ -143,7 +140,7 @@ MOST_FILES = 1000
 MOST_WORDS = 60_000  # of one submission; the whole course's solutions have about a third of that
 LONGEST = 10.0  # seconds of this thread's own time for one submission; usual are milliseconds
 
-# Made by tools, or the same in every right submission: the answers to a quiz.
+# Made by tools, or the same in every right submission, such as the answers to a quiz.
 _LEFT_OUT = frozenset({"build", "install", "log", "resource", "answers", "__pycache__"})
 
 _TOO_LARGE = f"Files larger than {LARGEST // 1024} kB were not compared."
@@ -154,13 +151,13 @@ _TOO_MUCH = "Of so much code, only a part was compared; left out are the last fi
 
 
 class Reader:
-    """Reads a class. Files with the same content are read once, however many submissions hold them."""
+    """Reads a class. Files with the same content are read once, however many submissions contain them."""
 
     def __init__(self) -> None:
         self._known: dict[tuple[str, bytes], Words | str] = {}
 
     def read(self, files: Iterable[File]) -> tuple[list[tuple[File, Words]], tuple[Remark, ...]]:
-        """Those files that are programs, as words, and what was left out."""
+        """The programs as words, and what was left out."""
         notes = Notes()
         found: list[tuple[File, Words]] = []
         room, latest = MOST_WORDS, time.thread_time() + LONGEST
@@ -177,7 +174,7 @@ class Reader:
         return found, notes.findings()
 
     def _words(self, file: File) -> Words | str:
-        """Or why it was left out."""
+        """The words, or why the file was left out."""
         try:
             with file.path.open("rb") as stream:
                 data = stream.read(LARGEST + 1)
@@ -210,5 +207,5 @@ def _read(data: bytes, language: str) -> Words | str:
 
 
 def text_of(data: bytes) -> str:
-    """Whatever bytes: as text with lines that end in a newline."""
+    """Any bytes as text with lines that end in a newline."""
     return data.decode("utf-8-sig", "replace").replace("\r\n", "\n").replace("\r", "\n")

@@ -1,4 +1,4 @@
-"""The code of one submission, as far as it is its own, and what of it another one contains."""
+"""A submission's own code, and which parts of it another submission contains."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from course.cli.usage import installing
 from course.errors import MissingHere
 from course_similar.tokens import File, Words, number_of
 
-SAME = 24  # so many words in a row must be the same, about three lines, before they count as alike
-# Of a passage that the other one contains many times, so many places are tried.
+SAME = 24  # this many equal words in a row, about three lines, count as similar
+# If the other one contains a passage many times, this many places are tried.
 _TRIED = 8
 _GAP = "\0"
 
@@ -29,9 +29,9 @@ Fingerprinter = Callable[[str], frozenset[str]]
 
 
 def fingerprinter() -> Fingerprinter:
-    """What takes words (`Words.text`, or a stretch of it) and gives their fingerprints.
+    """A function from words (`Words.text`, or a part of it) to their fingerprints.
 
-    Raises MissingHere when the library is not installed.
+    Raises MissingHere if the library is not installed.
     """
     try:
         from scanoss_winnowing.winnowing import Winnowing
@@ -43,7 +43,7 @@ def fingerprinter() -> Fingerprinter:
 
     def fingerprints(words: str) -> frozenset[str]:
         coded = "".join(_DIGITS[number_of(word)] for word in words)
-        # Its first line is about the file, with a hash of it; the others are fingerprints.
+        # The first line describes the file; the others are fingerprints.
         _, _, found = winnowing.wfp_for_contents("", False, coded.encode()).partition("\n")
         return frozenset(_FINGERPRINT.findall(found))
 
@@ -52,10 +52,10 @@ def fingerprinter() -> Fingerprinter:
 
 @dataclass(frozen=True)
 class Work:
-    """name: whose it is. text: its words; stretches that are apart have a gap between them.
+    """name: the owner's. text: its words, with a gap between separate parts.
 
     files, lines: for each word, the file's index in `sources`, and the line. fingerprints: see there.
-    ours: it is the course's own solution.
+    ours: whether it is the course's own solution.
     """
 
     name: str
@@ -81,7 +81,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Run:
-    """`length` words that are the same in two works, from `one` and from `other` on."""
+    """`length` words that are the same in two works, starting at `one` and at `other`."""
 
     one: int
     other: int
@@ -96,7 +96,7 @@ def work_of(
     *,
     ours: bool = False,
 ) -> Work:
-    """given: runs of words that the course gives, each as long as the others; see `given.Given`."""
+    """given: runs of words from the course, all of the same length; see `given.Given`."""
     text: list[str] = []
     of_files, lines = array("i"), array("i")
     fingerprints: set[str] = set()
@@ -111,7 +111,7 @@ def work_of(
 
 
 def stretches(text: str, given: frozenset[str]) -> Iterator[tuple[int, int]]:
-    """Where something begins and ends that is not given, if it is long enough to be compared."""
+    """The beginning and end of each part that is not given and is long enough to compare."""
     length = len(next(iter(given), ""))
     begin = 0
     for at, end in _given_places(text, given, length):
@@ -135,7 +135,7 @@ def _given_places(text: str, given: frozenset[str], length: int) -> Iterator[tup
 
 
 def runs(one: Work, other: Work) -> Iterator[Run]:
-    """What of `one` is in `other` too, each word of `one` once, the longest run at each place."""
+    """The parts of `one` that are also in `other`: each word of `one` once, the longest run at each place."""
     common = one.index.keys() & other.index.keys()
     done = 0
     for at in sorted(at for words in common for at in one.index[words]):
@@ -147,7 +147,7 @@ def runs(one: Work, other: Work) -> Iterator[Run]:
 
 
 def _in_common(one: str, at: int, other: str, place: int) -> int:
-    """How many characters are the same from there on, up to a gap; at least SAME are."""
+    """How many characters are the same from there, up to a gap; at least SAME."""
     end = one.find(_GAP, at)
     most = min(end if end >= 0 else len(one), at + len(other) - place) - at
     same, step = SAME, SAME
