@@ -16,7 +16,7 @@ _TOO_LARGE = Remark(
     f"It is too large to be sent to a worker: more than {LARGEST_HOME // 1_000_000} MB when packed.",
     "Once the others are done, the same command without --cluster grades what is left on this machine.",
 )
-# We packed it ourselves, after looking at the files, so a high compression ratio is no reason to refuse it.
+# We packed it ourselves, after looking at the files, so any compression ratio is acceptable.
 _OWN = replace(USUAL, ratio=1_000_000)
 
 
