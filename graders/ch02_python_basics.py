@@ -152,7 +152,7 @@ ask("hint", lambda: "return" in main.__annotations__)
 
 @script.scenario
 def run_import_and_execute_it(arena: Arena) -> None:
-    """Start it in both ways at once; five lines make four intervals."""
+    """Start it both ways at once; five lines make four intervals."""
     program = arena.python(SCRIPT, name="script")
     direct = arena.execute(SCRIPT, name="direct")
     arena.probe(IMPORT_SCRIPT, cwd=PROJECT, timeout=5)
@@ -610,8 +610,8 @@ DRAW = random.SystemRandom()
 def run_the_tests_on_right_and_broken_classes(arena: Arena) -> None:
     """Replace the learner's class by the reference class, unchanged or with a fault.
 
-    The order is random and each run has a place of its own, so that a test can tell them apart by what the
-    class does, and by nothing else.
+    The order is random and each run has a separate place, so that a test can tell them apart only by what
+    the class does.
     """
     if not arena.files.is_folder(PACKAGE):
         return
@@ -654,7 +654,7 @@ FACTS = {
 
 
 class Report:
-    """Drops all other output, which may contain our class that the tests ran on.
+    """Drops all other output, which may contain our class under test.
 
     A name in a fact is kept only if the word is Python's or in the learner's `tests`.
     """
@@ -1039,7 +1039,7 @@ def line_at(recording: Recording, place: Location) -> str:
 
 
 def expect_report(recording: Recording, number: int, example: str) -> int:
-    """Index of the line that reports a task's result: the last with its tag, after that of its last try."""
+    """Index of the line that reports a task's result: the last one with its tag, after its last draw."""
     items, tag, own = story(recording, example), f"task{number}", said_of_a_win(recording)
     after = [
         n for n, item in enumerate(items) if n > won(items, number) and isinstance(item, str) and tag in item

@@ -22,7 +22,7 @@ RESULT = f"{WS}/build/{PACKAGE}/colcon_build.rc"
 RUN = f"ros2 run {PACKAGE} {PROGRAM}"
 BUILD = f"`cd ~/{WS}`, then `colcon build`, then `source install/setup.bash`."
 ANEW = f"`cd ~/{WS}`, then `rm -r build install log`, then `colcon build`."
-# The times in a file system may not be more exact than this.
+# Times in a file system may be no more exact than this.
 SAME_TIME = 0.01
 
 source = Grader("09-source", builds=None, ros=False)

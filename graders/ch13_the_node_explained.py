@@ -46,13 +46,13 @@ def all_three_at_once(arena: Arena) -> None:
     started = [found for found in programs.values() if found]
     arena.until(lambda: len(arena.ros.graph.nodes) >= sum(p.running for p in started), timeout=15)
     for node, text, count in ((HEARTBEAT, BEAT, ENOUGH), (SCANNER, CLEAR, ENOUGH), (COUNTDOWN, "L", 1)):
-        # The pace counts from the first line on: on a busy machine that comes late.
+        # The pace counts from the first line on, which comes late on a busy machine.
         if arena.until(partial(heard, arena, programs[node], text, 1), timeout=6):
             arena.until(partial(heard, arena, programs[node], text, count), timeout=4)
     countdown = programs[COUNTDOWN]
-    # One more word would come a period after the last one.
+    # Another word would come a period after the last one.
     arena.until(partial(heard, arena, countdown, "L", 2), timeout=2 * PERIOD)
-    # A node that still answers keeps running. One that ends after its last word may take a while.
+    # A node that still answers is running. One that ends after its last word may take a while.
     if countdown and asked.available:
         answer = asked.list()
         arena.until(lambda: answer.done or not countdown.running, timeout=6)
@@ -136,9 +136,9 @@ def countdown_counts(recording: Recording) -> None:
 
 
 def has_two_at_once(gaps: Sequence[float]) -> bool:
-    """Whether two words are said in one go: then the whole takes a period less.
+    """Whether two words come at once: then the whole takes a period less.
 
-    A word that only comes late, nearly with the next one, leaves the whole as long as it was.
+    A word that only comes late, close to the next one, does not change the total time.
     """
     return min(gaps) < PERIOD / 10 and sum(gaps) < (len(gaps) - 0.5) * PERIOD
 
@@ -146,7 +146,7 @@ def has_two_at_once(gaps: Sequence[float]) -> bool:
 def spoken_at(recording: Recording) -> tuple[float, ...]:
     """When each word appeared, on the terminal if possible.
 
-    What a node logs before others have found it, the log delivers in one go.
+    The log delivers everything at once that a node logs before others have found it.
     """
     lines = recording.process(program(COUNTDOWN)).lines
     ends = tuple(f": {word}" for word in COUNTED)

@@ -41,7 +41,7 @@ EXACT = 1e-9
 TRIES = 6
 PATIENCE = 5.0  # seconds
 
-# Runs among the learner's programs, after lines that define PAIRS, NAMES and the names from above.
+# Runs alongside the learner's programs, after lines that define PAIRS, NAMES, and the names from above.
 PROBE = """
 import importlib, os, sys, traceback
 
@@ -93,7 +93,7 @@ def ask_the_installed_library(arena: Arena) -> None:
 
 
 def given(recording: Recording) -> dict[str, Any]:
-    """The values that the scenario drew, from its own notes, as the probe runs beside the learner's code."""
+    """The values that the scenario drew, from its own notes: the probe runs beside the learner's code."""
     mark = recording.marked(GIVEN)
     if mark is None:
         raise OurFault("the scenario did not note what it drew")
@@ -298,7 +298,7 @@ REMEDIES = (
     (("missing", "argument"), "Compare its arguments with those in the task."),
     (("'str' object is not callable",), "The method and the attribute need different names: `self._name`."),
 )
-# What Python adds to some messages: where the installed file lies, which says nothing to a learner.
+# Python adds the installed file's path to some messages, which does not help a learner.
 STORE_PATH = re.compile(r" \(/[^)]*\)")
 
 

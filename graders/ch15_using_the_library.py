@@ -58,7 +58,7 @@ def five_times_two_lines(arena: Arena) -> None:
     node = arena.run(PACKAGE, NODE)
     if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
         arena.until(lambda: any(heard(arena, node)), timeout=6, while_running=node)
-        # The log may come later than the terminal's lines: one more of each kind.
+        # The log may come later than the terminal's lines: wait for one more of each kind.
         arena.until(lambda: min(heard(arena, node)) > ENOUGH, timeout=4, while_running=node)
     arena.interrupt(node)
 
@@ -141,7 +141,7 @@ def function(recording: Recording) -> None:
 
 
 def no_numbers(recording: Recording) -> Feedback:
-    """The node logs, but nothing with A, B and C."""
+    """The node logs, but nothing with A, B, and C."""
     texts = [line.text for line in lines_of(recording)]
     braces = next((text for text in texts if "{" in text), None)
     decimal = next((text for text in texts if DECIMAL.search(text)), None)
@@ -296,7 +296,7 @@ def random_names(recording: Recording) -> None:
 
 
 def name_lines(recording: Recording) -> list[LogLine]:
-    """The lines that are not the function's: of those, the kind that comes most often."""
+    """Lines that are not from the function: the most frequent kind of those."""
     every = (line for line in lines_of(recording) if line.text.strip())
     lines = [line for line in every if not as_sum(line) and not DECIMAL.search(line.text)]
     firsts = Counter(line.text.split()[0] for line in lines)
@@ -312,7 +312,7 @@ def varying_names(lines: list[LogLine]) -> list[str]:
 
 
 def odd_name(recording: Recording, lines: list[LogLine]) -> Feedback | None:
-    """Why there is no name of ten letters; None when there is one, always the same."""
+    """Why there is no name of ten letters; None if there is one that is always the same."""
     text = lines[0].text
     if "bound method" in text or " object at 0x" in text:
         return misread(recording, lines[0], "method" if "bound method" in text else "object")

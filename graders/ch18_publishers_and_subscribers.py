@@ -268,7 +268,7 @@ SENSOR = f"{rover.SENSOR}_node"
 START, PACE = 3.0, 0.1
 STANDS, DRIVES, HALTS, RACES = "no command", "a command", "a command to stop", "a fast command"
 AWAIT = 12  # measurements after each command
-LATE = 2  # of them may have been on their way before the command arrived
+LATE = 2  # of them may have been sent before the command arrived
 TOLERANCE = 0.25
 
 sensor = Grader("18-rover")
@@ -276,7 +276,7 @@ sensor = Grader("18-rover")
 
 @sensor.scenario
 def drive_to_the_wall(arena: Arena) -> None:
-    """Let it stand, drive at a random speed, stop, and drive into the wall."""
+    """Let it wait, drive at a random speed, stop, and drive into the wall."""
     ranges = arena.ros.subscribe(rover.RANGE, rover.RANGE_TYPE)
     driver = arena.ros.publisher(rover.COMMAND, rover.COMMAND_TYPE)
     node = arena.run(rover.PACKAGE, SENSOR)
@@ -348,7 +348,7 @@ def drives(recording: Recording) -> None:
     first, *_, last = found = during(recording, DRIVES, HALTS)
     fallen = first.data.range - last.data.range
     paces = (fallen / (last.t - first.t), fallen / (PACE * (len(found) - 1)))
-    # A speed that is subtracted as it is drives into the wall at once; its mean pace may be any.
+    # If the speed is subtracted without the period, it hits the wall at once; the pace means nothing.
     at_once = last.data.range < rover.CLOSE and command * (last.t - first.t) < START - 1
     if at_once or not any(abs(pace / command - 1) <= TOLERANCE for pace in paces):
         raise Failure(
@@ -389,7 +389,7 @@ def wrong_range(summary: str, expected: str, message: Message, advice: str) -> F
 
 
 def during(recording: Recording, begin: str | None, end: str | None) -> list[Message]:
-    """What was measured between two marks, without what may have been too early to know the command."""
+    """The measurements between two marks, without those that may be from before the command."""
     received = recording.topic(rover.RANGE).messages
     start, stop = (recording.marked(name) if name else None for name in (begin, end))
     found = [m for m in received if (not start or m.t > start.t) and (not stop or m.t < stop.t)]

@@ -69,7 +69,7 @@ COMPARE = (
 ANSWER = 42.0
 PERIOD = 0.5
 ENOUGH = 5
-# With one kind of quote left out of 20, the client does not draw them as a coin does.
+# If one kind of quote is missing among 20, the client does not choose at random.
 AT_MOST = 20
 LONGEST = 13.0
 SILENT_FOR = 2.0
@@ -318,7 +318,7 @@ def serve_enough(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> b
             return False
     if not oracle.given:
         return False
-    last = oracle.given[-1]  # as of now: a node that logs an answer when it asks again is always one behind
+    last = oracle.given[-1]  # the last one now: a node that logs when it asks again is always one behind
     return arena.until(lambda: is_logged(arena, last), timeout=3, while_running=node)
 
 
@@ -335,7 +335,7 @@ def is_logged(arena: Arena, point: tuple[str, ...]) -> bool:
 
 
 def fall_silent(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> None:
-    """Two requests more show that the client goes on; then one more answer must reach its log."""
+    """Two more requests show that the client continues; then one more answer must reach its log."""
     before = shop.requests
     arena.mark(SILENCE)
     shop.pause()
@@ -475,7 +475,7 @@ def client_interrupt(recording: Recording) -> None:
 
 
 def quotes_about_life() -> list[dict[str, Any]]:
-    """Nine AmazingQuotes: five hold the word life, in any case; of the others two say the same."""
+    """Nine AmazingQuotes: five contain the word life, in any case; two of the others are the same."""
     same = words(4)
     texts = [
         f"{words(2)} that is life",
@@ -496,7 +496,7 @@ def quotes_about_life() -> list[dict[str, Any]]:
 
 
 class Oracle:
-    """Answers each WhatIsThePoint with a point that nobody knows, and remembers what was asked and given.
+    """Answers each WhatIsThePoint with an unpredictable point, and remembers questions and answers.
 
     about_life: which kinds of quote were asked. given: the digits of each point's x, y and z; the numbers
     are whole, so that every way to write a float shows them.
@@ -524,7 +524,7 @@ controller = Grader("20-rover")
 
 @controller.scenario
 def approach_and_stop(arena: Arena) -> None:
-    """Be the sensor: measure some distances, then tell the rover to stop, and to drive again."""
+    """Play the sensor: measure a few distances, then tell the rover to stop, and to drive again."""
     commands = arena.ros.subscribe(rover.COMMAND, rover.COMMAND_TYPE)
     sensor = arena.ros.publisher(rover.RANGE, rover.RANGE_TYPE)
     stop = arena.ros.client(rover.STOP, rover.STOP_TYPE)

@@ -71,10 +71,10 @@ NOT_TAKEN = (
 )
 PERIOD, GIVEN_PERIOD, LATER_PERIOD = 0.5, 0.2, 0.05
 SECOND_RUN = f"{EXECUTABLE} with other values"
-# A topic that the grader listens on and no parameter names: a node could find the right one in the graph.
+# The grader also listens on a topic that no parameter names: a node could find the right one in the graph.
 DECOY = "a topic that no parameter names"
 ENOUGH = 5
-# The message that was under way when the answer to a change came may still be an old one.
+# A message that was on its way when the change was confirmed may still be an old one.
 AFTER_A_CHANGE = 3
 ATTEMPTS = 5
 
@@ -113,7 +113,7 @@ def other_values() -> dict[str, str | float]:
 
 
 def as_it_is(arena: Arena, asked: Parameters, quotes: Listener) -> bool:
-    """Whether the node told its parameters and published, so that a second run can show more."""
+    """Whether the node reported its parameters and published, so that a second run can show more."""
     node = arena.run(PACKAGE, EXECUTABLE)
     told = False
     if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
@@ -139,7 +139,7 @@ def answers(arena: Arena, calls: tuple[Call, ...], node: Process) -> bool:
 
 
 def with_others(arena: Arena, asked: Parameters, others: Listener, values: dict[str, str | float]) -> None:
-    # What is asked of the first one, which is still known for a moment, is never answered.
+    # The first node is still known for a moment, but never answers.
     arena.until(lambda: asked.node not in arena.ros.graph.nodes, timeout=2)
     node = arena.run(PACKAGE, EXECUTABLE, params=values, name=SECOND_RUN)
     arena.until(lambda: asked.node in arena.ros.graph.nodes, timeout=15, while_running=node)
@@ -160,7 +160,7 @@ def change(
     enough: int,
     values: dict[str, str] | dict[str, float],
 ) -> None:
-    """Set these parameters, and hear so many messages more."""
+    """Set these parameters, and hear this many more messages."""
     call = asked.set(values)
     arena.until(lambda: call.done, timeout=2, while_running=node)
     before = others.count
@@ -394,7 +394,7 @@ def interrupt(recording: Recording) -> None:
 
 @launch.scenario
 def one_launch(arena: Arena) -> None:
-    """The node's parameters tell what the launch file gave; what it does with them is chapter 23."""
+    """The node's parameters show what the launch file passed; chapter 23 checks what it does with them."""
     asked = arena.ros.parameters(FALCON)
     launched = arena.launch(PACKAGE, LAUNCH_FILE)
     if arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=launched):

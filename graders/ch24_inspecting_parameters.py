@@ -157,7 +157,7 @@ class Dump:
 
 
 class _NoAliases(yaml.SafeLoader):
-    """A few lines with `&` and `*` can stand for more values than a computer holds."""
+    """A few lines with `&` and `*` can stand for more values than fit into memory."""
 
     def compose_node(self, parent: Any, index: Any) -> Any:
         if self.check_event(yaml.AliasEvent):
@@ -166,12 +166,12 @@ class _NoAliases(yaml.SafeLoader):
         return super().compose_node(parent, index)
 
 
-# What reading YAML raises besides errors with a mark: of numbers, dates and keys that are none.
+# What reading YAML raises besides marked errors: for invalid numbers, dates, and keys.
 _NOT_YAML = (yaml.YAMLError, ValueError, ArithmeticError, LookupError, AttributeError, RecursionError)
 
 
 def read_dump(text: str) -> Dump:
-    """Never raises: the text is the learner's."""
+    """Never raises, because the text is the learner's."""
     try:
         data = yaml.load(text, _NoAliases)
     except yaml.MarkedYAMLError as error:
@@ -333,7 +333,7 @@ def _refused(recording: Recording, name: str, reason: str) -> Feedback:
 
 
 def _places(text: str, name: str | None) -> tuple[Location, ...]:
-    """The line in which this key stands; else just the file."""
+    """The line with this key, or just the file."""
     return (Location(FILE, next(_lines_of(text, name), None) if name else None),)
 
 

@@ -42,7 +42,7 @@ CODE = Location(f"{SOURCE}/src/sample_class.cpp")
 LISTS = Location(f"{SOURCE}/CMakeLists.txt")
 PROJECT = Path(__file__).with_name("probes") / "ch27_consumer"
 CONSUMER, SOURCED = "consumer", "consumer after sourcing"
-VALUES = (-3, 41)  # of the private members of the objects whose text the consumer asks for
+VALUES = (-3, 41)  # private members of the objects whose text the consumer asks for
 SUM = re.compile(r"(?i)sum\D*\d")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 ENOUGH = 5
@@ -56,7 +56,7 @@ def another_package_and_the_node(arena: Arena) -> None:
     node = arena.run(PACKAGE, NODE)
     if node:
         arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node)
-        # Of all that it says, its sums count; the log may come later than the terminal's lines.
+        # Only its sums count; the log may come later than the terminal's lines.
         arena.until(lambda: sums_shown(arena, node), timeout=6, while_running=node)
         arena.until(lambda: sums_shown(arena, node) > ENOUGH, timeout=6, while_running=node)
     arena.interrupt(node)

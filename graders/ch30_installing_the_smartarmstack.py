@@ -6,7 +6,7 @@ from course.api import Failure, Feedback, Grader, Recording
 
 WS = "sas_tutorial_workspace"
 SRC = f"{WS}/src"
-# Its name is much like the other's, and nobody means to give it away.
+# Its name is similar to the other's, and should not be revealed.
 FIRST = "ros2_tutorial_workspace"
 
 workspace = Grader("30-sas-workspace", builds=None, ros=False)

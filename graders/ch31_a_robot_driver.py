@@ -87,7 +87,7 @@ HEARD = {
 
 @dataclass(frozen=True)
 class Robot:
-    """A robot as the scenario has it made. degrees: its limits. period: s, of its loop."""
+    """A robot as the scenario starts it. degrees: its limits. period: of its loop, in s."""
 
     name: str
     least: tuple[float, ...]
@@ -104,7 +104,7 @@ class Robot:
         return {"ip": "127.0.0.1", **limits, "thread_sampling_time_sec": self.period}
 
 
-# Other names, limits and periods than the lesson's: what is written into a program shows.
+# Names, limits, and periods that differ from the lesson's, to reveal hard-coded values.
 LEFT = Robot("left_arm", (-95.0, -96, -97, -98, -99, -185), (101.0, 102, 103, 104, 105, 190), 0.002)
 RIGHT = replace(LEFT, name="right_arm", period=0.004)
 MYROBOT = Robot("myrobot_1", (*[-360.0] * 5, -720), (*[360.0] * 5, 720), 0.002)
@@ -117,9 +117,9 @@ Start = Callable[[Robot, str], Process | None]
 STEPS = tuple(tuple(0.1 * step + 0.02 * joint for joint in range(JOINTS)) for step in range(1, 11))
 STEP_TIME = 0.06
 WAVE, COMMANDS = 1.0, 0.01  # Hz, and s between two targets
-# What a driver's source may use: `deg2rad`, parameters, or the driver's node are nobody's mistake there.
+# What a driver's source may use: `deg2rad`, parameters, or the driver's node are not mistakes there.
 LIBRARIES = ("sas_core", "sas_robot_driver", "dqrobotics", "rclcpp", "rcutils")
-# What RobotDriverROS writes before each step, and when one fails; and the functions that it calls in it.
+# What RobotDriverROS logs before each step and when one fails, and the functions that it calls then.
 STEP = re.compile(r"::Robot driver: ([a-z ]+)$")
 FAILED = re.compile(r"::Robot driver: (?P<step>[a-z ]+) failed: (?P<error>.*)")
 FAILING = {
@@ -127,7 +127,7 @@ FAILING = {
     "initialize": r"::initialize\s*\(",
     "control loop": r"::(?:get|set_target)_joint_positions\s*\(",
 }
-# What must be seen at the end: calls, as the control loop logs them, and words of a driver without that loop.
+# What must appear at the end: calls, as the control loop logs them, or texts of a driver without that loop.
 CALLS, WORDS = ("deinitialize", "disconnect"), ("Motor off", "Disconnected")
 WRONG = "a target of five elements"
 AGAIN = "again, until it gets a target of five elements"
@@ -191,7 +191,7 @@ def hear(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> tup
 
 
 def more(arena: Arena, states: Listener, node: Process, messages: float) -> None:
-    """Hear so many more messages; a driver that is much slower is not waited for."""
+    """Hear this many more messages, but don't wait for a driver that is much slower."""
     wanted = states.count + round(messages)
     arena.until(lambda: states.count >= wanted, timeout=3, while_running=node)
 
@@ -333,9 +333,9 @@ def expect_step_and_wave(
 
 
 def expect_no_jump(sine: Stream, states: Stream, advice: str, where: tuple[Location, ...]) -> None:
-    """No joint leaves what was commanded. No load of a machine does that, so none excuses it.
+    """No joint jumps away from its commands. A busy machine does not cause that, so it is no excuse.
 
-    What comes first may still be an earlier target, where a machine was held up.
+    The first rows may still show an earlier target if the machine was busy.
     """
     for joint in range(JOINTS if len(sine) and states.widths == (JOINTS,) else 0):
         least, greatest = min(sine.column(joint)), max(sine.column(joint))
@@ -355,9 +355,9 @@ def expect_no_jump(sine: Stream, states: Stream, advice: str, where: tuple[Locat
 
 
 def expect_order(view: ProcessView, after: float, what: str, advice: str, ends: tuple[str, str]) -> None:
-    """After that moment, the first of `ends` was seen on the terminal, and then the second.
+    """After that moment, the first of `ends` appeared on the terminal, and then the second.
 
-    Where a control loop logs no calls at all, they cannot be seen: that it came to its end must do.
+    If a control loop logs no calls at all, they are invisible, so its end must be enough.
     """
     if ends == CALLS and not any(STEP.search(line.text) for line in view.lines):
         return
@@ -444,7 +444,7 @@ def class_and_node(arena: Arena) -> None:
 
 
 def more_files(arena: Arena) -> list[str]:
-    """What else of the package's `src` is built, as far as the class may need it: all without a `main`."""
+    """Other files of the package's `src` that the class may need: all without a `main`."""
     listed = arena.files.text(f"{IN_CPP}/CMakeLists.txt") or ""
     files = arena.files.matching(f"{IN_CPP}/src/*.cpp")
     others = (file for file in files if file not in (DRIVER_CPP, NODE_CPP) and Path(file).name in listed)
@@ -774,7 +774,7 @@ def a_robot_to_move(arena: Arena) -> None:
 
 @client.check("script", "the script can be executed", needs=())
 def script(recording: Recording) -> None:
-    # Some ways of handing in forget the mode, and CMake can set it.
+    # Some ways of handing in lose the mode, and CMake can set it.
     if recording.local and "OWNER_EXECUTE" not in recording.sources.files.get(f"{IN_CPP}/CMakeLists.txt", ""):
         expect_mode(
             recording,

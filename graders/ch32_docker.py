@@ -318,11 +318,11 @@ NODES = ("talker", "listener")
 WITNESS = "witness"
 ENOUGH = 3
 START_TIME = 30.0
-# s after which nodes that talk with each other would have been heard in a domain of ours.
+# s after which communicating nodes would have been heard in our domain.
 SILENCE = 5.0
 PROBES = Path(__file__).parent / "probes"
 TALKER, LISTENER = PROBES / "ch32_talker.py", PROBES / "ch32_listener.py"
-# Of a value; the system takes no variable without end.
+# Of a value; the system limits the length of variables.
 LONGEST = 200
 # As ROS reads the variable: what follows the digits does not count, and a 0 before them makes them octal.
 NUMBER = re.compile(r"\s*\+?(0[0-7]*|[1-9]\d{0,8})(?![xX\d])")
@@ -507,7 +507,7 @@ PROFILE = "ros2_tutorial_workspace/docker/fastrtps_profile.xml"
 MOST_TAGS = 500
 SEGMENT = "fastrtps_"
 HEARD = "/heard"
-# What the middleware says of a profile that it does not take.
+# The middleware's message about a profile that it rejects.
 REFUSED = re.compile(r"XMLPARSER\s*Error\]\s*(.*?)(?:\s*->|$)")
 NOT_FOUND = re.compile(r"Transport Node not found\. Given ID: (\S+)")
 
@@ -517,7 +517,7 @@ KNOWN = {
     *("dds", "profiles", "transport_descriptors", "transport_descriptor", "transport_id", "type"),
     *("participant", "rtps", "userTransports", "useBuiltinTransports"),
 }
-# What the talker that has no profile is called.
+# The name of the talker without a profile.
 WITHOUT = "talker without profile"
 
 udp = Grader("32-udp-profile", builds=None)
@@ -558,7 +558,7 @@ def is_up(arena: Arena, program: Process) -> bool:
 
 
 def memory(recording: Recording, *names: str) -> list[str]:
-    """The files of the middleware's that these programs had in shared memory."""
+    """The middleware's files that these programs had in shared memory."""
     looks = [recording.marked(f"shared memory of {name}") for name in names]
     return segments(file for look in looks if look for file in look.detail.split())
 

@@ -252,7 +252,7 @@ def parts_of(recording: Recording, command: str, name: str) -> list[str]:
 
 
 def leads_to(part: str, folder: str) -> bool:
-    """A folder of that name in an `opt` of somebody's, which is not the system's own."""
+    """A folder with that name in somebody's `opt`, which is not the system's."""
     return re.fullmatch(rf"/.+/{OPT}/{folder}(64)?/*", part) is not None
 
 
@@ -368,7 +368,7 @@ def is_of_another_machine(arena: Arena) -> bool:
 
 
 def install_ours(arena: Arena, source: str) -> None:
-    """A submission need not bring what was installed: it is all the same library."""
+    """A submission does not have to contain the installed library: it is always the same."""
     arena.tool("rm", "-rf", OPT, name="remove tinyqp")
     prefix = f"-DCMAKE_INSTALL_PREFIX={arena.home / OPT}"
     arena.tool("cmake", "-S", source, "-B", ".tinyqp_build", prefix, name="configure tinyqp")
@@ -459,7 +459,7 @@ def expect_solution(recording: Recording, wanted: tuple[float, float, float], wh
     lines, elsewhere = threes(view.text), answers(recording, ELSEWHERE)
     at = {"first": 0, "second": 1}[which]
     if len(lines) > at and any(is_solution(lines[at], known) for known in (wanted, elsewhere[at])):
-        return  # whose numbers they are, the last checks tell
+        return  # the last checks find out whose numbers they are
     seen = lines[at] if len(lines) > at else None
     raise Failure(
         Feedback(
@@ -485,7 +485,7 @@ def turned(seen: tuple[float, ...] | None, wanted: tuple[float, float, float]) -
 
 
 def answers(recording: Recording, library: str) -> list[tuple[float, ...]]:
-    """Of one of the other libraries, to both problems; printed before anything of the learner's runs."""
+    """The answers of another library to both problems, printed before any of the learner's code runs."""
     found = threes(recording.process(f"answers {library}").text)
     if len(found) != 2:
         raise OurFault(f"the library {library} gives no answers")

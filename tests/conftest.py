@@ -1,4 +1,4 @@
-"""Guards the real home, and offers what several rooms' tests need."""
+"""Guards the real home, and provides fixtures for several rooms."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def pytest_report_header(config: pytest.Config) -> str:
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
-    """A failure is printed at once: a run that is cut off by a time limit has named what failed before."""
+    """Print each failure at once, so that a run that hits a time limit has already named it."""
     if report.failed and "PYTEST_XDIST_WORKER" not in os.environ:
         told = f"FAILED {report.nodeid} after {report.duration:.0f} s"
         print(f"\n{told}\n{str(report.longrepr)[-3000:]}", flush=True)
@@ -62,7 +62,7 @@ def _guard(monkeypatch: pytest.MonkeyPatch, root: Path) -> None:
 
 @pytest.fixture(autouse=True, scope="session")
 def _guarded_session(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """For fixtures that live longer than a test, and so begin before its own guard."""
+    """For fixtures that live longer than a test, and so start before its own guard."""
     with pytest.MonkeyPatch.context() as monkeypatch:
         _guard(monkeypatch, tmp_path_factory.mktemp("session"))
         yield
@@ -72,7 +72,7 @@ def _guarded_session(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]
 def guarded_home(
     _guarded_session: None, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
 ) -> Path:
-    """Every test has a home and caches of its own; what it leaves there harms nobody."""
+    """Every test has its own home and caches, so anything that it leaves there is harmless."""
     root = tmp_path_factory.mktemp("guard")
     _guard(monkeypatch, root)
     return root / "home"
@@ -86,7 +86,7 @@ def small_course(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def open_folder() -> Iterator[Path]:
-    """A folder that any user can reach; pytest's own are closed to all but the one who runs it."""
+    """A folder that any user can reach; pytest's own folders are private."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         folder.chmod(0o755)

@@ -1,4 +1,4 @@
-"""What the engine says, in full and once: `golden(value)` compares it with the test's own entry in a file.
+"""The engine's texts, in full and only once: `golden(value)` compares them with the test's entry in a file.
 
 `tests/explain/test_cmake.py` has its entries in `tests/explain/golden/cmake.txt`. After a change that is
 meant, write the entries of whole files again, and read the difference: `GOLDEN=write pytest tests/explain`.
@@ -26,7 +26,7 @@ _calls: dict[str, int] = {}
 
 
 def golden(*values: object) -> None:
-    """Fails unless the values read as in the file. It may be called several times in one test."""
+    """Fail unless the values are as in the file. A test may call it several times."""
     file, test = _current()
     lines = [line for value in values for line in ("--", *shown(value))][1:]
     if WRITES:
@@ -42,7 +42,7 @@ def golden(*values: object) -> None:
 
 
 def shown(value: object) -> list[str]:
-    """The value as lines. Of a struct, the fields that are not empty."""
+    """The value as lines; for a struct, the fields that are not empty."""
     if isinstance(value, str | Location):
         return str(value).splitlines() or [""]
     if isinstance(value, Enum | float | int) or value is None:
@@ -69,7 +69,7 @@ def _named(name: str, value: object) -> list[str]:
 
 
 def _current() -> tuple[Path, str]:
-    """The golden file of the test that runs, and the entry's name."""
+    """The golden file of the running test, and the entry's name."""
     current = os.environ["PYTEST_CURRENT_TEST"].rpartition(" (")[0]
     place, _, test = current.partition("::")
     module = Path(__file__).parents[1] / place

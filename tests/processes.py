@@ -1,4 +1,4 @@
-"""What a test starts, it ends: no process stays."""
+"""A test ends what it starts: no process remains."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def words_of(process: psutil.Process) -> list[str]:
 
 @contextmanager
 def none_stays() -> Iterator[set[psutil.Process]]:
-    """Whatever is started meanwhile has ended at the end. Gives what was there before.
+    """Everything that is started meanwhile must have ended at the end. Yields what was there before.
 
     Other tests of this process may have left helpers of theirs, as multiprocessing does.
     """

@@ -1,4 +1,4 @@
-"""`course.api` is what graders import, and all that they import of the engine."""
+"""Graders import `course.api`, and nothing else from the engine."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ replace seconds slips text_places timer_places trees words
 
 
 def imported(file: Path) -> list[tuple[str, ast.alias]]:
-    """What a module imports of the engine: where from, and what."""
+    """A module's imports from the engine: from where, and what."""
     nodes = [node for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.ImportFrom)]
     ours = [node for node in nodes if (node.module or "").split(".")[0] == "course"]
     return [(node.module or "", alias) for node in ours for alias in node.names]

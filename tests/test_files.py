@@ -1,4 +1,4 @@
-"""Files are whole or not there, one holds a lock at a time, and what is removed is gone."""
+"""Files are complete or absent, a lock has one holder at a time, and removed files are gone."""
 
 from __future__ import annotations
 

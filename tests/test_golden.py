@@ -1,4 +1,4 @@
-"""Golden files: a difference is a failure, and every entry is of a test that is there."""
+"""Golden files: a difference is a failure, and every entry belongs to an existing test."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What was reached is remembered, and survives damage, a second process and a sudden end."""
+"""Progress is remembered, and survives damage, a second process, and a sudden end."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Near misses, and names in a row."""
+"""Near misses, and lists of names."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from course.spelling import listed, nearest
         ("/amazing_quote", ["/amazing_quotes", "/amazing_quot"], "/amazing_quotes"),
         ("/amazing_quote", ["/chatter"], None),
         ("/amazing_quote", [], None),
-        # Two different things, not a slip.
+        # Two different things, not a typo.
         ("amazing_quote_publisher_node", ["amazing_quote_subscriber_node"], None),
         ("rclpy", ["rcl_py"], "rcl_py"),
         ("a", ["/a"], "/a"),

@@ -1,1 +1,1 @@
-"""Code that graders of several chapters share, or that would make a single one too long."""
+"""Code that graders of several chapters share, or that would make one of them too long."""

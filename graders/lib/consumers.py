@@ -156,7 +156,7 @@ def _no_header(header: str, package: BuiltPackage, every: Sequence[Command], sou
 
 
 def _code(error: CppError, package: BuiltPackage, sources: Sources) -> Feedback:
-    """The other program uses something that the header does not offer in this form."""
+    """The other program uses something that the header does not declare in this form."""
     headers = [Location(file) for file in cpp_files(sources) if "/include/" in file]
     place = (Location(error.file, error.line),) if error.file else tuple(headers[:1])
     return Feedback(

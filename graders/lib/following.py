@@ -90,6 +90,6 @@ def _points(stream: Stream, joint: int) -> list[tuple[float, float]]:
 
 
 def _range(values: list[float]) -> tuple[float, float]:
-    """From the least to the greatest, which differ."""
+    """The smallest and the greatest value, which differ."""
     low, high = min(values), max(values)
     return (low, high) if low < high else (low - 0.5, high + 0.5)

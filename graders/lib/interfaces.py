@@ -82,7 +82,7 @@ def compare(file: InterfaceFile | None, wanted: tuple[Section, ...], package: st
 def _difference(
     what: str, expected: Section, seen: Section, fields: tuple[Field, ...]
 ) -> tuple[str, Field | None, str]:
-    """Of two that differ: the summary, the field to look at, and the advice."""
+    """For two that differ: the summary, the field to look at, and the advice."""
     missing = [name for _, name in expected if name not in [name for _, name in seen]]
     extra = [field for field in fields if field.name not in [name for _, name in expected]]
     if missing and extra:

@@ -1,4 +1,4 @@
-"""What the chapters that build the rover share: its names, and how fast it may drive."""
+"""What the rover's chapters share: its names, and how fast it may drive."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs the learner's coroutines with random numbers of ours. Run by `arena.probe`, which gives `ask`.
+"""Runs the learner's coroutines with our random numbers. Run by `arena.probe`, which provides `ask`.
 
 Each asyncio task draws from a list of its own: the first task that draws anything from the first list, and
 so on. `[draw 2 0.83]` on the output tells that the second task has drawn 0.83, so that the order of draws
@@ -59,7 +59,7 @@ def play(module):
 
 
 def alone():
-    """Call the coroutine by itself: once with the default likelihood, once with another."""
+    """Call the coroutine by itself: once with the default likelihood, once with another one."""
     from minimalist_package.minimalist_async import unlikely_to_return as function
 
     ask("coroutine", lambda: inspect.iscoroutinefunction(function))

@@ -1,4 +1,4 @@
-"""Asks the learner's MinimalistClass, with numbers of ours. Run by `arena.probe`, which gives `ask`."""
+"""Asks the learner's MinimalistClass, with our numbers. Run by `arena.probe`, which provides `ask`."""
 
 import importlib
 

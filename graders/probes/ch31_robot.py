@@ -1,6 +1,6 @@
-"""A robot of six joints on a driver's topics: it is at once where it is told to be, and says so at 100 Hz.
+"""A robot with six joints on a driver's topics: it reaches each target at once, and reports it at 100 Hz.
 
-Its joints are not at zero when it begins, and differ: who does not read them sends other targets.
+Its joints start at different positions: a script that does not read them sends wrong targets.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A node, named on the command line, that prints what comes on /chatter and passes it on to /heard."""
+"""A node, named on the command line, that prints messages on /chatter and passes them on to /heard."""
 
 import sys
 

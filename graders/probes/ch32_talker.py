@@ -1,4 +1,4 @@
-"""Publishes on /chatter ten times per second: the word it is started with, and a number."""
+"""Publishes the word from its command line and a number on /chatter, ten times per second."""
 
 import sys
 

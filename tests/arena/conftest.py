@@ -1,4 +1,4 @@
-"""Programs on terminals, and what the time line tells of them."""
+"""Programs on terminals, and what the time line records about them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from course.arena.process import Process
 from course.evidence.timeline import Timeline
 from course.model.events import Event, OutputLine, ProcessExited
 
-WAIT = 20.0  # for what happens in milliseconds, on a machine that has other things to do
+WAIT = 20.0  # for things that take milliseconds, on a busy machine
 _E = TypeVar("_E", bound=Event)
 
 
@@ -32,7 +32,7 @@ def ended(pid: int) -> bool:
 
 
 class Stage:
-    """Starts programs on one time line; whatever is left of them ends with it."""
+    """Starts programs on one time line; any that are left end with it."""
 
     def __init__(self, folder: Path, timeline: Timeline | None = None) -> None:
         self.timeline = timeline or Timeline()
@@ -46,7 +46,7 @@ class Stage:
         return process
 
     def python(self, code: str, name: str = "program") -> Process:
-        """`code` in a Python without site packages, which starts in no time."""
+        """`code` in a Python without site packages, which starts quickly."""
         return self.start(sys.executable, "-S", "-c", code, name=name)
 
     def events(self, kind: type[_E]) -> list[_E]:

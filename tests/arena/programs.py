@@ -1,4 +1,4 @@
-"""An arena's programs in a home of one's own, without ROS."""
+"""An arena's programs in a separate home, without ROS."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a scenario can do, without ROS: the recorder is made up."""
+"""What a scenario can do, without ROS: the recorder is a fake."""
 
 from __future__ import annotations
 
@@ -167,7 +167,7 @@ def test_until_sees_what_the_program_wrote_last(play: Play) -> None:
 
 @dataclass
 class Speaker:
-    """Stands in for a publisher: what is said comes back as a printed line, unless it is `silence`."""
+    """A fake publisher: what it says comes back as a printed line, unless it is `silence`."""
 
     timeline: Timeline
     said: list[str] = field(default_factory=list)
@@ -248,7 +248,7 @@ def test_a_deaf_program_is_marked_and_killed(play: Play) -> None:
 
 @pytest.mark.slow
 def test_what_a_program_leaves_running_is_recorded(play: Play) -> None:
-    # Ready it is once it sleeps: then it is in a session of its own, out of reach of Ctrl+C.
+    # It is ready when it sleeps: then it has its own session, which Ctrl+C does not reach.
     left_behind = "setsid sleep 100 & until grep -qx sleep /proc/$!/comm; do :; done; echo ready; wait"
     program = play.arena.start("sh", "-c", left_behind, name="it")
     assert play.arena.until(lambda: play.arena.printed("ready"), timeout=WAIT)

@@ -1,4 +1,4 @@
-"""An interactive bash, with every kind of .bashrc that a learner, or their worst enemy, may write."""
+"""An interactive bash, with every kind of .bashrc that a learner, or an attacker, may write."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def programs(tmp_path: Path) -> Iterator[Programs]:
 
 @pytest.fixture
 def typed(programs: Programs) -> Commands:
-    """What a shell with this .bashrc makes of some commands."""
+    """The results of some commands in a shell with this .bashrc."""
 
     def run(bashrc: str | None, *commands: str, timeout: float = WAIT, sourced: bool = False) -> ShellView:
         if bashrc is not None:
@@ -104,7 +104,7 @@ def test_noise_does_not_shift_the_answers(programs: Programs, typed: Commands, b
     shell = typed(ALIAS + bashrc, "say_hello", "(exit 7)", "say_hello")
     assert [ran.code for ran in shell.ran] == [0, 7, 0]
     assert ["hello" in ran.printed for ran in shell.ran] == [True, False, True]
-    # Nothing else was taken for a prompt.
+    # Nothing else was mistaken for a prompt.
     assert [prompt.code for prompt in programs.timeline.of(ShellPrompt)][1:] == [0, 7, 0]
 
 

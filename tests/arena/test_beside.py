@@ -1,4 +1,4 @@
-"""What a scenario does beside the learner's programs: it keeps time, and plays along."""
+"""What a scenario does besides running the learner's programs: it keeps time, and plays along."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Arguments for nodes, and what rcl makes of them."""
+"""Arguments for nodes, as rcl reads them."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def test_only_files_that_can_be_executed_count(tmp_path: Path, folder: Path) -> 
         (b"#!/bin/sh\nexec python3 -m talk\n", False),
         (b"#!/bin/bash\n# python3\n", False),
         (b"#!/usr/bin/env bash\n", False),
-        (b"#!/usr/bin/perl /opt/python3\n", True),  # never seen, and no harm
+        (b"#!/usr/bin/perl /opt/python3\n", True),  # never seen, but harmless
         (b"#!/usr/bin/pythonesque\n", False),
         (b"#!\n", False),
         (b"#!\xff\xfe\n", False),

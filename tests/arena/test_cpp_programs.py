@@ -24,7 +24,7 @@ DEEP = "project/deep.cpp"
 
 
 class Programs(HomePrograms):
-    """Compiles in `folder`/home; what is ours lies beside it."""
+    """Compiles in `folder`/home; our own files are beside it."""
 
     def __init__(self, folder: Path, path: str = PLAIN["PATH"]) -> None:
         ours = folder / "ours"
@@ -55,7 +55,7 @@ def programs(tmp_path: Path) -> Iterator[Programs]:
 
 
 def asked(programs: Programs, body: str, name: str = "asked") -> None:
-    """Ask questions of a header that is there, with the body of a `main`."""
+    """Ask questions about an existing header, with the body of a `main`."""
     programs.write(
         "ours.cpp", f'#include "ask.hpp"\n#include "project/theirs.hpp"\nint main() {{ {body} }}\n'
     )
@@ -221,6 +221,6 @@ def test_options_for_headers_and_libraries_of_ros(tmp_path: Path) -> None:
     for name in ("one/include/sas_core/sas_core", "one/lib", "two"):
         (folder / name).mkdir(parents=True)
     options = toolchain.ros_options((folder / "one", folder / "two", folder / "gone"), ["sas_core"])
-    assert f"-isystem{folder}/one/include/sas_core" in options  # where <sas_core/...> is found
+    assert f"-isystem{folder}/one/include/sas_core" in options  # where <sas_core/...> is
     assert options.index(f"-L{folder}/one/lib") < options.index("-lsas_core")
     assert not any("gone" in option for option in options)

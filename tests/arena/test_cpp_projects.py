@@ -1,4 +1,4 @@
-"""Projects of the course's own, built with what the learner's packages install."""
+"""The course's own projects, built with what the learner's packages install."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SETUP = "export LD_LIBRARY_PATH=/sourced:$LD_LIBRARY_PATH\n"
 
 
 class Projects(Programs):
-    """With one package of the learner's, whose CMake files are all that it has."""
+    """With one package of the learner's, which consists of CMake files only."""
 
     def __init__(self, folder: Path) -> None:
         super().__init__(folder)

@@ -1,4 +1,4 @@
-"""How late this machine lets programs go on, measured where no submission has a say."""
+"""How late this machine lets programs continue, measured where no submission can interfere."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SPIN = (sys.executable, "-c", "while True: pass")
 
 
 class Clock:
-    """In place of the machine's."""
+    """Replaces the machine's clock."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.now = 100.0
@@ -35,7 +35,7 @@ class Clock:
 
 
 class Used(Usage):
-    """CPUs that are kept busy all the time."""
+    """A constant number of busy CPUs."""
 
     def __init__(self, clock: Clock, cpus: float, *, stopped: bool = False) -> None:
         self.period = 0.1
@@ -66,7 +66,7 @@ def told(watch: Watch) -> tuple[list[float], float]:
         (0.0, 2 * NOTED, [2 * NOTED]),
         (0.0, 0.3, [0.3]),
         (0.9 * OWN_DOING, 0.3, [0.3]),
-        (1.1 * OWN_DOING, 0.3, []),  # who keeps the machine busy has to wait for itself
+        (1.1 * OWN_DOING, 0.3, []),  # a program that keeps the machine busy has to wait for itself
     ],
 )
 def test_only_what_others_caused_is_late(
@@ -110,7 +110,7 @@ def test_a_stopped_grading_process_is_late_whatever_else_goes_on(monkeypatch: py
 def test_a_thread_that_hardly_runs_is_starved(
     monkeypatch: pytest.MonkeyPatch, cpus: float, waited: float, noted: bool
 ) -> None:
-    """Whoever sleeps is let go on at once, so that no look is late."""
+    """A sleeping thread continues at once, so no look is late."""
     clock = Clock(monkeypatch)
     usage = Used(clock, cpus)
     watch = Watch(usage)
@@ -123,7 +123,7 @@ def test_a_thread_that_hardly_runs_is_starved(
 
 @pytest.fixture
 def child() -> Iterator[subprocess.Popen[bytes]]:
-    """A process below this one that wants a whole processor."""
+    """A child process that wants a whole processor."""
     with subprocess.Popen(SPIN) as process:
         yield process
         process.kill()
@@ -141,11 +141,11 @@ def test_what_runs_below_the_grading_process_counts(child: subprocess.Popen[byte
     child.kill()
     child.wait()
     usage = Usage(os.getpid(), [])
-    assert usage.seconds >= begun + 0.2  # also when it has ended
+    assert usage.seconds >= begun + 0.2  # even after it has ended
 
 
 def test_threads_that_want_to_run_have_waited(child: subprocess.Popen[bytes]) -> None:
-    """More programs than processors, all of which want one."""
+    """More programs than processors, and each wants one."""
     usage = Usage(os.getpid(), [])
     others = [subprocess.Popen(SPIN) for _ in os.sched_getaffinity(0)]
     try:
@@ -159,7 +159,7 @@ def test_threads_that_want_to_run_have_waited(child: subprocess.Popen[bytes]) ->
 
 
 def ticks() -> Iterator[None]:
-    """Until something must have happened."""
+    """Wait until something must have happened."""
     for _ in range(int(WAIT / 0.05)):
         threading.Event().wait(0.05)
         yield
@@ -189,7 +189,7 @@ def test_a_process_that_somebody_stops_is_seen_from_outside(child: subprocess.Po
 
 
 def test_a_lock_in_this_process_makes_nothing_late() -> None:
-    """As one long call that lets no other thread run: a thread of ours would take that for a busy machine."""
+    """One long call that lets no other thread run would look like a busy machine to our thread."""
     with measured_lateness(Timeline()) as measured:
         measured.update()
         ctypes.PyDLL(None).usleep(2_000_000)
@@ -197,7 +197,7 @@ def test_a_lock_in_this_process_makes_nothing_late() -> None:
 
 
 def test_a_machine_that_lets_nobody_go_on_is_late() -> None:
-    """The measuring process itself is held up, as everything is."""
+    """The measuring process itself is delayed, like everything else."""
     with measured_lateness(Timeline()) as measured:
         measured.update()
         (number,) = _children()
@@ -225,7 +225,7 @@ def _children() -> list[int]:
 
 
 class Told(Lateness):
-    """Answers without a process."""
+    """Gives answers without a process."""
 
     def __init__(self, timeline: Timeline, *answers: dict[str, object]) -> None:
         self.worst = 0.0

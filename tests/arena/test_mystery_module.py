@@ -1,4 +1,4 @@
-"""The file of acts: kept whole, read with suspicion, bounded."""
+"""The file of acts: kept complete, read with suspicion, limited in size."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Nodes of a mystery: up when it says so, gone when they should be, whatever happens."""
+"""A mystery's nodes: up when it says so, and gone when they should be, whatever happens."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ Play = Callable[..., AbstractContextManager[MysteryNodes]]
 
 @pytest.fixture
 def environment() -> Iterator[dict[str, str]]:
-    """In a ROS domain that nobody else has."""
+    """In a ROS domain that nobody else uses."""
     with isolated(namespaces=False) as around:
         yield {**node_environment(find_ros()), **around.environment}
 
@@ -145,7 +145,7 @@ def test_a_node_that_hangs_ends_within_three_seconds(play: Play, tmp_path: Path)
     await_text(tmp_path / "acts.json", "stuck")
     began = time.monotonic()
     playing.__exit__(None, None, None)
-    assert time.monotonic() - began < 5  # three, and a machine that has other things to do
+    assert time.monotonic() - began < 5  # three, and the machine may be busy
     assert players() == set()
 
 

@@ -1,4 +1,4 @@
-"""What is noted of a program from inside, by every Python from 3.10 on that this machine has."""
+"""What the observer notes inside a program, with every Python from 3.10 on that this machine has."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def works(python: str | None) -> bool:
     return subprocess.run([python, "-c", ""], capture_output=True).returncode == 0
 
 
-# On the path, or installed beside the one that runs this.
+# On the path, or installed beside the one that runs these tests.
 MINORS = [minor for minor in range(10, 15) if minor != sys.version_info.minor]
 BESIDE = [str(file) for file in Path(sys.base_prefix).parent.glob("3.1?.*/bin/python3.1?")]
 FOUND = [shutil.which(f"python3.{minor}") for minor in MINORS] + BESIDE
@@ -39,7 +39,7 @@ def python(request: pytest.FixtureRequest) -> str:
 
 
 class Watched:
-    """A folder with the observer and a program. `run` gives what was noted, and keeps what it printed."""
+    """A folder with the observer and a program. `run` returns the notes, and keeps the output."""
 
     def __init__(self, folder: Path, python: str) -> None:
         self.folder, self._python = folder, python
@@ -73,7 +73,7 @@ class Watched:
         return list(self._notes())
 
     def _until(self, what: str, program: subprocess.Popen[str]) -> None:
-        """A halt is noted after a second, a loop after ten."""
+        """A stop is noted after a second, a loop after ten."""
         while program.poll() is None and not any(note.what != "ran" for note in self._notes()):
             pass
 
@@ -204,7 +204,7 @@ def test_one_that_goes_on_again_and_again(watched: Watched) -> None:
 
 
 def test_a_loop_in_a_callback(watched: Watched) -> None:
-    """Functions of others call it, as rclpy calls a timer's."""
+    """Foreign functions call it, as rclpy calls a timer's callback."""
     notes = watched.run(
         """\
         import threading
@@ -236,7 +236,7 @@ time.sleep(0.5)
 
 
 def test_a_callback_that_takes_its_time(watched: Watched) -> None:
-    """What takes seconds while it is watched may take a few hundredths otherwise."""
+    """It may take seconds while it is observed, and a few hundredths otherwise."""
     assert [note for note in watched.run(LONG.format(3)) if note.what == "looped"] == []
 
 

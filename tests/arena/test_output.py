@@ -1,4 +1,4 @@
-"""Bytes of a terminal become lines: whole, clean and not without end."""
+"""Bytes of a terminal become lines: complete, clean, and limited."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Programs of ours among the learner's: where they run, what they are given, what they share."""
+"""Our own programs alongside the learner's: where they run, what they get, what they share."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def test_what_it_has_in_its_own_memory_is_seen_and_recorded(programs: Programs, 
 
 
 def test_where_the_network_is_shared_memory_of_its_own_is_not_to_be_had(tmp_path: Path, write: Path) -> None:
-    """There ROS is told to stay on this machine, and takes shared memory whatever a profile says."""
+    """There, ROS must stay on this machine, and uses shared memory whatever a profile says."""
     programs = Programs(tmp_path, {**SOURCED, "ROS_DOMAIN_ID": "7"})
     write.write_text("")
     with pytest.raises(MissingHere) as caught:

@@ -1,4 +1,4 @@
-"""A program on its pseudo-terminal: what is heard of it, how it ends, and that it does end."""
+"""A program on its pseudo-terminal: its output, how it ends, and that it does end."""
 
 from __future__ import annotations
 
@@ -167,7 +167,7 @@ def test_what_cannot_be_started_at_all_leaves_nothing_open(stage: Stage, missing
 
 
 class Gated(Timeline):
-    """Holds up the event of the end until the gate is open."""
+    """Delays the event of the end until the gate is open."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -239,7 +239,7 @@ def test_signals_after_its_end_are_not_sent(stage: Stage) -> None:
 def test_a_signal_that_comes_just_after_its_end_is_not_sent(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Its end counts from the moment it happens, although nobody has taken note of it."""
+    """Its end counts from the moment it happens, although nobody has noticed it yet."""
     program = stage.python("import sys; sys.stdin.readline()")
     reached, gate = threading.Event(), threading.Event()
 
@@ -348,13 +348,13 @@ def test_a_child_that_goes_on_writing_does_not_keep_it_running(stage: Stage, par
 def test_what_is_left_in_the_terminal_is_not_read_for_ever(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As if somebody wrote as quickly as we read."""
+    """As if somebody wrote as fast as we read."""
     monkeypatch.setattr(Process, "_read_once", lambda self: True)
     assert stage.start("echo", "hello").wait(WAIT)
 
 
 def silent(stage: Stage, rest: str) -> Process:
-    """A program that has closed its terminal, and says so through a named pipe."""
+    """A program that has closed its terminal, and reports that through a named pipe."""
     pipe = stage.folder / "pipe"
     os.mkfifo(pipe)
     code = f"import os, signal\nfor f in (0, 1, 2): os.close(f)\nopen({str(pipe)!r}, 'w').close()\n{rest}"

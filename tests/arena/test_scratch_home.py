@@ -1,4 +1,4 @@
-"""The copy of the course home that programs run in."""
+"""The copy of the course home in which programs run."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def test_texts_take_the_place_of_what_is_there(home: Path, tmp_path: Path) -> No
     assert found == files
 
 
-# What programs have put into their home is only read.
+# Files that programs put into their home are only read.
 
 
 @pytest.fixture
@@ -108,7 +108,7 @@ def test_no_path_leads_out(scratch: ScratchHome, path: str) -> None:
 
 @pytest.mark.parametrize("place", ["src/one.cpp", "src", ""])
 def test_no_link_is_followed(scratch: ScratchHome, tmp_path: Path, place: str) -> None:
-    """In the place of the file, of its folder, and of the home itself."""
+    """In place of the file, of its folder, and of the home itself."""
     path = tmp_path / "scratch/home" / place
     path.rename(tmp_path / "before")
     outside = tmp_path / "outside"

@@ -1,4 +1,4 @@
-"""Which files of /dev/shm a program and those below it have in memory."""
+"""Which files of /dev/shm a program and its descendants have in memory."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def name() -> Iterator[str]:
 
 
 def test_files_of_a_program_and_of_what_it_has_started(stage: Stage, name: str, tmp_path: Path) -> None:
-    """Also such as were removed since: a program may do that right away."""
+    """Even files that were removed since, which a program may do right away."""
     program = tmp_path / "maps.py"
     program.write_text(MAPS.replace("open(__file__).read()", repr(MAPS)))
     below = name.replace("one", "below")

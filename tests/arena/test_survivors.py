@@ -1,4 +1,4 @@
-"""What a program leaves running."""
+"""Processes that a program leaves running."""
 
 from __future__ import annotations
 

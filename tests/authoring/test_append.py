@@ -1,4 +1,4 @@
-"""Adding to an author's files: every letter stays, or nothing is done."""
+"""Adding to an author's files: either every letter stays, or nothing is done."""
 
 from __future__ import annotations
 

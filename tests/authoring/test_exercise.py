@@ -1,4 +1,4 @@
-"""What an author may call things, and what follows from it."""
+"""Which names an author may use, and what follows from them."""
 
 from __future__ import annotations
 

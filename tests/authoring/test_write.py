@@ -1,4 +1,4 @@
-"""What was planned is written whole or not at all."""
+"""A plan is written completely or not at all."""
 
 from __future__ import annotations
 

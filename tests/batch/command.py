@@ -1,4 +1,4 @@
-"""The real command, in processes of its own, and what it left behind."""
+"""The real command, in separate processes, and what it left behind."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ REPO = Path(__file__).parents[2]
 _GROUPS = Path("/sys/fs/cgroup")
 _ENDING = 30.0
 
-# Verdict, and the ids of all checks that failed, by person and exercise.
+# The verdict, and the ids of all failed checks, by person and exercise.
 Verdicts = dict[tuple[str, str], tuple[Verdict, frozenset[str]]]
 
 
 @dataclass(frozen=True)
 class Command:
-    """`grade FOLDER --out OUT`. temporary: its TMPDIR, for nobody else. cache: of builds, to be shared."""
+    """`grade FOLDER --out OUT`. temporary: its private TMPDIR. cache: of builds, may be shared."""
 
     folder: Path
     out: Path
@@ -58,13 +58,13 @@ class Command:
         }
 
     def run(self) -> tuple[int, str]:
-        """Exit code, and all that it said."""
+        """The exit code and all output."""
         with self.start() as process:
             said = process.communicate()[0]
         return process.returncode, said
 
     def until_judged(self, tries: int = 3) -> str:
-        """The same command again while something could not be judged, as on a machine that is too busy."""
+        """Repeat the command while something could not be judged, for example on a busy machine."""
         for _ in range(tries):
             code, said = self.run()
             if code != 3:
@@ -83,17 +83,17 @@ def below(process: subprocess.Popen[str]) -> list[psutil.Process]:
 
 
 def outliving(processes: list[psutil.Process]) -> list[str]:
-    """Those that do not end."""
+    """The processes that do not end."""
     left = psutil.wait_procs(processes, timeout=_ENDING)[1]
-    # Another process may have got the number of one that has ended.
+    # Another process may have the number of one that has ended.
     there = (process for process in left if process.is_running())
     return [str(process) for process in there if process.status() != psutil.STATUS_ZOMBIE]
 
 
 def groups_of(processes: list[int], since: float = 0.0) -> list[str]:
-    """Control groups that these process ids have made since then, in seconds of the epoch."""
+    """Control groups that these process ids have made since this time (seconds of the epoch)."""
     names = tuple(f"ros2course-{pid}-" for pid in processes)
-    # Not `glob`: those of others come and go meanwhile.
+    # Not `glob`: others' groups come and go meanwhile.
     found = [Path(path) for path, *_ in os.walk(_GROUPS) if Path(path).name.startswith(names)]
     return [str(path) for path in found if path.exists() and path.stat().st_ctime >= since]
 
@@ -111,7 +111,7 @@ def verdicts(out: Path) -> Verdicts:
 
 
 def graded(process: subprocess.Popen[str], count: int, of: int) -> list[str]:
-    """Whom the next `count` lines about gradings are about, out of so many; all if there are fewer."""
+    """The people in the next `count` lines about gradings; all if there are fewer."""
     found: list[str] = []
     assert process.stdout is not None
     while len(found) < count and (line := process.stdout.readline()):
@@ -121,7 +121,7 @@ def graded(process: subprocess.Popen[str], count: int, of: int) -> list[str]:
 
 
 def half_written(out: Path) -> Iterator[str]:
-    """What only somebody who was killed can have left, and recordings that cannot be read."""
+    """Files that only a killed process can have left, and unreadable recordings."""
     yield from (str(path) for path in out.rglob(".*"))
     yield from (str(path) for path in (out / "work").rglob("*"))
     with Results.open(out, create=False) as results:

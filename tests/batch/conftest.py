@@ -1,4 +1,4 @@
-"""A class that answers a quiz: graded for real, within moments, with no program run."""
+"""A class that answers a quiz: graded for real and quickly, without running any program."""
 
 from __future__ import annotations
 

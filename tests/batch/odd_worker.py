@@ -1,4 +1,4 @@
-"""Stands in for course.batch.worker: what the exercise is called says how it behaves."""
+"""A fake course.batch.worker: the exercise's name says how it behaves."""
 
 from __future__ import annotations
 

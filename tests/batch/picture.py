@@ -18,14 +18,14 @@ from tests.batch.the_class import lay_class
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "grading-a-class.md"
 REGION = re.compile(r"(?<=<!-- class:begin -->\n).*?(?=<!-- class:end -->)", re.DOTALL)
-# Of sixty rows, those that differ in kind.
+# One row of each kind, out of sixty.
 SHOWN = re.compile(r"id  |7004  |3005  |learner02|mallory-fork|packages01|tarred06|workspace00|broken|bomb")
 REMARK = re.compile(r"  \S")
 PROGRESS = re.compile(r"\(\d+ of \d+")
 
 
 def picture(said: str, beside: Path) -> str:
-    """A code block: some rows of the table, and all that follows, without what differs from run to run.
+    """A code block: some rows of the table, and everything after it, without what differs from run to run.
 
     beside: the folder that the class and the results are in; paths are shown as from there.
     """
@@ -37,7 +37,7 @@ def picture(said: str, beside: Path) -> str:
 
 
 def _some_rows(lines: list[str]) -> Iterator[str]:
-    """Each with the lines that go on with it."""
+    """Each with its continuation lines."""
     taken = False
     for line in lines:
         taken = taken if line.startswith(" ") else bool(SHOWN.match(line))

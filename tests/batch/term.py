@@ -1,4 +1,4 @@
-"""A class of twenty-four that answers a quiz, as Canvas exports it: its zip, its gradebook, its people."""
+"""A class of twenty-four that answers a quiz, as Canvas exports it: zip, gradebook, people."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FIRST = (
     *("Mateo", "Nadia", "Omar", "Priya", "Quinn", "Rosa", "Sven", "Tariq", "Uma", "Vera", "Wei", "Zoë"),
 )
 LAST = ("Okafor", "Nguyen", "Lind", "Aydın")
-# Who handed in nothing; their last names come first in Canvas' list.
+# People who handed in nothing; their last names come first in Canvas' list.
 ABSENT = frozenset({22, 23})
 LATE = frozenset({5, 6})
 
@@ -33,7 +33,7 @@ def identity(place: int) -> str:
 
 
 def gradebook() -> bytes:
-    """Canvas' own, in its own odd form: a second row, quotes only where needed, a test student."""
+    """Canvas' own gradebook, in its odd form: a second row, quotes only where needed, a test student."""
     rows = ["Student,ID,SIS User ID,SIS Login ID,Section,Quiz on lights (771),Final Score"]
     rows.append("    Points Possible,,,,,6.00,(read only)")
     for place in range(len(FIRST)):

@@ -1,4 +1,4 @@
-"""A folder that submissions arrive in: what is complete is graded, and what is being written is left."""
+"""A folder in which submissions arrive: complete ones are graded, unfinished ones wait."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SECOND = 10**9
 
 
 class Clock:
-    """Seconds that pass only while somebody waits. Who waits for longer than `late` raises TimeoutError."""
+    """Time passes only while somebody waits. Waiting longer than `late` raises TimeoutError."""
 
     def __init__(self) -> None:
         self.now = 0.0
@@ -76,7 +76,7 @@ def test_what_comes_later_and_what_changes_and_what_goes(lay: Lay, clock: Clock)
 def test_what_is_being_written_is_left_until_it_is_quiet(
     lay: Lay, clock: Clock, monkeypatch: pytest.MonkeyPatch, ahead: int
 ) -> None:
-    """Also where a network drive's clock is ahead of ours, or behind."""
+    """Even if a network drive's clock is ahead of ours, or behind."""
     real = module._state
 
     def elsewhere(path: str) -> Iterator[tuple[str, int, int]]:
@@ -125,7 +125,7 @@ def test_results_are_nobody_s_wherever_they_are(
     assert set(arrivals.complete) == {"ada", "dev"}
     for out in kept:
         (out / "results.csv").write_text("id\n")
-    with pytest.raises(TimeoutError):  # what `grade` writes is no news
+    with pytest.raises(TimeoutError):  # files that `grade` writes are not new submissions
         arrivals.wait()
     planned = plan_batch(folder, tmp_path / "o", quiz_course, [QUIZ], single=False)
     assert [found.person.id for found in planned.found] == ["ada", "dev"]
@@ -181,7 +181,7 @@ class Watching:
         self._out = out
 
     def until_graded(self, *people: str) -> None:
-        """Fails when these are not the ones who have a mark within a minute."""
+        """Fails unless exactly these people have a mark within a minute."""
         ended = time.monotonic() + 60
         while self._marks().keys() != set(people):
             assert self._command.poll() is None and time.monotonic() < ended, self._marks()
@@ -200,7 +200,7 @@ class Watching:
 
 
 def kept(out: Path) -> set[tuple[str, ...]]:
-    """Every grading with the moment at which it was stored."""
+    """Every grading with the time when it was stored."""
     with contextlib.closing(sqlite3.connect(out / "grades.sqlite3")) as file:
         return set(file.execute("SELECT person, exercise, at FROM gradings"))
 
@@ -243,7 +243,7 @@ def test_a_typo_in_a_later_round_is_told_and_harms_nothing(
             lay("bao")
             (out / "deadlines.yaml").write_text("[")
         if now == "mended":
-            assert set(arrivals.complete) == {"ada"}  # what came is told again
+            assert set(arrivals.complete) == {"ada"}  # arrivals are reported again
             (out / "deadlines.yaml").unlink()
         names = {path.name for path in folder.iterdir()}
         arrivals.fresh = frozenset(names - arrivals.complete.keys())

@@ -1,4 +1,4 @@
-"""What is to be graded, and when a submission counts as another one."""
+"""What has to be graded, and when a submission counts as a new one."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Plan = Callable[..., BatchPlan]
 
 @pytest.fixture
 def planned(lay: Callable[..., Path], quiz_course: Course, tmp_path: Path) -> Plan:
-    """Of a class of two, one of whom handed in nothing that counts."""
+    """The plan for a class of two, one of whom handed in nothing that counts."""
     folder = lay("ada")
     (folder / "bao").mkdir()
     (folder / "bao/poem.txt").write_text("Roses are red.")
@@ -91,7 +91,7 @@ def test_other_files_are_another_one(planned: Plan, tmp_path: Path, change: str)
 
 
 def test_a_large_file_is_not_read_at_once(planned: Plan, tmp_path: Path) -> None:
-    """A digest of a class must not take the memory of its largest file."""
+    """A digest of a class must not need the memory of its largest file."""
     with (tmp_path / "class/ada/answers/large.bin").open("wb") as file:
         file.truncate(30_000_000)
     found = planned().found[0]
@@ -103,7 +103,7 @@ def test_a_large_file_is_not_read_at_once(planned: Plan, tmp_path: Path) -> None
 
 
 def test_what_turned_into_a_link_or_a_pipe_is_not_followed(planned: Plan, tmp_path: Path) -> None:
-    """Nor waited for; more than was seen of it is not read."""
+    """We do not wait for it either, and read no more than was seen of it."""
     file = tmp_path / f"class/ada/answers/{QUIZ}.yaml"
     entry = TreeEntry(file, False, 4)
     file.write_text("aaaa and more")

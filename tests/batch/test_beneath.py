@@ -1,4 +1,4 @@
-"""With --complete, what a submission lacks is the course's own, unless the person is graded for it."""
+"""With --complete, the course supplies what a submission lacks, unless the person is graded for it."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_a_single_file_gets_the_package_that_the_exercise_begins_with(
 
 
 def test_an_exercise_that_begins_with_an_earlier_chapter_s_package(tmp_path: Path) -> None:
-    """That chapter's solution, with the starter on it, as for those who did all before."""
+    """That chapter's solution, with the starter on top, as for those who did everything before."""
     alone = tmp_path / "class/ada"
     alone.mkdir(parents=True)
     exercise = open_course().exercise("23-launch")
@@ -102,7 +102,7 @@ def test_nothing_is_laid_unasked(handed_in: Path) -> None:
 
 
 def test_a_file_in_the_place_of_a_package_is_left_there(handed_in: Path, tmp_path: Path) -> None:
-    """It is the learner's mistake, and no error of ours."""
+    """It is the learner's mistake, not our error."""
     (handed_in / "ada" / INTERFACES).write_text("not a folder")
     shutil.copytree(handed_in / "ada", handed_in / "dev/src")
     dev = next(one for one in plan(handed_in, "18-publisher").found if one.person.id == "dev")

@@ -1,4 +1,4 @@
-"""A class of sixty, graded by the real command: every row is known beforehand."""
+"""A class of sixty, graded by the real command: every row is known in advance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the results' folder to the page, also while it is being filled."""
+"""From the folder of results to the page, even while it is being filled."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def course() -> Course:
 
 @pytest.fixture
 def out(tmp_path: Path) -> Path:
-    """Ada passed, Bao did not, both were recorded; Carl is still to be graded."""
+    """Ada passed, Bao did not, and both were recorded; Carl has not been graded yet."""
     folder = tmp_path / "grades"
     with Results.open(folder) as results:
         results.enter([Submission(one, one.title(), f"{one}.zip", "d") for one in PEOPLE])

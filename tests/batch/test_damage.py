@@ -1,4 +1,4 @@
-"""A results' file that was damaged: each damaged grading is told, and all others stay as usable as before."""
+"""A damaged file of results: each damaged grading is reported, and all others remain usable."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def spoil(folder: Path, statement: str, *values: object) -> None:
 
 
 def blob(text: str) -> str:
-    """As the bytes of a text that is no UTF-8."""
+    """As the bytes of a text that is not UTF-8."""
     return f"CAST(X'{text.encode().hex()}FF' AS TEXT)"
 
 
@@ -161,7 +161,7 @@ def test_what_was_asked_for_is_damaged(results: Results, tmp_path: Path, change:
 
 @pytest.fixture
 def many(tmp_path: Path) -> Path:
-    """Sixty gradings, whose results take a page and more each."""
+    """Sixty gradings, whose results take more than a page each."""
     people = [f"p{number:02}" for number in range(60)]
     with Results.open(tmp_path) as results:
         results.enter(submissions(*people))
@@ -229,7 +229,7 @@ def test_a_sound_file_is_left_alone(many: Path) -> None:
 def test_every_command_goes_on(
     lay: Lay, tmp_path: Path, capsys: pytest.CaptureFixture[str], quiz_course: Course
 ) -> None:
-    """Three people answer a quiz; what was stored of two of them is spoiled."""
+    """Three people answer a quiz; the stored results of two of them are damaged."""
     command = Command(lay("ada", "bao", "cyd"), tmp_path / "grades", tmp_path / "tmp", before=COURSE)
     command.until_judged()
     whole = (tmp_path / "grades/results.csv").read_text()

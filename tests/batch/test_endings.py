@@ -1,4 +1,4 @@
-"""However the command ends, the same command goes on from there, and nothing else is left of it."""
+"""However the command ends, the same command continues from there, and leaves nothing else behind."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ pytestmark = pytest.mark.slow
 KILLS = 10
 TIME = re.compile(r'time(stamp)?="[^"]*"')
 QUIZ = ("--course", str(FIXTURES / "quiz_course"))
-# Where nothing contains submissions, all of this holds as well for those that are known to be honest.
+# Without containment, all of this is still true for submissions that are known to be honest.
 WORDS = ("--jobs", "2", *(("--no-sandbox",) if obstacle_to(Level.CONTAINED) else ()))
 
 
@@ -56,7 +56,7 @@ def quiz(lay: Lay, tmp_path: Path) -> Command:
 
 
 def gradings(out: Path) -> dict[tuple[str, str], tuple[str, float]]:
-    """When each was graded, and how long that took: another grading of it has others. {} without a file."""
+    """When each was graded, and how long it took, which identifies a grading. {} without a file."""
     if not (out / FILE).exists():
         return {}
     with closing(sqlite3.connect(out / FILE)) as database:
@@ -69,7 +69,7 @@ def gradings(out: Path) -> dict[tuple[str, str], tuple[str, float]]:
 
 
 def killed(command: Command, after: float) -> list[psutil.Process]:
-    """Start the command, kill -9 it after so many seconds; all that it had started."""
+    """Start the command, and kill -9 it after so many seconds; return all that it had started."""
     process = command.start()
     with suppress(subprocess.TimeoutExpired):
         process.wait(after)
@@ -168,7 +168,7 @@ def test_two_at_the_same_moment_grade_once(quiz: Command) -> None:
 
 @contextmanager
 def _full_disk() -> Iterator[None]:
-    """Whoever is started meanwhile can write no file of more than a hundred kilobytes."""
+    """Programs started meanwhile cannot write files of more than a hundred kilobytes."""
     import resource
 
     usual = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -196,7 +196,7 @@ def test_on_a_full_disk_it_stops_with_words_and_goes_on_later(quiz: Command) -> 
 
 def test_stopped_before_it_began_leaves_nothing(quiz: Command) -> None:
     with quiz.start() as process:
-        time.sleep(0.1)  # at no moment in particular
+        time.sleep(0.1)  # at a random moment
         process.send_signal(signal.SIGINT)
         process.communicate()
     code, said = quiz.run()

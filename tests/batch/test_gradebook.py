@@ -1,4 +1,4 @@
-"""What the reports are given: read from the results' file, one submission after another."""
+"""The input of reports: read from the file of results, one submission after another."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def results(tmp_path: Path) -> Iterator[Results]:
 
 def test_everybody_is_in_it_in_the_order_of_the_class(results: Results, quiz_course: Course) -> None:
     book = gradebook(results, "Title", [quiz_course.exercise(QUIZ)], NOW, NOW)
-    for _ in range(2):  # it can be walked again
+    for _ in range(2):  # it can be iterated again
         assert [(one.person.id, one.results) for one in book.graded] == [
             ("cleo", (PASSED,)),
             ("ada", (FAILED,)),

@@ -1,4 +1,4 @@
-"""Laid-out homes are there as long as they are needed, and what judging again needs is kept."""
+"""Laid-out homes exist as long as they are needed, and what judging again needs is kept."""
 
 from __future__ import annotations
 

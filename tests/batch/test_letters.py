@@ -1,4 +1,4 @@
-"""Letters of a class of twenty-four, taken to Canvas and to Moodle."""
+"""Letters for a class of twenty-four, for Canvas and for Moodle."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def term(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def participants(file: Path) -> dict[str, str]:
-    """Whose letter each is, by Moodle's own rule: the second of five parts between underscores."""
+    """The owner of each letter, by Moodle's own rule: the second of five parts between underscores."""
     with zipfile.ZipFile(file) as archive:
         parts = {each: each.split("_", 4) for each in archive.namelist()}
         kinds = {tuple(one[2:]) for one in parts.values()}
@@ -64,7 +64,7 @@ def test_canvas_has_a_comment_for_everybody(
 def test_student_numbers_are_not_taken_for_moodle_s(
     term: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A list with ids of the school tells nothing of Moodle's for those who handed in nothing."""
+    """A list with school ids does not contain Moodle's ids of those who handed in nothing."""
     rows = [f'"{name(place)}",{5200 - place}' for place in range(len(FIRST))]
     out = grade(term / "moodle", tmp_path / "out", *roster(term, "Full name,ID number", rows))
     capsys.readouterr()

@@ -1,4 +1,4 @@
-"""marks.yaml: what people decided, and which mistakes in it are told."""
+"""marks.yaml: what people decided, and which mistakes in it are reported."""
 
 from __future__ import annotations
 

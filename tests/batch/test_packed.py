@@ -1,4 +1,4 @@
-"""`pack` makes a zip that is enough to be graded by itself, and `grade` says where it judges otherwise."""
+"""`pack` makes a zip that can be graded by itself, and `grade` says where its judgment differs."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_what_is_packed_is_what_is_needed(solved: Path, capsys: pytest.CaptureFi
         told = json.loads(archive.read(MANIFEST))
     assert told["claims"][0]["points"] == 6 and told["versions"]["ros2course"]
     assert set(told["files"]) == {".ros2course/home.json", ANSWERS}
-    assert ros2course("pack", QUIZ, "--out", "again.zip") == 0  # the first zip is not in the second
+    assert ros2course("pack", QUIZ, "--out", "again.zip") == 0  # the second zip does not contain the first
     with zipfile.ZipFile(solved / "again.zip") as archive:
         assert len(archive.namelist()) == 3
 
@@ -72,7 +72,7 @@ def test_nothing_is_no_zip(home: Path, capsys: pytest.CaptureFixture[str]) -> No
 def test_a_package_that_is_missing_is_named(
     home: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """`grade --complete` would lay the course's own, and come to something else."""
+    """`grade --complete` would use the course's own package, with a different result."""
     course = open_course()
     ours = ["--course", str(course.root)]
     trial.lay_solution(course, course.exercise("18-publisher"), home)
@@ -93,7 +93,7 @@ def _again(packed: Path, changed: dict[str, bytes], to: Path) -> None:
 
 
 def test_a_class_that_packed(solved: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Among 22 who handed in otherwise: an honest zip, a changed one, one that lies, odd manifests."""
+    """Among 22 other submissions: an honest zip, a changed one, one that lies, odd manifests."""
     term = lay_term(tmp_path / "term")
     with zipfile.ZipFile(term / "class.zip") as archive:
         archive.extractall(term / "class")

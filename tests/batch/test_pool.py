@@ -1,4 +1,4 @@
-"""Workers: whatever becomes of one, each task has its grading, and none outlives the pool."""
+"""Workers: whatever happens to one, each task gets its grading, and none outlives the pool."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A class is judged again after its course was changed: what moves, why, and what stays."""
+"""A class is judged again after its course has changed: what changes, why, and what stays."""
 
 from __future__ import annotations
 

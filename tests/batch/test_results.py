@@ -1,4 +1,4 @@
-"""The results' file: each grading as a whole or not at all, and only what belongs to what is there now."""
+"""The file of results: each grading is complete or missing, and belongs to the current submission."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def test_graded_again_counts_once(results: Results) -> None:
 
 
 def test_a_grading_is_there_as_a_whole_or_not_at_all(results: Results) -> None:
-    """Two checks of one id cannot be kept: the first of them, and the grading, must not stay either."""
+    """Two checks with one id cannot be kept, so the first one, and the grading, must not stay either."""
     results.record(graded("ada", PASSED), "1.0", None)
     with pytest.raises(StorageError):
         results.record(graded("ada", replace(FAILED, checks=(SHINES, SHINES))), "1.0", None)
@@ -134,7 +134,7 @@ def test_a_damaged_file_is_told(tmp_path: Path) -> None:
 
 
 def test_names_of_tables_that_are_no_text_are_told(tmp_path: Path) -> None:
-    """SQLite's message quotes them, and Python cannot read that."""
+    """SQLite's message quotes them, and Python cannot decode that."""
     with Results.open(tmp_path):
         pass
     content = (tmp_path / FILE).read_bytes()

@@ -1,4 +1,4 @@
-"""A class: each unit once, retried where it was our error, resumed where another run was ended."""
+"""A class: each unit once, retried after our error, resumed after an earlier run was stopped."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Answer = Callable[[GradingTask], Result]
 
 
 class Told:
-    """Keeps what was told of the progress; may stop it."""
+    """Keeps the reports of progress; may stop the run."""
 
     def __init__(self, stop_after: int | None = None) -> None:
         self.progress: list[BatchProgress] = []
@@ -41,7 +41,7 @@ class Told:
 
 
 class Workers:
-    """Stands in for the pool: grades in this process, and keeps how many at once it was asked for."""
+    """A fake pool: grades in this process, and keeps how many at once were requested."""
 
     def __init__(self, answer: Answer) -> None:
         self.jobs: list[int] = []
@@ -258,7 +258,7 @@ def test_what_a_killed_run_left_half_written_goes(tmp_path: Path, name: str) -> 
 
 @pytest.fixture
 def deep(tmp_path: Path) -> Iterator[Path]:
-    """The results' folder, in whose `work` lie more folders in one another than fit into one path."""
+    """The folder of results, whose `work` contains more nested folders than fit into one path."""
     work = tmp_path / "out/work"
     work.mkdir(parents=True)
     here = os.open(work, os.O_DIRECTORY)

@@ -1,4 +1,4 @@
-"""A week: a class of twenty-four is graded, marked by people, judged again, and goes back to Canvas."""
+"""A week: a class of twenty-four is graded, marked by people, judged again, and returned to Canvas."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What documents say that commands say."""
+"""The output of commands as documents show it."""
 
 from __future__ import annotations
 

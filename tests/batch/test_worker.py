@@ -1,4 +1,4 @@
-"""One task: our faults and loaded machines are never the learner's."""
+"""One task: our errors and busy machines are never the learner's fault."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def answering(monkeypatch: pytest.MonkeyPatch, answer: Result | Exception) -> No
 def test_a_loaded_machine_marks_nothing_as_wrong(
     monkeypatch: pytest.MonkeyPatch, verdict: Verdict, lag: float, ours: bool, attempt: int
 ) -> None:
-    """Earlier attempts are told as they were; whoever makes the schedule asks for another."""
+    """Earlier attempts are reported as they were; the scheduler asks for another one."""
     answering(monkeypatch, lagging(verdict, lag))
     result = worker.grade(task(attempt=attempt), Path(), NOBODY)
     assert deserves_another(result, 1) is ours

@@ -51,7 +51,7 @@ FAILS = Expected(Verdict.NOT_PASSED, None)
 
 @dataclass(frozen=True)
 class Member:
-    """person: the id that they get. what: for a person who reads the table. expected: by exercise."""
+    """person: the id that they get. what: for a reader of the table. expected: by exercise."""
 
     person: str
     what: str
@@ -60,7 +60,7 @@ class Member:
 
 @dataclass(frozen=True)
 class _Work:
-    """What somebody made, before it was handed in. home_only: its place in the home is the point of it."""
+    """A person's work before it is handed in. home_only: it counts only in its place in the home."""
 
     what: str
     exercise: str
@@ -93,7 +93,7 @@ def lay_class(
 
 
 def _expected(work: _Work) -> dict[str, Expected]:
-    """Who publishes messages has handed in their definition, too."""
+    """People who publish messages have also handed in their definition."""
     before = {"17-interfaces": PASSES} if work.exercise.startswith("18") else {}
     return {**before, work.exercise: work.expected}
 
@@ -103,7 +103,7 @@ def _works(course: Course, wanted: Mapping[str, int]) -> Iterator[_Work]:
         exercise = course.exercise(name)
         home_only = name == "04-layout"  # not in the workspace
         yield _Work("solution", name, PASSES, _solution(course, exercise), home_only)
-        # Where a file of the exercise is missing, nobody can tell that it was handed in.
+        # If a file of the exercise is missing, nobody can tell that it was handed in.
         for alternative in [each for each in exercise.alternatives() if not each.deletes][:3]:
             lay = _alternative(course, exercise, alternative.name)
             yield _Work(alternative.name, name, PASSES, lay, home_only)
@@ -121,7 +121,7 @@ def _failing(exercise: Exercise, failed: frozenset[str]) -> Expected:
 
 
 def _stays_in_its_files(mistake: Mistake) -> bool:
-    """Where files are missing or misplaced, another exercise may be found, or none."""
+    """If files are missing or misplaced, another exercise may be found, or none."""
     return all(edit.replace is not None for edit in mistake.edits)
 
 
@@ -168,7 +168,7 @@ def _hostile(course: Course, folder: Path) -> Iterator[Member]:
 
 
 def _odd(folder: Path) -> Iterator[Member]:
-    """What holds nothing that could be graded."""
+    """Submissions that contain nothing to grade."""
     (folder / "empty").mkdir()
     yield Member("empty", "an empty folder")
     (folder / "poem").mkdir()

@@ -29,7 +29,7 @@ SETUP = ("init home", GRADE, f"grade moodle --exercises {QUIZ} --out week4")
 
 
 class Term:
-    """A folder in which the commands are typed."""
+    """The folder in which the commands are typed."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = lay_moodle(lay_term(folder / "term"))

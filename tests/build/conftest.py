@@ -1,4 +1,4 @@
-"""A course home with two small packages to break, and the ROS they are built with."""
+"""A course home with two small packages to break, and the ROS to build them with."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ marker.touch()
 
 @contextlib.contextmanager
 def called_off(condition: Callable[[], object]) -> Iterator[Interrupt]:
-    """What is set, in another thread, as soon as the condition is true."""
+    """An event that another thread sets as soon as the condition is true."""
 
     def call_off() -> None:
         while not condition():
@@ -58,7 +58,7 @@ def ros() -> Ros:
 
 @pytest.fixture
 def home(tmp_path: Path) -> Path:
-    """A course home of one's own, with the packages small_interfaces and small_node."""
+    """A separate course home, with the packages small_interfaces and small_node."""
     return shutil.copytree(HOME, tmp_path / "home")
 
 
@@ -74,7 +74,7 @@ def store(tmp_path: Path) -> Store:
 
 @pytest.fixture
 def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[str]]:
-    """Replaces colcon by something quick; called, it says which packages were built, in order."""
+    """Replaces colcon by something quick; when called, it returns the packages that were built, in order."""
     file = tmp_path / "runs"
 
     def quick(package: object, entry: object, *_: object) -> list[str]:
@@ -82,12 +82,12 @@ def runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[s
         return [sys.executable, "-S", "-c", QUICK_BUILD, *map(str, arguments)]
 
     monkeypatch.setattr(package_build, colcon_command.__name__, quick)
-    # What these write beside the package is how tests look on.
+    # Tests watch what these write beside the package.
     monkeypatch.setattr(package_build, "isolated_build", lambda *_: contextlib.nullcontext())
     return lambda: file.read_text().split() if file.exists() else []
 
 
 @pytest.fixture
 def built(home: Path, ros: Ros, store: Store) -> Callable[..., BuildOutcome]:
-    """Builds packages of the course home as it stands now."""
+    """Builds packages of the course home as it is now."""
     return lambda *names, **options: build(Workspace.scan(home / WORKSPACE), names, ros, store, **options)

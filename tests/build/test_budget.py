@@ -1,4 +1,4 @@
-"""What the builds of one check may take together. colcon is replaced."""
+"""What the builds of one check may use together. colcon is replaced."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def failure(outcome: BuildOutcome) -> BuildFailure:
 
 
 def chain(src: Path, length: int, program: str = "") -> str:
-    """Packages of which each needs the one before; returns the last one's name."""
+    """Packages that each need the previous one; returns the last one's name."""
     for number in range(length):
         folder = make_package(src, f"link{number}", *([f"link{number - 1}"] if number else []))
         (folder / "quick.py").write_text(program)
@@ -81,7 +81,7 @@ def test_a_circle_of_many_is_told_in_short(src: Path, home: Path) -> None:
 
 @pytest.mark.slow
 def test_a_chain_that_takes_its_time(built: Built, runs: Runs, src: Path) -> None:
-    """No package takes too long; all of them do."""
+    """No single package takes too long, but all together do."""
     last = chain(src, 10, "import time; time.sleep(1.5)")
     told = failure(built(last, bounds=replace(SMALL, seconds=4.0)))
     assert told.kind == "all-time-limit"
@@ -129,7 +129,7 @@ def test_a_disk_with_less_than_is_allowed_is_the_machines(
 def test_what_a_full_disk_ended_is_built_again(
     built: Built, runs: Runs, src: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """Somebody else filled it for a moment; the build's own words are not needed."""
+    """Somebody else filled it for a moment; the build's own message is not needed."""
     program = f"there = pathlib.Path({str(tmp_path)!r}, 'there')\n"
     program += "not there.exists() and (there.touch() or sys.exit('Bus error'))"
     last = chain(src, 1, program)
@@ -160,7 +160,7 @@ class Disk:
 
 
 def test_room_is_claimed(store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whoever comes when others have claimed all there is waits for them."""
+    """A build that finds everything claimed by others waits for them."""
     Disk(monkeypatch, budget.RESERVE + SUBMISSION.disk + 3 * MB)
     waiting, order = threading.Event(), []
 

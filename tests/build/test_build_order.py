@@ -1,4 +1,4 @@
-"""The order of a build, and the faults of a workspace that leave none."""
+"""The order of a build, and the errors of a workspace that prevent any order."""
 
 from __future__ import annotations
 

@@ -294,7 +294,7 @@ def test_a_store_that_cannot_be_written_is_not_the_learners(
     read_only: Callable[[Path], AbstractContextManager[None]],
 ) -> None:
     workspace = Workspace.scan(home / WORKSPACE)
-    # Whoever may not write here must still be able to read the sources.
+    # A user who may not write here must still be able to read the sources.
     for folder in (home, *home.parents):
         if folder.stat().st_uid == os.geteuid():
             folder.chmod(folder.stat().st_mode | 0o055)

@@ -65,7 +65,7 @@ def test_nothing_hides_in_the_deep(
         os.chdir(name)
     assert DiskUsage([tmp_path], MB).now() == FILES
     monkeypatch.chdir(tmp_path)
-    subprocess.run(["rm", "-rf", name], check=True)  # pytest's own tidying is not up to it
+    subprocess.run(["rm", "-rf", name], check=True)  # pytest's own cleanup cannot handle it
 
 
 def test_it_is_not_looked_at_all_the_time(tmp_path: Path) -> None:

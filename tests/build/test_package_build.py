@@ -1,4 +1,4 @@
-"""Commands of a build run as somebody else, in three folders of their own."""
+"""Commands of a build run as another user, in their own three folders."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ pytestmark = pytest.mark.skipif(
 
 
 class Place:
-    """An entry that is being built, and what runs commands in it."""
+    """An entry that is being built, and how to run commands in it."""
 
     def __init__(self, entry: StoreEntry, run: RunCommand) -> None:
         self.entry = entry
         self._run = run
 
     def shell(self, script: str, time_limit: float = 20.0) -> tuple[Ended, str]:
-        """How the script ended, and what it printed."""
+        """How the script ended, and its output."""
         ended = self._run(["/bin/sh", "-c", script], self.entry.src, self.entry.log, time_limit)
         return ended, self.entry.log.read_text()
 
@@ -95,7 +95,7 @@ def test_the_environment_is_ours(place: Place, monkeypatch: pytest.MonkeyPatch) 
 @pytest.mark.slow
 @pytest.mark.parametrize("limit", [20.0, 1.0])
 def test_all_have_ended_when_it_is_over(place: Place, limit: float) -> None:
-    """Also when it was stopped, and what left its session; many, as ending them takes a moment."""
+    """Even if it was stopped, and even those that left its session; many, as ending them takes a moment."""
     script = "for i in $(seq 150); do setsid sleep 77 >/dev/null & done; sleep 0.3; "
     ended, _ = place.shell(script + ("sleep 77" if limit < 10 else "true"), limit)
     left = [path for path in Path("/proc").glob("[0-9]*/cmdline") if b"sleep\x0077\x00" in contents(path)]

@@ -1,4 +1,4 @@
-"""Which files are a package's, and the key that stands for them."""
+"""Which files belong to a package, and their key."""
 
 from __future__ import annotations
 

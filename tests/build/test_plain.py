@@ -1,4 +1,4 @@
-"""Which setup.py is known to do nothing with modules but copy them, and which might do anything."""
+"""Which setup.py is known only to copy modules, and which might do anything."""
 
 from __future__ import annotations
 

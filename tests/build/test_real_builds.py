@@ -22,7 +22,7 @@ Break = Callable[[Path], object]
 
 @pytest.fixture(scope="session")
 def kept(tmp_path_factory: pytest.TempPathFactory) -> Store:
-    """One store for all of these tests: an interface package takes ten seconds."""
+    """One store for all of these tests, because an interface package takes ten seconds."""
     return Store(tmp_path_factory.mktemp("builds") / "store")
 
 
@@ -60,7 +60,7 @@ def test_an_executable_runs_from_the_store(built: Built, ros: Ros) -> None:
     env = node_environment(ros, outcome.prefixes)
     done = subprocess.run([script], env=env, capture_output=True, text=True, check=True)
     assert done.stdout == "talker here\n"
-    # Nothing is left to be compiled, so nobody needs to write into the store when it is run.
+    # Everything is compiled, so nobody needs to write into the store when it runs.
     assert list(outcome.prefixes[0].rglob("talker.*.pyc"))
 
 
@@ -103,7 +103,7 @@ def rename(file: str, name: str) -> Break:
 
 ENTRY = '"small_talker = small_node.talker:main",'
 
-# What is done to the package; the kind; places; words of the summary; words of the advice.
+# The change of the package; the kind; places; words of the summary; words of the advice.
 PYTHON: dict[str, tuple[Break, str, str, str, str]] = {
     "setup.py is not Python": (
         replace("setup.py", 'version="0.1.0",', 'version="0.1.0,'),

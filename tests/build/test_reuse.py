@@ -1,4 +1,4 @@
-"""What is made from a build of a package like it is what colcon makes of it."""
+"""A build that is made from a similar package's build is what colcon would make."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LAUNCH = (
 
 @pytest.fixture
 def package(src: Path) -> Path:
-    """With modules of one name and one content, a launch file, and a test."""
+    """With modules of one name and content, a launch file, and a test."""
     package = src / "small_node"
     edit(package / "setup.py", "    ],\n    install_requires", LAUNCH)
     edit(package / "setup.py", "data_files=[", "data_files=[('share/empty', []), ")
@@ -58,7 +58,7 @@ def tree(entry: Path) -> dict[str, object]:
     found: dict[str, object] = {}
     for file in sorted((entry / "install").rglob("*")):
         name = file.relative_to(entry).as_posix()
-        if "__pycache__" in name:  # Python makes what is missing there
+        if "__pycache__" in name:  # Python creates what is missing there
             continue
         found[name] = file.stat().st_mode & 0o777
         if file.is_file():
@@ -117,7 +117,7 @@ def test_what_runs_is_the_new_one(built: Built, real: list[str], package: Path, 
         outcome = built("small_node")
         done = subprocess.run(
             [outcome.prefixes[0] / "lib/small_node/small_talker"],
-            # As programs run in the arena: none writes into the store.
+            # As in the arena, where no program writes into the store.
             env={**node_environment(ros, outcome.prefixes), "PYTHONDONTWRITEBYTECODE": "1"},
             capture_output=True, text=True, check=False,
         )  # fmt: skip
@@ -217,7 +217,7 @@ def test_a_copy_that_fails_is_built(
 def test_another_ros_is_another_build(
     built: Built, package: Path, store: Store, home: Path, ros: Ros
 ) -> None:
-    """Likeness holds for what was built with the same ROS and the same packages below it alone."""
+    """Packages are similar only if they were built with the same ROS and the same packages below."""
     assert built("small_node").failure is None
     assert len(list(store.root.glob("*.like"))) == 1
     edit(package / "package.xml", "<depend>", "<depend>small_interfaces</depend><depend>")

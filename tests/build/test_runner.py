@@ -1,4 +1,4 @@
-"""A program that is run for a build ends, all of it, whatever it does."""
+"""A program that runs for a build ends completely, whatever it does."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.build.conftest import called_off
 
 REPO = Path(__file__).parents[2]
 
-# Starts a child that would live for long, tells of it, and then does what the rest of the line says.
+# Starts a long-lived child, reports it, and then does what the rest of the line says.
 PARENT = "sleep 300 & : > child; "
 
 
@@ -41,7 +41,7 @@ def shell(tmp_path: Path) -> Callable[..., Ended]:
 
 
 def gone(folder: Path) -> bool:
-    """Whether all that ran in the folder has ended, give or take a moment."""
+    """Whether everything that ran in the folder has ended, after a moment."""
     psutil.wait_procs(running_in(folder), 10)
     return not running_in(folder)
 
@@ -125,7 +125,7 @@ def test_when_we_are_killed_it_ends_too(tmp_path: Path, number: signal.Signals) 
 
 @pytest.mark.parametrize("isolated", [True, False])
 def test_nothing_begins_when_we_are_gone_already(isolated: bool) -> None:
-    """The kernel tells only those who asked before. A bubblewrap that nobody hears hangs forever."""
+    """The kernel signals only those who asked earlier. A bubblewrap that nobody listens to hangs forever."""
     late = 'while kill -0 "$0" 2>/dev/null; do sleep 0.01; done; exec "$@"'
     code = (
         "import os, subprocess, sys\nfrom course.build.runner import _guarded\n"

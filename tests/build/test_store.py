@@ -1,4 +1,4 @@
-"""Kept builds: complete or absent, one maker at a time, pruned by last use."""
+"""Kept builds: complete or absent, made by one process at a time, pruned by last use."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def test_after_a_build_the_store_is_pruned_when_that_was_not_just_done(store: St
 
 @pytest.mark.parametrize("age", [0.0, LONG_AGO, -LONG_AGO])
 def test_pruning_spares_what_is_in_use(store: Store, age: float) -> None:
-    """However old it looks: clocks are set forward and back."""
+    """However old it looks, because clocks are set forward and back."""
     for key in (KEY, "1" * 32):
         make(store, key, age=age)
     with Interrupt() as interrupt, store.in_use(KEY, interrupt), store.in_use(KEY, interrupt):
@@ -164,7 +164,7 @@ def test_room_is_made_by_what_was_used_least_lately(store: Store, monkeypatch: p
 
 
 def test_where_there_is_room_no_entry_is_looked_at(store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Builds of a class wait for one another here, and a store may have thousands of entries."""
+    """Builds of a class wait for each other here, and a store may have thousands of entries."""
     make(store, KEY)
     monkeypatch.setattr(Store, "_entries", lambda _: never())
     store.make_room(1)
@@ -179,7 +179,7 @@ def test_pruning_spares_what_is_being_made(store: Store) -> None:
 
 @pytest.mark.parametrize("when", [1, 2**33])
 def test_pruning_removes_old_failures(store: Store, when: float) -> None:
-    """Those of the future, too: the clock was set back."""
+    """Even failures from the future, because the clock was set back."""
     entry = store.entry(KEY)
     entry.begin()
     entry.give_up()

@@ -1,4 +1,4 @@
-"""Which packages of our own a build needs, and that they are really there afterwards."""
+"""Which of our own packages a build needs, and that they exist afterwards."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ NAMES = ("interfaces", "hooks")
 
 @pytest.fixture
 def asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """What would have been built, on a machine where nothing was yet."""
+    """What would have been built on a fresh machine."""
     names: list[str] = []
     write(tmp_path / "ours/interfaces/msg/Word.msg", "string text\n")
     missing = tuple(UnderlayPackage(name, tmp_path / "ours" / name, True) for name in NAMES)

@@ -17,7 +17,7 @@ REPO = Path(__file__).parents[2]
 
 @dataclass(frozen=True)
 class Run:
-    """What one command came to."""
+    """The result of one command."""
 
     code: int
     out: str
@@ -53,7 +53,7 @@ def ros2course(
 
 @pytest.fixture
 def home(monkeypatch: pytest.MonkeyPatch, guarded_home: Path) -> Path:
-    """Where the course home is, or will be: nothing names another place than the default."""
+    """Where the course home is, or will be: nothing overrides the default."""
     monkeypatch.delenv("ROS2COURSE_HOME", raising=False)
     return guarded_home / "ros2course"
 
@@ -74,7 +74,7 @@ MISSING = Result("04-light", Verdict.NOT_AVAILABLE, fault=Feedback("There is no 
 
 @dataclass
 class Checker:
-    """Stands in for the grading: gives `answer`, or raises it; keeps what it was called with."""
+    """A fake grading: returns `answer`, or raises it; keeps its arguments."""
 
     answer: Result | BaseException = PASSED
     requests: list[Request] = field(default_factory=list)

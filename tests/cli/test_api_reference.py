@@ -1,4 +1,4 @@
-"""The reference for authors of graders: whole, current, and found by name."""
+"""The reference for authors of graders: complete, current, and findable by name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`bundle`: a zip with what was asked for, or a reason why there is none."""
+"""`bundle`: a zip with the requested files, or a reason why there is none."""
 
 from __future__ import annotations
 

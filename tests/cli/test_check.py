@@ -1,4 +1,4 @@
-"""`check`: what is said, what is stored, how it ends."""
+"""`check`: its output, what it stores, how it ends."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ def test_ctrl_c_ends_with_130_and_counts_for_nothing(
 def test_ctrl_c_costs_no_verdict_that_is_certain(
     ros2course: Ros2course, checker: Checker, home: Path, quiet: tuple[str, ...]
 ) -> None:
-    """As while the cause of a failure is looked for."""
+    """For example, during the search for the cause of a failure."""
     checker.answer, checker.so_far = KeyboardInterrupt(), results()["failed"]
     run = ros2course("check", *quiet)
     assert run.code == 130

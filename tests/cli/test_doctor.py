@@ -27,7 +27,7 @@ ROS = MachineFinding("ROS 2", State.OK, "jazzy")
 
 @pytest.fixture
 def only(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
-    """A PATH on which nothing is found but what a test puts there."""
+    """A PATH with nothing but what a test puts there."""
     folder = tmp_path / "only"
     folder.mkdir()
     monkeypatch.setenv("PATH", str(folder))

@@ -1,4 +1,4 @@
-"""In a step of GitHub Actions, `grade` hands over what the step shows and what Classroom reads."""
+"""In a step of GitHub Actions, `grade` writes what the step shows and what Classroom reads."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`grade`: what is asked for, what is refused, what is shown and how it ends."""
+"""`grade`: what it accepts, refuses, and shows, and how it ends."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def pool(monkeypatch: pytest.MonkeyPatch) -> Pool:
 
 @pytest.fixture
 def submissions(tmp_path: Path) -> Path:
-    """Of Ada and Bao, and a file of nobody's."""
+    """Submissions of Ada and Bao, and a file that belongs to nobody."""
     course = open_course(QUIZ_COURSE)
     for person in ("ada", "bao"):
         (tmp_path / "class" / person).mkdir(parents=True)

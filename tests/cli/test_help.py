@@ -62,7 +62,7 @@ def test_every_example_can_be_typed(capsys: pytest.CaptureFixture[str], name: st
 
 
 def _options(words: list[str]) -> int:
-    """How many words stand before the command."""
+    """How many words precede the command."""
     return 2 if words[0] in ("--home", "--course") else 0
 
 

@@ -1,4 +1,4 @@
-"""`new`: what it makes is right as it is, and what it cannot make it says."""
+"""`new`: what it makes is correct, and it says what it cannot make."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def tree(folder: Path) -> dict[str, bytes]:
 
 
 def flat(run: Run) -> str:
-    """What was complained about, however it was wrapped."""
+    """The complaints, however they are wrapped."""
     return " ".join(run.err.split())
 
 

@@ -1,4 +1,4 @@
-"""Quizzes and mysteries where nobody can be asked: in a pipe, for a program, in a batch."""
+"""Quizzes and mysteries if nobody can be asked: in a pipe, for a program, in a batch."""
 
 from __future__ import annotations
 

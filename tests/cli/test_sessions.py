@@ -1,4 +1,4 @@
-"""What learners type, one line after the other, and all that they read: `golden/sessions.txt` holds it.
+"""What learners type, line by line, and all that they read: it is in `golden/sessions.txt`.
 
 A line that begins with @ is done to the session: `@answer failed` decides the next checks, `@write TEXT`
 saves the learner's file and `@read` shows it, `@chapter N` adds one without exercises, `@files` lists the
@@ -50,7 +50,7 @@ SESSIONS = {
 
 @pytest.fixture
 def home(monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """Where lines break depends on how long its name is: always the same."""
+    """Always the same, because line breaks depend on the length of its name."""
     with tempfile.TemporaryDirectory(dir="/tmp") as folder:
         monkeypatch.setenv("ROS2COURSE_HOME", f"{folder}/home")
         yield Path(folder, "home")
@@ -60,7 +60,7 @@ def home(monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 def do(
     ros2course: Ros2course, home: Path, small_course: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Callable[[str], str]:
-    """Does one line; gives what is to be read."""
+    """Run one line; return its output."""
     answer = conftest.PASSED
 
     def check(request: Request) -> Result:

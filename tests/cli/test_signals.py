@@ -1,4 +1,4 @@
-"""A signal ends a command, also when what it raised is lost on its way."""
+"""A signal ends a command, even if its exception is lost."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ENDS = [(signal.SIGINT, KeyboardInterrupt), (signal.SIGTERM, SystemExit), (signa
 
 
 class Dying:
-    """Is hit by a signal while it is destroyed."""
+    """Receives a signal while it is destroyed."""
 
     def __init__(self, number: signal.Signals) -> None:
         self._number = number
@@ -33,7 +33,7 @@ def lost(monkeypatch: pytest.MonkeyPatch) -> list[object]:
 
 @pytest.fixture(autouse=True)
 def usual() -> Iterator[None]:
-    """The tests may run where Ctrl+C is ignored, or heard by others."""
+    """The tests may run where Ctrl+C is ignored, or handled by others."""
     numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
     before = {number: signal.getsignal(number) for number in numbers}
     signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -87,7 +87,7 @@ def ended(child: pexpect.spawn[str]) -> int | None:
 
 
 def interrupt(child: pexpect.spawn[str]) -> None:
-    """Ctrl+C until it ends: one that comes just before Python reads is noticed at the next key only."""
+    """Ctrl+C until it ends: one just before Python reads is noticed only at the next key."""
     for _ in range(10):
         child.sendintr()
         if child.expect([pexpect.EOF, pexpect.TIMEOUT], timeout=3) == 0:

@@ -1,4 +1,4 @@
-"""`build-underlay`, with a made-up ROS: what is built is another room's."""
+"""`build-underlay`, with a fake ROS; other rooms test what is built."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All problems of a course at once, those that only several files can tell included."""
+"""All problems of a course at once, including those between several files."""
 
 from __future__ import annotations
 

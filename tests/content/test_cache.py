@@ -1,4 +1,4 @@
-"""A remembered lesson is used only while it is what reading the file would give."""
+"""A cached lesson is used only while it matches the file."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_a_changed_lesson_is_read_anew(small_course: Path, cache: Path, lesson: 
     open_course(small_course, cache=cache).chapters()
     lesson("title: Lanterns", "title: Beacons!")  # as long as before
     assert open_course(small_course, cache=cache).chapters()[0].title == "Beacons!"
-    assert kept(cache)  # still one file: the cache does not grow with edits
+    assert kept(cache)  # still one file: edits do not make the cache grow
 
 
 def test_a_lesson_that_became_wrong_is_an_error(small_course: Path, cache: Path, lesson: Edit) -> None:

@@ -1,4 +1,4 @@
-"""What a solution adds to a file that is the learner's own."""
+"""What a solution adds to the learner's own file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Questions in lesson.yaml: what they become, and what is said of wrong ones."""
+"""Questions in lesson.yaml: what they become, and the errors about wrong ones."""
 
 from __future__ import annotations
 

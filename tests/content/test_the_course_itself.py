@@ -1,4 +1,4 @@
-"""The course that travels with the engine: nothing in it is wrong, missing or orphaned."""
+"""The course that comes with the engine: nothing in it is wrong, missing, or orphaned."""
 
 from __future__ import annotations
 

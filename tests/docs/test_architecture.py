@@ -1,4 +1,4 @@
-"""What the page on architecture names is there, and the recipes for contributors work as they are written."""
+"""Everything that the architecture page names exists, and the recipes for contributors work as written."""
 
 from __future__ import annotations
 

@@ -17,9 +17,9 @@ SHORT_WALK = steps(ROOT / "docs/first-exercise.md")
 
 
 def typed(line: str, folder: Path, programs: Path) -> tuple[int, str, Path]:
-    """Exit code, all that was printed, and the folder in which the shell is afterwards."""
+    """The exit code, all output, and the folder in which the shell is afterwards."""
     environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "COLUMNS": "100"}
-    environment.pop("ROS2COURSE_HOME", None)  # the home is the one that the document makes
+    environment.pop("ROS2COURSE_HOME", None)  # the document makes the home
     after = programs / "after"
     script = f"{line}\ncode=$?\npwd > {after}\nexit $code"
     done = subprocess.run(
@@ -30,7 +30,7 @@ def typed(line: str, folder: Path, programs: Path) -> tuple[int, str, Path]:
 
 @pytest.fixture
 def programs(tmp_path: Path) -> Path:
-    """A folder with the command `ros2course`, which is this very checkout."""
+    """A folder with the command `ros2course` of this checkout."""
     folder = tmp_path / "programs"
     folder.mkdir()
     program = folder / "ros2course"

@@ -31,7 +31,7 @@ def lines() -> Iterator[str]:
 
 
 def understood(line: str) -> str:
-    """The command that our own command line makes of it; ends as the command would if it makes none."""
+    """The command that our command line parses; ends like the command itself if there is none."""
     words = global_options_first(shlex.split(line)[1:])
     root = get_command(app)
     above = root.make_context("ros2course", words[:2])

@@ -1,4 +1,4 @@
-"""What the documents show is so: their code runs, their tables name what exists, pictures are fresh."""
+"""The documents are true: their code runs, their tables name what exists, pictures are up to date."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Docs, comments and docstrings are in plain American English, as `validate` demands it of lessons."""
+"""Docs, comments, and docstrings are in plain American English, as `validate` requires for lessons."""
 
 from __future__ import annotations
 

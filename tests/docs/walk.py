@@ -1,4 +1,4 @@
-"""Reads a document as a walk: files that it shows, and commands that it has typed, in their order."""
+"""Reads a document as steps: files that it shows, and commands to type, in order."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The real command on the real course, as a learner has it in front of them."""
+"""The real command on the real course, as a learner sees it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def builds(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def environment(guarded_home: Path, builds: Path, monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
-    """What a command is run with: a home of its own, the shared builds, 80 columns."""
+    """The environment of a command: its own home, the shared builds, 80 columns."""
     scratch = guarded_home / "scratch"
     scratch.mkdir()
     monkeypatch.delenv("ROS2COURSE_HOME")

@@ -1,4 +1,4 @@
-"""A real recording: drawn by `check --timeline` and `evidence show`, exported, and read by others."""
+"""A real recording: drawn by `check --timeline` and `evidence show`, exported, and read by other programs."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ print(len(heard) > 0, sorted(node.get_node_names()))
 
 @pytest.fixture
 def domain() -> Iterator[Mapping[str, str]]:
-    """A ROS domain that nobody else has: who explores meets the mystery alone."""
+    """A ROS domain that nobody else uses, so that only the mystery is there."""
     with isolated(namespaces=False) as around:
         yield around.environment
 

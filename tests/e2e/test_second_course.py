@@ -1,4 +1,4 @@
-"""The engine knows no chapter: a course of other packages, topics and numbers is graded like its own."""
+"""The engine knows no chapter: another course, with other packages and topics, is graded like its own."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BUILDS = ("61-thermometer", "61-alarm")
 
 
 def said(*words: str, course: str | None = str(SECOND), cwd: Path = ROOT) -> tuple[int, str]:
-    """Exit code and output of a command, which runs as it is typed."""
+    """The exit code and output of a command as typed."""
     about = ["--course", course] if course else []
     done = subprocess.run(
         [sys.executable, "-m", "course", *about, *words], cwd=cwd, capture_output=True, text=True, check=False
@@ -50,7 +50,7 @@ def test_nothing_is_wrong_with_it(second: Course) -> None:
 
 @pytest.mark.slow
 def test_a_learner_s_way_through_it(home: Path) -> None:
-    """The home was made for it, so nothing else has to say so."""
+    """The home was made for it, so nothing else has to name it."""
     for words, code, shown in (
         (("list",), 0, "61 The greenhouse"),
         (("next",), 0, "greenhouse/thermometer.py"),

@@ -48,7 +48,7 @@ def set_seed(home: CourseHome) -> None:
 
 
 def solve_on_this_machine(exercise: Exercise, home: Path) -> None:
-    """What no tree of files can bring."""
+    """Things that no tree of files can contain."""
     assert exercise.id == "02-venv"
     command = [sys.executable, "-m", "venv", "--without-pip", str(home / "ros2tutorial_venv")]
     subprocess.run(command, check=True, timeout=120)

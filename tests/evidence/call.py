@@ -1,4 +1,4 @@
-"""Runs with ROS: a node with services and parameters, the recorder asks it and is asked; prints JSON."""
+"""Runs with ROS: a node with services and parameters, and the recorder as client and server; prints JSON."""
 
 import contextlib
 import json
@@ -42,7 +42,7 @@ def refuse(parameters: list[Parameter]) -> SetParametersResult:
 
 
 def await_true(condition: Callable[[], bool]) -> bool:
-    """What changes in the talker alone is no event of the recorder's, so look often."""
+    """Changes in the talker alone are not events of the recorder, so look often."""
     end = timeline.now() + WAIT
     while not condition() and timeline.now() < end:
         timeline.wait_until(condition, 0.05)
@@ -50,7 +50,7 @@ def await_true(condition: Callable[[], bool]) -> bool:
 
 
 def await_event(condition: Callable[[], bool]) -> bool:
-    """The recorder itself must wake us: half the time-out is too late."""
+    """The recorder itself must wake us: half the timeout is too late."""
     began = timeline.now()
     return timeline.wait_until(condition, WAIT) and timeline.now() - began < WAIT / 2
 
@@ -128,7 +128,7 @@ with Recorder(timeline) as recorder:
     server = recorder.serve("/trigger", TRIGGER, answer)
     found["back"] = await_true(lambda: asker.service_is_ready())
 
-    # garbage of others does not make the recorder deaf
+    # garbage from others does not make the recorder deaf
     def garbage() -> None:
         timer.cancel()
         b"\xff".decode()

@@ -37,7 +37,7 @@ GRAPH = Graph(
     ),
 )
 
-# At least one of each kind; some at the same moment, which must stay in their order.
+# At least one of each kind; some at the same moment, whose order must not change.
 EVENTS: tuple[Event, ...] = (
     kinds.ProcessStarted(0.000000001, "talker", ("python3", "/lib/talker", "häufig")),
     kinds.ExecutableMissing(0.1, "walker", "talk", "walker", ("listener", "talker")),

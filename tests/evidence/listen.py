@@ -55,7 +55,7 @@ with Recorder(timeline) as recorder:
     }
     publishers = {name: talker.create_publisher(String, name, profile) for name, profile in profiles.items()}
     for name, publisher in publishers.items():
-        # A listener that asked for too much asks again; until it has, messages do not reach it.
+        # A listener that requested too much requests again; until then, messages do not reach it.
         number = 0
         while count(name) < (8 if name == "/flood" else 2) and number < 400:
             publisher.publish(String(data=f"{name} {number}"))

@@ -1,4 +1,4 @@
-"""Services and parameters on real ROS: what the recorder asks, is asked, and keeps."""
+"""Services and parameters on real ROS: the recorder as client, as server, and what it keeps."""
 
 from __future__ import annotations
 

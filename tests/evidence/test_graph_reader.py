@@ -1,4 +1,4 @@
-"""The graph as read from a node; the node is made up."""
+"""The graph as read from a node; the node is a fake."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def info(
 
 @dataclass
 class World:
-    """Answers as an rclpy node does; `reads` counts the expensive questions."""
+    """Answers like an rclpy node; `reads` counts the expensive questions."""
 
     nodes: list[tuple[str, str]] = field(default_factory=lambda: [("recorder", "/")])
     publishers: dict[str, list[Any]] = field(default_factory=dict)
@@ -166,7 +166,7 @@ def test_services_with_the_hashes_of_their_server() -> None:
 
 @pytest.mark.parametrize("first", ["rq/addRequest", "rr/addReply"])
 def test_a_server_is_known_by_both_hashes_or_none(first: str) -> None:
-    """Its two topics are found one after the other."""
+    """Its two topics are discovered one after the other."""
     world = World(services=[("/add", [ADD])])
     reader = GraphReader(world)
     ends = {"rq/addRequest": world.subscriptions, "rr/addReply": world.publishers}

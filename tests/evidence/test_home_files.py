@@ -1,4 +1,4 @@
-"""What is looked at in a course home, and what was probably meant."""
+"""Which files of a course home are read, and which were probably meant."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Recordings as files: what is loaded is what was saved, and a damaged file is never half believed."""
+"""Recordings as files: loading returns what was saved, and a damaged file is never partly accepted."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def test_rosbags_reads_all_of_it(file: Path) -> None:
 
 
 def test_events_of_recordings_of_before_are_read(tmp_path: Path) -> None:
-    """They were JSON itself, on a channel that says so."""
+    """They were JSON, on a channel that says so."""
     event = OutputLine(0.5, "talker", "hello")
     with (tmp_path / "old.mcap").open("wb") as stream:
         writer = Writer(stream)
@@ -146,7 +146,7 @@ def test_what_we_sent_is_a_channel_of_its_own(file: Path) -> None:
 
 
 def damaged(file: Path, recording: Recording, data: bytes) -> bool:
-    """Whether a file of these bytes is refused; it must not be taken for another recording."""
+    """Whether a file with these bytes is refused; it must not be loaded as another recording."""
     other = file.with_name("damaged")
     other.write_bytes(data)
     try:
@@ -162,11 +162,11 @@ def test_a_file_cut_short_is_refused(file: Path, recording: Recording) -> None:
     data = file.read_bytes()
     lengths = (*range(0, 50), *range(50, len(data), 53))
     cut = [damaged(file, recording, data[:length]) for length in lengths]
-    assert sum(cut) > len(cut) / 2  # what is behind the data is an index, which is not needed
+    assert sum(cut) > len(cut) / 2  # after the data comes an index, which is not needed
 
 
 def test_a_changed_byte_is_noticed_or_does_not_matter(file: Path, recording: Recording) -> None:
-    """Wherever it is: the file has about three thousand."""
+    """Any of the file's roughly three thousand bytes."""
     data = file.read_bytes()
     noticed = 0
     for place in range(0, len(data), 11):

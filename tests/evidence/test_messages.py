@@ -153,7 +153,7 @@ def test_big_endian_is_read_too() -> None:
     assert message.count == 5
 
 
-# what is no message
+# what is not a message
 
 
 def is_refused(decoder: Decoder, type_name: str, data: bytes) -> bool:
@@ -167,7 +167,7 @@ def is_refused(decoder: Decoder, type_name: str, data: bytes) -> bool:
 
 
 def test_truncated_messages_are_refused(samples: dict[str, Sample]) -> None:
-    """What may be missing is padding: then all fields are there."""
+    """Only padding may be missing: then all fields are there."""
     began = time.monotonic()
     for sample in samples.values():
         decoder = Decoder({sample.type: sample.definition})
@@ -179,7 +179,7 @@ def test_truncated_messages_are_refused(samples: dict[str, Sample]) -> None:
 
 
 def test_random_bytes_raise_nothing_else(samples: dict[str, Sample]) -> None:
-    """Nor do they take long."""
+    """They do not take long either."""
     chance = random.Random(18)
     began = time.monotonic()
     refused = 0

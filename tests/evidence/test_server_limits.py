@@ -1,4 +1,4 @@
-"""A server of ours that is asked without end: what is beyond the bound is neither kept nor answered."""
+"""Our server gets endless requests: beyond the limit, they are neither kept nor answered."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The learner's files as they are read: bounded, and nothing but files."""
+"""The learner's files as they are read: limited, and only files."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def test_what_is_no_text_is_named_only(home: Path) -> None:
 
 
 def test_a_mark_at_the_beginning_is_no_text(home: Path) -> None:
-    """Some editors write one; Python ignores it, and so must those who read the text."""
+    """Some editors write one. Python ignores it, and so must readers of the text."""
     put(home, "src/talker.py", b"\xef\xbb\xbfimport rclpy\r\n")
     assert read_sources(home, ["src"]).files == {"src/talker.py": "import rclpy\n"}
 

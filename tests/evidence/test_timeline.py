@@ -45,7 +45,7 @@ class Looked(str):
 def test_a_condition_looks_at_each_event_once_however_often_it_is_asked(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Else the work grows with the square of what a program prints."""
+    """Otherwise the work grows with the square of the output."""
     monkeypatch.setattr(Looked, "times", 0)
     timeline, counts = Timeline(), []
     for number in range(500):

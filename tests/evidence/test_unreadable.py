@@ -1,4 +1,4 @@
-"""Bytes that are no message of their type: the learner's failure, as soon as a field is asked for."""
+"""Bytes that are not a message of their type: a learner's failure, as soon as a field is read."""
 
 from __future__ import annotations
 

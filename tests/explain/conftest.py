@@ -1,4 +1,4 @@
-"""A package of faulty programs, and what they really wrote on their terminals."""
+"""A package of faulty programs, and what they really printed."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from course.model.feedback import Feedback
 from tests.build.conftest import WORKSPACE, home, src  # noqa: F401
 
 TEXTS = Path(__file__).with_name("crashes")
-# A module that another one imports, programs that end as they should, and one that no ROS is needed for.
+# A module that another one imports, programs that end properly, and one that does not need ROS.
 CRASHES = sorted({file.stem for file in TEXTS.iterdir()} - {"circular_other", "ended", "interrupt", "group"})
 TERMINAL = "===== on the terminal =====\n"
 FOLDER = "ros2_tutorial_workspace/src/faulty"
@@ -95,7 +95,7 @@ def crash_of(case: Case, output: str | None = None) -> Crash | None:
 
 
 def explained(case: Case, output: str | None = None) -> Feedback | None:
-    """What a learner is told of a program that wrote this."""
+    """What a learner is told about a program that printed this."""
     found = crash_of(case, output)
     return crash_feedback(found, PACKAGES, sources_of(case)) if found else None
 

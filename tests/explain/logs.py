@@ -1,10 +1,10 @@
-"""What the tools print when they refuse, shortened."""
+"""What the tools print when they fail, shortened."""
 
 from __future__ import annotations
 
 
 def refused(message: str) -> str:
-    """What CMake prints when rosidl's adapter ends with an exception."""
+    """What CMake prints if rosidl's adapter raises an exception."""
     wrapped = "\n".join(f"  {line}" for line in message.splitlines())
     return (
         "-- Found geometry_msgs: 5.3.6 (/ros/share/geometry_msgs/cmake)\n"

@@ -41,7 +41,7 @@ def test_a_timer_that_is_right(argument: str) -> None:
     [
         ("self.tick()", True),
         ("callback=self.tick()", True),
-        ("self.timer_callback()", True),  # not to be found, but its name says what it is
+        ("self.timer_callback()", True),  # cannot be found, but its name says what it is
         ("on_timer()", True),
         ("self.stop()", True),  # returns, but nothing
         ("self.make()", False),  # returns a function

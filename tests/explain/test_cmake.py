@@ -1,4 +1,4 @@
-"""CMake's first error for a project that is no ROS package."""
+"""CMake's first error for a project that is not a ROS package."""
 
 from __future__ import annotations
 

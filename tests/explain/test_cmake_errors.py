@@ -1,4 +1,4 @@
-"""Faults of CMakeLists.txt, as CMake words them."""
+"""Errors in CMakeLists.txt, in CMake's words."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ def said(error: str, sources: Sources | None = None) -> Feedback:
 
 
 def test_a_program_is_free_to_print_what_it_likes() -> None:
-    """Whatever an error's text claims of files that cannot be read, it is explained and raises nothing."""
+    """Whatever an error's text claims about unreadable files, explaining it raises nothing."""
     broken = Sources({f"{FOLDER}/faulty/bad.py": "def (", f"{FOLDER}/setup.py": "setup(("})
     for error in (
         "AttributeError: module 'faulty.bad' has no attribute 'main'",
@@ -60,7 +60,7 @@ def test_a_module_of_another_package_with_a_similar_name_is_not_taken() -> None:
 
 
 def test_a_module_that_is_where_it_belongs_is_not_moved() -> None:
-    """It may be the build that left it out."""
+    """The build may have left it out."""
     golden(said("ModuleNotFoundError: No module named 'faulty.ended'"))
 
 

@@ -41,5 +41,5 @@ def test_nothing_declared_at_all() -> None:
 
 
 def test_declared_but_installed_elsewhere() -> None:
-    """Without setup.cfg it lands in bin/, where `ros2 run` does not look."""
+    """Without setup.cfg it goes to bin/, where `ros2 run` does not look."""
     golden(said("'old = talk.old:main',\n'talker_node = talk.talker_node:main',"))

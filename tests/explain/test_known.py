@@ -1,4 +1,4 @@
-"""Every known error explains its own example, and no entry before it does; `known.txt` holds what is said.
+"""Every known error explains its own example, and no earlier entry does; the texts are in `known.txt`.
 
 After a change that is meant, write the file anew: `KNOWN=write pytest tests/explain/test_known.py`.
 """

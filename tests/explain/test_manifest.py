@@ -1,4 +1,4 @@
-"""package.xml: what is read from it, and what is said when it is not right."""
+"""package.xml: what is read from it, and the errors about a wrong one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What notes of a second run come to as advice; the submission may have written every one of them."""
+"""The advice from the notes of a second run, any of which the submission may have written."""
 
 from __future__ import annotations
 

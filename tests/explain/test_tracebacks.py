@@ -1,4 +1,4 @@
-"""From an installed file's line to the learner's own."""
+"""From a line of an installed file to the learner's own."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_without_a_line_of_the_learners_the_error_remains() -> None:
 
 @pytest.mark.parametrize("line", ["3", "0", "999999999999"])
 def test_a_line_that_the_file_does_not_have(line: str) -> None:
-    """The file may have been saved again since; or the program printed what it liked."""
+    """The file may have been saved since, or the program printed whatever it liked."""
     text = ("Traceback", f'  File "{SITE}/talk/node.py", line {line}, in main', "ValueError: x")
     found = crash(text, BUILT, sources(f"{TALK}/talk/node.py"))
     assert found is not None

@@ -1,4 +1,4 @@
-"""The optional tools are tested as the core is: on its small courses, with its commands."""
+"""The optional tools are tested like the core: on its small courses, with its commands."""
 
 from __future__ import annotations
 

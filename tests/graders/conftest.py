@@ -1,4 +1,4 @@
-"""Grading for real: trial homes, one build store for all tests of a run, a check in one call."""
+"""Real grading: trial homes, one build store for all tests of a run, a check in one call."""
 
 from __future__ import annotations
 

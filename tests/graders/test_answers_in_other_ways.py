@@ -1,4 +1,4 @@
-"""Right answers to questions count however they are written: two other ways for every quiz and mystery."""
+"""Right answers count however they are written: two other ways for every quiz and mystery."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Answer = Callable[[Question], object]
 
 
 def in_other_words(question: Question) -> object:
-    """Choices in full, another accepted text, capitals where they do not count, a list turned round."""
+    """Choices in full, another accepted text, capitals where they do not matter, a reversed list."""
     if question.choices:
         texts = [choice.text for choice in question.choices if choice.right]
         return texts[0] if question.form == "choice" else texts[::-1]
@@ -35,7 +35,7 @@ def in_other_words(question: Question) -> object:
 
 
 def by_hand(question: Question) -> object:
-    """What the course itself would write, in a file without comments and in the order of the alphabet."""
+    """What the course itself would write, in alphabetical order and without comments."""
     texts = right_answer(question)
     return texts[0] if len(texts) == 1 else list(texts)
 

@@ -1,4 +1,4 @@
-"""One package that several chapters work on: what was done before stays, and still passes."""
+"""One package that several chapters extend: earlier work stays, and still passes."""
 
 from __future__ import annotations
 

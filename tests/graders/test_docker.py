@@ -1,4 +1,4 @@
-"""Chapter 32: what its graders make of files, and where its nodes run when others share the network."""
+"""Chapter 32: how its graders judge files, and where its nodes run on a shared network."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ def test_without_shared_memory_in_the_control_nothing_is_proven() -> None:
 def test_where_namespaces_are_all_there_is_a_profile_is_judged_too(
     course: Course, home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Programs get a /dev/shm of their own from bubblewrap then, not from the sandbox that there is not."""
+    """Without a sandbox, bubblewrap gives programs their own /dev/shm."""
     if obstacle := obstacle_to(Level.NAMESPACES):
         pytest.skip(f"not exercised: a profile where namespaces are all there is ({obstacle})")
     lacking = {levels.KNOWN: "no sandbox here"}
@@ -140,7 +140,7 @@ def test_where_namespaces_are_all_there_is_a_profile_is_judged_too(
 
 
 def graded(course: Course, home: Path, exercise: str, evidence: Path | None = None, **files: str) -> Result:
-    """In a domain of this machine's own network, as where there are no namespaces."""
+    """In a domain on this machine's network, as without namespaces."""
     found = course.exercise(exercise)
     trial.lay_solution(course, found, home)
     for name, text in files.items():
@@ -152,7 +152,7 @@ def graded(course: Course, home: Path, exercise: str, evidence: Path | None = No
 def test_on_a_shared_network_the_nodes_meet_in_a_domain_that_stands_for_1(
     course: Course, home: Path, tmp_path: Path
 ) -> None:
-    """And of what the file sets, nothing but the domain reaches a program."""
+    """Only the domain in the file reaches a program."""
     evidence = tmp_path / "evidence.mcap"
     text = "LD_PRELOAD=/nonexistent/evil.so\nPATH=/nonexistent\nROS_DOMAIN_ID=1\nPYTHONPATH=/nonexistent\n"
     result = graded(course, home, "32-domain", evidence, DOMAIN_ENV=text)

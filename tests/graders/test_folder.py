@@ -1,4 +1,4 @@
-"""`pytest graders/`, as the documentation says it: every grader with each of its checks."""
+"""`pytest graders/`, as documented: every grader with each of its checks."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def collected(where: str) -> list[str]:
 @pytest.mark.slow
 def test_the_folder_holds_what_its_files_hold() -> None:
     folder = collected("graders/")
-    # One with questions alone has a Mystery and no Grader.
+    # A module with only questions has a Mystery and no Grader.
     files = [file for file in GRADERS if " = Grader(" in file.read_text("utf-8")]
     assert {line.split("::")[0] for line in folder} == {f.relative_to(ROOT).as_posix() for f in files}
     name = "graders/ch18_publishers_and_subscribers.py"
@@ -39,7 +39,7 @@ def test_the_folder_holds_what_its_files_hold() -> None:
 
 
 def test_grader_modules_need_no_ros() -> None:
-    """What was recorded can be judged where there is none."""
+    """Recordings can be judged without ROS."""
     command = [sys.executable, "-c", WITHOUT_ROS, *map(str, GRADERS)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 0, done.stderr

@@ -1,4 +1,4 @@
-"""Chapter 33: whose solutions a program prints, its own or those of a library."""
+"""Chapter 33: whether a program prints its own solutions or those of a library."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ RUNS = GRADERS.RUNS
 
 
 def recorded(*runs: Sequence[str], used: Sequence[str] = (), known: bool = True) -> Recording:
-    """Of a program that prints this: with the learner's library, with another in its place, built again."""
+    """A recording of a program that prints this, with the learner's library, another one, and rebuilt."""
     said = {**dict(zip(RUNS, runs, strict=False)), "used": used}
     if known:
         said |= {f"answers {GRADERS.ELSEWHERE}": ELSEWHERE, f"answers {GRADERS.IN_PLACE}": IN_PLACE}

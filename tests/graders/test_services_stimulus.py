@@ -1,4 +1,4 @@
-"""What chapter 20 asks and answers: nobody can know it beforehand, and it is what its checks count on."""
+"""The questions and answers of chapter 20: unpredictable, and as its checks need them."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ class Problem:
         return inside and all(low - slack <= a * x + b * y <= high + slack for a, b, low, high in self.rows)
 
     def best_of_grid(self) -> float:
-        """The least objective on a grid in the box, where something on it is allowed."""
+        """The smallest objective on a grid in the box, if any point is allowed."""
         low_x, low_y, high_x, high_y = self.box
         xs = [low_x + (high_x - low_x) * n / STEPS for n in range(STEPS + 1)]
         ys = [low_y + (high_y - low_y) * n / STEPS for n in range(STEPS + 1)]
@@ -87,7 +87,7 @@ def solve(program: Path, problems: list[Problem]) -> list[list[float]]:
 
 
 def drawn(chance: random.Random) -> Problem:
-    """H = M'M is positive semidefinite, and singular now and then."""
+    """H = M'M is positive semidefinite, and sometimes singular."""
     a, b, c, d = (chance.choice([0.0, chance.uniform(-2, 2)]) for _ in range(4))
     h = (a * a + c * c, a * b + c * d, b * b + d * d)
     low = [chance.uniform(-3, 1) for _ in range(2)]

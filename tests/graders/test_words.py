@@ -1,4 +1,4 @@
-"""What graders say is read by beginners: it names the next step, is short, and in words they have met.
+"""Beginners read what graders say: it names the next step, is short, and uses words that they know.
 
 These look at the texts as they stand in the code. That a message says what its mistake is about,
 `says` in mistakes.yaml holds.
@@ -26,9 +26,9 @@ LONGEST_SUMMARY = 130
 LONGEST = 200
 MOST_SENTENCES = 3
 CODE = re.compile(r"\n|\\|\[\^|^env -i |^name version ")
-PLACEHOLDER = "(value)"  # about as long as what stands there for a learner
+PLACEHOLDER = "(value)"  # about as long as what a learner sees there
 
-# Words that no lesson has: our own ones, those of people who write tools, and those that blame.
+# Words that are in no lesson: internal words, tool makers' words, and words that blame.
 STRANGE = (
     *("DDS", "RIHS", "RIHS01", "digest", "regex", "stdout", "stderr", "EOF", "TTY", "payload", "linter"),
     *("arena", "probe", "scenario", "recording", "grader", "testbed", "constructor", "stack trace"),
@@ -52,7 +52,7 @@ def holds(text: str, word: str) -> bool:
 
 
 def written(node: ast.AST) -> str:
-    """A text with a placeholder for what is put in when it is said."""
+    """A text with placeholders for what is inserted later."""
     if isinstance(node, ast.Constant):
         return node.value if isinstance(node.value, str) else ""
     if isinstance(node, ast.JoinedStr):
@@ -61,8 +61,8 @@ def written(node: ast.AST) -> str:
 
 
 def texts(node: ast.AST) -> Iterator[tuple[int, str]]:
-    """The prose in it, with its line: no docstrings, patterns or code, and nothing about our own faults."""
-    if isinstance(node, ast.Compare):  # what is looked for in the words of others
+    """The prose in it, with its line: no docstrings, patterns, or code, and nothing about our own errors."""
+    if isinstance(node, ast.Compare):  # patterns for other programs' output
         return
     if isinstance(node, ast.Call) and ast.unparse(node.func) in ("OurFault", "Spoilt", "re.compile"):
         return
@@ -108,7 +108,7 @@ def lessons() -> tuple[tuple[int, str], ...]:
 
 @functools.cache
 def introduction(word: str) -> int:
-    """The first chapter that has the word in its lesson or in the text of an exercise."""
+    """The first chapter with the word in its lesson or in an exercise."""
     return min((number for number, text in lessons() if holds(text, word)), default=99)
 
 

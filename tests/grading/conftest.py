@@ -45,7 +45,7 @@ def interrupt(recording):
 
 @dataclass(frozen=True)
 class Graded:
-    """What came of a recording, and of judging it where there is one."""
+    """The result of a recording, and of judging it if there is one."""
 
     checks: tuple[CheckResult, ...] = ()
     fault: Feedback | None = None
@@ -57,7 +57,7 @@ Grade = Callable[..., Graded]
 
 
 def graded(supervisor: Supervisor, task: RecordingTask, time_limit: float = 30.0) -> Graded:
-    """Record, then judge, as `check` does; of an exercise that no course has."""
+    """Record, then judge, as `check` does, an exercise that is in no course."""
     recorded = supervisor.record(task, time_limit, lambda text: None)
     if recorded.fault is not None:
         return Graded((), recorded.fault, recorded.doubt, recorded.missing)
@@ -97,7 +97,7 @@ def toy_job(tmp_path: Path) -> Callable[..., RecordingTask]:
 
 @pytest.fixture(params=["namespaces", "domain"])
 def grade(request: pytest.FixtureRequest, toy_job: Callable[..., RecordingTask]) -> Grade:
-    """Grade the toy in both kinds of enclosure."""
+    """Grade the toy in both kinds of isolation."""
 
     def run(program: str, grader: str = GRADER, time_limit: float = 30.0) -> Graded:
         job = toy_job(program, grader)

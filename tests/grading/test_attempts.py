@@ -1,4 +1,4 @@
-"""When a grading is run again, and what counts in the end."""
+"""When a grading runs again, and what counts in the end."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ KILLED = replace(result(DARK), doubt=Doubt.KILLED)
     ("found", "doubt", "again"),
     [
         (result(RIGHT), None, False),
-        (result(RIGHT, BUSY), None, False),  # what passed has passed
+        (result(RIGHT, BUSY), None, False),  # a passed check stays passed
         (result(DARK), None, False),
         (result(DARK, Timing(lag=MOST_LAG)), None, False),
         (result(DARK, BUSY), Doubt.BUSY, True),

@@ -1,4 +1,4 @@
-"""What a grader's author writes, and the slips that are noticed at once."""
+"""What a grader's author writes, and the mistakes that are noticed at once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""However a check ends (Ctrl+C, SIGTERM, SIGKILL), no process of it lives on and no folder stays."""
+"""However a check ends (Ctrl+C, SIGTERM, SIGKILL), no process and no folder of it remains."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from course.model import codec
 
 pytestmark = pytest.mark.slow
 
-# Runs one toy grading like `check` does, and says when the program runs.
+# Runs one toy grading as `check` does, and reports when the program runs.
 COORDINATOR = """
 import sys
 from pathlib import Path
@@ -110,7 +110,7 @@ def test_nothing_is_left(coordinator: subprocess.Popen[str], number: signal.Sign
 
 
 def test_the_grading_process_is_killed(coordinator: subprocess.Popen[str], tmp_path: Path) -> None:
-    """Killed alone, it cannot clean up: its parent does."""
+    """If only it is killed, it cannot clean up, so its parent does."""
     for child in psutil.Process(coordinator.pid).children(recursive=True):
         with contextlib.suppress(psutil.NoSuchProcess):  # zombies included
             if "course.grading.recording_process" in child.cmdline():

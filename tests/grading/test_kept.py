@@ -1,4 +1,4 @@
-"""A recording that is kept, one that cannot be, and one that cannot be judged."""
+"""A recording that is kept, one that cannot be kept, and one that cannot be judged."""
 
 from __future__ import annotations
 

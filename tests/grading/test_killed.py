@@ -1,4 +1,4 @@
-"""Whoever kills a process of ours: it is never the learner's failure, but another attempt."""
+"""If someone kills our process, it is never the learner's failure, but leads to another attempt."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ OF_A_GRADING = (
 )
 FORK_SERVER = "fork server"
 ENDS = ("was killed from outside", "ended without a recording", "busy this machine is has ended")
-# A program of ours, which also goes on until Ctrl+C if nobody is killed.
+# A program of ours, which continues until Ctrl+C if nobody is killed.
 OURS = 'ours = arena.start_ours("sleep", "61.5", name="ours", env={})'
 RUN = "    program = arena.run("
 PROGRAM = """
@@ -89,7 +89,7 @@ def job(toy_job: Callable[..., RecordingTask]) -> RecordingTask:
 
 
 def test_undisturbed_it_passes(job: RecordingTask, tmp_path: Path) -> None:
-    """Else the others prove little; and all kinds of ours are there."""
+    """Otherwise the others prove little; and all kinds of our processes are there."""
     seen: dict[str, psutil.Process] = {}
     judgment = judged(job, tmp_path, lambda top: seen.update(kinds(top)))
     assert judgment.fault is None
@@ -118,7 +118,7 @@ def test_a_killed_program_of_ours_is_no_failure(job: RecordingTask, tmp_path: Pa
 
 
 def test_a_killed_program_of_the_learners_gets_another_attempt(job: RecordingTask, tmp_path: Path) -> None:
-    """They can do it themselves, so it is their failure when it happens each time: see `test_attempts`."""
+    """They can do it themselves, so it is their failure if it happens each time: see `test_attempts`."""
     judgment = judged(job, tmp_path, lambda top: running(top, "toy/program")[-1].kill())
     assert (judgment.fault, judgment.doubt) == (None, Doubt.KILLED)
     assert [check.outcome for check in judgment.checks][-2:] == [Outcome.FAILED, Outcome.SKIPPED]

@@ -35,7 +35,7 @@ def adds_up(recording):
 
 
 def test_a_module_with_a_dataclass(tmp_path: Path) -> None:
-    """With annotations as texts, dataclasses look their module up by its name."""
+    """With annotations as texts, dataclasses look up their module by its name."""
     file = tmp_path / "ch04_ovens.py"
     file.write_text(MODULE, encoding="utf-8")
     assert list(load_grader(file, "04-oven").checks) == ["sum"]

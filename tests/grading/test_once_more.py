@@ -1,4 +1,4 @@
-"""What may not be the learner's failure is watched again, and the last attempt counts."""
+"""Anything that may not be the learner's failure is watched again, and the last attempt counts."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def exercise() -> Exercise:
 
 
 def pretend(monkeypatch: pytest.MonkeyPatch, attempts: list[Attempt]) -> list[Attempt]:
-    """These in place of the processes' own; returns those that were asked for by now."""
+    """Use these instead of the processes' own; return those that were requested so far."""
     made: list[Attempt] = []
 
     class Recorder:

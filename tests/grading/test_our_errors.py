@@ -1,4 +1,4 @@
-"""Whatever goes wrong on our side is our error, said as such, and never the learner's failure."""
+"""Anything that goes wrong on our side is reported as our error, and never as the learner's failure."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def test_rubbish_in_the_result_pipe(grade: Grade) -> None:
 
 
 def test_a_recorder_that_stops_in_the_middle(grade: Grade) -> None:
-    """A deaf recorder would make every node a silent one."""
+    """A deaf recorder would make every node look silent."""
     deaf = "def run_it(arena):\n    arena.ros._recorder._reader = None"
     broken = GRADER.replace("def run_it(arena):", deaf)
     judgment = grade(LOOP, broken)

@@ -59,7 +59,7 @@ def test_another_attempt_may_end_differently(error: BaseException, doubt: Doubt 
 
 @pytest.mark.parametrize(("events", "doubt"), [((), None), ((Probed(1.0, "probe", (), True),), Doubt.SPOILT)])
 def test_what_a_probe_was_answered_may_break_a_check(events: tuple[Probed, ...], doubt: Doubt | None) -> None:
-    """The learner's code runs in the same process, and can answer whatever it likes."""
+    """The learner's code runs in the same process, and can answer anything."""
     recording = Recording("01-toy", events)
     assert doubted(raised(SPEC, TypeError("x")), recording).doubt is doubt
     busy = raised(SPEC, TooBusy("x"))

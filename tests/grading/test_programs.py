@@ -1,4 +1,4 @@
-"""Programs that misbehave get a verdict in bounded time, and leave nothing behind."""
+"""Misbehaving programs get a verdict within a time limit, and leave nothing behind."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(autouse=True)
 def nothing_is_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """No process of the toy's lives on, and no temporary folder stays."""
+    """No process of the toy and no temporary folder remains."""
     scratch = tmp_path / "scratch"
     scratch.mkdir()
     monkeypatch.setenv("TMPDIR", str(scratch))
@@ -88,7 +88,7 @@ def test_one_that_dies_of_a_signal(grade: Grade) -> None:
 
 
 def test_one_whose_children_outlive_it(grade: Grade) -> None:
-    """A daemon by the book: forked twice, in a session of its own, deaf to everything but SIGKILL."""
+    """A proper daemon: forked twice, in its own session, deaf to everything but SIGKILL."""
     program = """
 import os, signal, time
 if os.fork() == 0:
@@ -122,7 +122,7 @@ def test_no_program_at_all(grade: Grade) -> None:
 
 
 def test_ctrl_c_reaches_it_although_we_ignore_it(grade: Grade) -> None:
-    """Whoever is started in the background ignores SIGINT, and so do all that it starts."""
+    """A program that is started in the background ignores SIGINT, and so do its children."""
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         program = "import signal\ntry:\n    print('go', flush=True)\n    signal.pause()"

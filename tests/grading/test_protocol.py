@@ -1,4 +1,4 @@
-"""The pipe that the outcome of a recording comes through."""
+"""The pipe for the outcome of a recording."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FEEDBACK = Feedback("it failed\nhere ✓", "a", "b", (Location("a.py", 1),), "tr
 
 
 def through_a_pipe(write: Callable[[Channel], None]) -> list[Stage | RecordingOutcome]:
-    """What comes out at the other end; reading begins when the writer is busy already."""
+    """What comes out at the other end; reading starts when the writer is already busy."""
     reader, writer = os.pipe()
 
     def send() -> None:

@@ -1,4 +1,4 @@
-"""The environment of a mystery's nodes: the learner's way of talking, and nothing else of theirs."""
+"""The environment of a mystery's nodes: the learner's communication settings, and nothing else of theirs."""
 
 from __future__ import annotations
 

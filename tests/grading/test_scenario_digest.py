@@ -1,4 +1,4 @@
-"""The digest of a scenario follows what it records by, and nothing else."""
+"""The digest of a scenario depends on what affects its recording, and on nothing else."""
 
 from __future__ import annotations
 

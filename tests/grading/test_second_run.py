@@ -1,4 +1,4 @@
-"""When a program runs once more to find a cause, and that it changes advice alone."""
+"""When a program runs once more to find a cause, and that this changes only advice."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def main():
 if __name__ == "__main__":
     main()
 """
-# As a submission would that wants another verdict, or wants others to be blamed.
+# As in a submission that wants another verdict, or wants others to be blamed.
 FORGES = """\
 import json, os
 from pathlib import Path
@@ -71,7 +71,7 @@ Grade = Callable[..., Result]
 
 @pytest.fixture
 def so_far() -> list[Result]:
-    """The results that were told of before a second run."""
+    """The results that were reported before a second run."""
     return []
 
 
@@ -137,7 +137,7 @@ def test_nobody_wants_to_know(grade: Grade, so_far: list[Result]) -> None:
 
 @pytest.mark.parametrize("notes", ["[note] * 100 + [other]", "[own] * 100"], ids=["others", "own"])
 def test_forged_notes(grade: Grade, tmp_path: Path, notes: str) -> None:
-    """The verdict stays, nobody else's files are named, and what is quoted is short."""
+    """The verdict stays, nobody else's files are named, and quotes are short."""
     forged = FORGES.replace("NOTES", notes)
     text = f"{forged}\ntry:\n    pass\nexcept Exception:\n    pass\n"
     line = text.splitlines().index("except Exception:") + 1

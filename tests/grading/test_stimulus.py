@@ -1,4 +1,4 @@
-"""What scenarios say: nobody can know it beforehand."""
+"""What scenarios send is unpredictable."""
 
 from __future__ import annotations
 

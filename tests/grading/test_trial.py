@@ -1,4 +1,4 @@
-"""Trial homes of exercises that are no packages: loose files, modes, and a `.bashrc` that is added to."""
+"""Trial homes of exercises without packages: loose files, modes, and additions to a `.bashrc`."""
 
 from __future__ import annotations
 

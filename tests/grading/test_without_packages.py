@@ -1,4 +1,4 @@
-"""Exercises that are no nodes: their own files as evidence, programs in a copy of the home, no ROS at all."""
+"""Exercises without nodes: their files as evidence, programs in a copy of the home, no ROS at all."""
 
 from __future__ import annotations
 

@@ -104,7 +104,7 @@ def test_in_the_course_s_own_shell_the_home_can_be_completed(
 
 
 DAMAGED = ("", "{", "[]", '{"schema": 1}', '{"schema": 1, "seed": null}', "\0")
-# Valid JSON that Python has no number for, or cannot read.
+# Valid JSON that Python cannot represent or read.
 UNREADABLE = ('{"schema": 1, "seed": 1e999}', '{"schema": 1, "seed": NaN}', "[" * 200_000)
 
 

@@ -1,4 +1,4 @@
-"""Beginning anew: everything that was there can be found again."""
+"""Starting over: everything that was there can be found again."""
 
 from __future__ import annotations
 

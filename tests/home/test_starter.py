@@ -1,4 +1,4 @@
-"""Laying starter files: whole, with their mode, and never over a learner's file."""
+"""Laying starter files: complete, with their mode, and never over a learner's file."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ def worlds() -> list[World]:
 
 @pytest.fixture(autouse=True)
 def untouched(worlds: list[World]) -> Iterator[None]:
-    """The proof once more when a test is over: what a submission left behind may take its time."""
+    """The proof once more after a test, because what a submission left behind may act late."""
     yield
     for world in worlds:
         if world.seen:
@@ -81,6 +81,6 @@ def grade(
 
 @pytest.fixture
 def machine() -> Iterator[Lateness]:
-    """How busy this machine is meanwhile, with anything but these tests."""
+    """How busy this machine is meanwhile with anything except these tests."""
     with measured_lateness(Timeline()) as measured:
         yield measured

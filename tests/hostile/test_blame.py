@@ -1,4 +1,4 @@
-"""Programs that do something wrong, and want it to be taken for a fault of the grader or the machine.
+"""Programs that do something wrong, and want it to look like an error of the grader or the machine.
 
 Each is graded with a wrong node, which must not pass, and with a right one, which may fail for what it does
 besides. Neither is ever our error.
@@ -33,7 +33,7 @@ def wrong(text: str) -> str:
 
 
 def judged(graded: Graded, machine: Lateness) -> Verdict:
-    """The verdict. A machine that is too busy with something else judges nobody."""
+    """The verdict. A machine that is too busy with other work judges nobody."""
     if graded.result.doubt is Doubt.BUSY and machine.update() > MOST_LAG:
         pytest.skip(f"not exercised here: {GUARANTEE} (the machine let a program wait {machine.worst:.1f} s)")
     return graded.result.verdict

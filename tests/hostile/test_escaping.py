@@ -43,7 +43,7 @@ def test_there_is_no_way_out(grade: Grade) -> None:
 def test_nothing_outside_can_be_written(
     grade: Grade, course_copy: Path, store: Path, open_place: Path, tmp_path: Path
 ) -> None:
-    """Other submissions, results, progress, the course, builds: all of them anybody's, by permission."""
+    """Other submissions, results, progress, the course, builds: their permissions allow everyone to write."""
     other = open_place / "other-submission"
     other.mkdir(exist_ok=True)
     (other / f"{SECRET}.txt").write_text(SECRET, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""More than anybody can hear: the grader keeps a bounded part of it, and still comes to a verdict."""
+"""More than anyone can receive: the grader keeps a limited part of it, and still reaches a verdict."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ GUARANTEE = "a flood takes bounded time and memory, and cannot be told apart fro
 
 
 def test_on_the_terminal(grade: Grade) -> None:
-    """Faster than 10 MB/s. The node does what it should, so it passes; the cut is on record."""
+    """Faster than 10 MB/s. The node works correctly, so it passes; the cut is recorded."""
     graded = grade({NODE: with_attack("flood_terminal")}, guarantee=GUARANTEE)
     assert graded.result.verdict is Verdict.PASSED, graded.result
     assert graded.recording is not None
@@ -42,7 +42,7 @@ def test_on_its_topic(grade: Grade) -> None:
 
 
 def test_of_very_large_messages(grade: Grade) -> None:
-    """100 MB each: where one comes through at all in the time there is, it is too much to be kept."""
+    """100 MB each: if one arrives in time at all, it is too large to keep."""
     graded = grade({NODE: with_attack("flood_topic", SIZE=100_000_000)}, guarantee=GUARANTEE)
     assert graded.result.verdict is Verdict.NOT_PASSED
     assert graded.recording is not None
@@ -61,7 +61,7 @@ def test_of_requests(grade: Grade, size: int) -> None:
 
 @pytest.mark.parametrize("attack", ["many_topics", "many_nodes", "many_parameters"])
 def test_of_names(grade: Grade, attack: str) -> None:
-    """As many of 100,000 as fit; what the flood does to the node's own pace is the node's affair."""
+    """As many of 100,000 as fit; if the flood slows the node down, that is the node's problem."""
     graded = grade({NODE: with_attack(attack)}, guarantee=GUARANTEE)
     assert graded.result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED), graded.result
     assert graded.check("starts").earned

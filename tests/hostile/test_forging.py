@@ -1,4 +1,4 @@
-"""Programs that want a better verdict than they deserve, or to be taken for the grader."""
+"""Programs that want a better verdict than they deserve, or pretend to be the grader."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ pytestmark = pytest.mark.slow
 
 
 def test_a_program_that_writes_verdicts(grade: Grade) -> None:
-    """To every descriptor and file, and then it ends well."""
+    """To every descriptor and file, and then it ends normally."""
     graded = grade({NODE: with_attack("forged", ENDING="exit")}, guarantee="nobody can write a verdict")
     assert graded.result.verdict is Verdict.NOT_PASSED
     assert graded.failed == ("starts",)
@@ -33,7 +33,7 @@ def test_a_node_with_the_graders_name(grade: Grade) -> None:
 
 
 def test_a_subscriber_that_hears_what_it_says_itself(grade: Grade) -> None:
-    """What it logs of its own counts for nothing: the grader's words are drawn anew each time."""
+    """Its own messages in the log do not count: the grader's words are random each time."""
     text = with_attack("impostor", SUBSCRIBER, "18-subscriber", SPEAKS=True)
     honest = "{message.quote}"
     assert honest in text
@@ -44,7 +44,7 @@ def test_a_subscriber_that_hears_what_it_says_itself(grade: Grade) -> None:
 
 
 def test_a_client_that_answers_itself(grade: Grade) -> None:
-    """Its answers may come first; those that the grader gave are then missing in its log."""
+    """Its answers may come first, but then the grader's answers are missing in its log."""
     text = with_attack("answers_itself", CLIENT, "20-client")
     graded = grade({CLIENT: text}, "20-client", guarantee="only the grader's own answers count")
     assert graded.result.verdict is Verdict.NOT_PASSED

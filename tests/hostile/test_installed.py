@@ -1,4 +1,4 @@
-"""No text of a course can be read, in whatever way it was installed: as a wheel, by Gradescope, on a cluster.
+"""No text of a course can be read, however it was installed: as a wheel, by Gradescope, on a cluster.
 
 The environment is a fresh one, made by the script that Gradescope runs, so these tests install from the
 package index. Each submission is a right one that walks through all it sees, in its builds and its programs.
@@ -51,7 +51,7 @@ NEIGHBOR = "What the neighbor wrote down: a beaver needs no ruler to build a dam
 
 @dataclass(frozen=True)
 class Autograder:
-    """What Gradescope has: the unpacked bundle in `source`, and an environment that its script made."""
+    """Gradescope's situation: the unpacked bundle in `source`, and an environment made by its script."""
 
     root: Path
 
@@ -62,7 +62,7 @@ class Autograder:
 
     @property
     def environment(self) -> Mapping[str, str]:
-        """As somebody has it who knows nothing of the environment of the tests."""
+        """As for somebody without the environment of the tests."""
         own = str(Path(sys.prefix) / "bin")
         path = (part for part in os.environ["PATH"].split(":") if part != own)
         return {
@@ -120,7 +120,7 @@ def printed(out: Path, person: str) -> list[str]:
 
 
 def assert_nothing_was_found(out: Path, person: str) -> None:
-    """Where something was, the build failed, or the node ended before it published."""
+    """If something was found, the build failed, or the node ended before it published."""
     graded = json.loads((out / "results.json").read_text(encoding="utf-8"))
     assert any(line.startswith("HELD walk") for line in printed(out, person)), graded
     assert '"not passed"' not in json.dumps(graded), graded

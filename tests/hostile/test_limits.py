@@ -1,4 +1,4 @@
-"""Programs that use up the machine: each is stopped in time, and told why in words for a beginner."""
+"""Programs that exhaust the machine: each is stopped in time, with a reason in words for a beginner."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_a_memory_hog(grade: Grade, processes: int) -> None:
 @pytest.mark.skipif(not available(), reason="without control groups, nobody counts the kernel's memory")
 @pytest.mark.parametrize("kind", ["tcp", "udp"])
 def test_memory_of_sockets(grade: Grade, kind: str) -> None:
-    """The kernel bounds it for the whole machine only: a full one loses the messages of everyone else."""
+    """The kernel limits it only for the whole machine; if it is full, everyone's messages are lost."""
     text = with_attack("socket_memory", KIND=kind, MOST=256 * MB)
     graded = grade({NODE: text}, guarantee="what programs send and nobody reads is bounded")
     assert not graded.breaches

@@ -1,4 +1,4 @@
-"""C++ of a submission: what the compiler is told to read, and programs that are full of the sanitizers."""
+"""C++ in a submission: what the compiler is told to read, and programs with sanitizers."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ int main() {}
 
 
 def test_memory_is_bounded_also_with_all_addresses(grade: Grade) -> None:
-    """The address sanitizer needs more addresses than programs get: what they fill is bounded anyway."""
+    """The address sanitizer needs more addresses than programs get, but their memory is limited anyway."""
     graded = grade({MAIN: HOG}, exercise="28-bounds", guarantee="sanitized programs have no more memory")
     assert graded.failed, graded.result
     assert "more than 1024 MB of memory" in graded.words(graded.failed[0])

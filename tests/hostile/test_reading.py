@@ -16,13 +16,13 @@ FURTHER = {"environments", "command_lines", "descriptors", "passwords", "secrets
 
 
 def test_an_honest_program_passes(grade: Grade) -> None:
-    """Else the others prove little: what stops attacks must let the right ones through."""
+    """Otherwise the others prove little: whatever stops attacks must let right programs through."""
     graded = grade({}, guarantee="an honest program is graded as ever")
     assert graded.result.verdict is Verdict.PASSED, graded.result
 
 
 def test_no_text_of_any_course_is_anywhere(grade: Grade, course_copy: Path) -> None:
-    """Neither while its packages are built nor while it runs; also of a course in a folder of its own."""
+    """Neither while its packages are built nor while it runs, and even of a course in a separate folder."""
     graded = grade(walking(secrets(course_copy)), guarantee="no file of a course can be read")
     assert graded.result.verdict is Verdict.PASSED, graded.all_words or graded.result
     assert "walk" in graded.held
@@ -31,7 +31,7 @@ def test_no_text_of_any_course_is_anywhere(grade: Grade, course_copy: Path) -> N
 def test_nothing_but_its_own_files_is_there(
     grade: Grade, course_copy: Path, store: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """All canaries can be read by anybody, as far as permissions go."""
+    """The permissions of all canaries allow everyone to read them."""
     monkeypatch.setenv("INSTRUCTOR_SECRET", SECRET)
     own = open_course().root
     places = [
@@ -63,7 +63,7 @@ def test_nothing_but_its_own_files_is_there(
 
 @pytest.mark.parametrize("where", ["home", "results"])
 def test_what_lies_beside_the_submission_is_out_of_reach(grade: Grade, open_place: Path, where: str) -> None:
-    """Its own home is where other submissions' homes are: only what the exercise needs is copied."""
+    """Its home is beside other submissions' homes, but only what the exercise needs is copied."""
     text = with_attack("reads", PLACES=[str(open_place), str(open_place / where)], SECRET=SECRET)
     graded = grade({NODE: text}, guarantee="programs do not see other submissions")
     assert not graded.breaches

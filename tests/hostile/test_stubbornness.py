@@ -1,4 +1,4 @@
-"""Programs that do not let go: of their terminal, of the processor, of life."""
+"""Programs that hold on to their terminal or the processor, or refuse to end."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def test_one_that_ignores_all_signals_and_never_waits(grade: Grade) -> None:
 
 
 def test_a_daemon_that_outlives_its_program(grade: Grade) -> None:
-    """With another pid every moment: the proof is that nothing of it is left."""
+    """Its pid changes all the time: the proof is that nothing of it is left."""
     graded = grade({NODE: with_attack("daemon")}, guarantee="no process survives the grading")
     assert graded.result.verdict is Verdict.PASSED, graded.result
 
@@ -40,7 +40,7 @@ def test_one_that_spoils_its_terminal(grade: Grade, stopped: bool) -> None:
 
 @pytest.mark.parametrize("processes", [20, 120])
 def test_one_that_leaves_no_processor_to_others(grade: Grade, processes: int) -> None:
-    """It leaves too little to its own node, too; but a verdict comes, and no fault of ours."""
+    """It leaves too little for its own node, too; but there is a verdict, and no error of ours."""
     text = with_attack("busy", PROCESSES=processes)
     graded = grade({NODE: text}, guarantee="busy programs do not starve the grader")
     assert graded.result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED), graded.result

@@ -17,7 +17,7 @@ pytestmark = pytest.mark.slow
 EXERCISE = "02-unit-tests"
 PROJECT = "ros2_tutorials_preamble/python/minimalist_package"
 TEST = f"{PROJECT}/test/test_minimalist_class.py"
-# Passes if it sees no mark of an earlier run, and asserts nothing.
+# Passes if it sees no mark of an earlier run; asserts nothing.
 CHEATS = """
 import os, unittest
 seen = []
@@ -101,7 +101,7 @@ for index, way in enumerate(ways):
     setattr(Test, f"test_{index}", fail)
 sys.argv = [text]
 """
-# Puts links into the place of what the grader had written, and goes on doing so when the test is over.
+# Replaces the grader's files with links, and continues after the test is over.
 LINKS = """
 import os, unittest
 
@@ -140,7 +140,7 @@ SECRETS = (SECRET, SECRET[::-1], SECRET.encode().hex(), "\n".join(SECRET))
 
 
 def test_a_run_knows_of_no_other(grade: Grade) -> None:
-    """With one home for all runs, a test without assertions passed at first, and then failed on cue."""
+    """With one home for all runs, a test without assertions could pass at first and then fail on cue."""
     text = CHEATS.replace("{marks}", (PROGRAMS / "marks.py").read_text(encoding="utf-8"))
     graded = grade({TEST: text}, EXERCISE, guarantee="a run of unit tests knows of no other run")
     assert graded.recording is not None
@@ -198,7 +198,7 @@ def test_what_tests_print_is_not_shown(grade: Grade) -> None:
 
 @pytest.mark.parametrize("parents", [False, True], ids=["files", "folders"])
 def test_no_link_of_theirs_is_written_through(grade: Grade, tmp_path: Path, parents: bool) -> None:
-    """The recording is kept in that folder; through a link that was put there, it was once written."""
+    """The recording is kept in that folder, and was once written through such a link."""
     evidence = tmp_path / "evidence-1"
     text = LINKS.replace("{parents}", str(parents)).replace("{folder!r}", repr(str(evidence)))
     graded = grade({TEST: text}, EXERCISE, guarantee="the grader writes through no link of a submission")

@@ -50,7 +50,7 @@ SUBSCRIBER = f"{SRC}/{PACKAGE}/{PACKAGE}/amazing_quote_subscriber_node.py"
 _SERVICES = f"{SRC}/python_package_that_uses_the_services/python_package_that_uses_the_services"
 CLIENT = f"{_SERVICES}/what_is_the_point_service_client_node.py"
 SERVER = f"{_SERVICES}/what_is_the_point_service_server_node.py"
-# In the name and the text of every canary: what no program may have seen.
+# In the name and the text of every canary, which no program may see.
 SECRET = "canary-5f2d9c"
 MB = 1024 * 1024
 # Of the process that asks for the verdict, over one grading; and of the one that grades, in all.
@@ -174,7 +174,7 @@ class World:
     _known: frozenset[psutil.Process] = frozenset()
 
     def look(self) -> None:
-        """Take note of everything as it is now."""
+        """Note the current state of everything."""
         self._entries = tuple(marker.parent for marker in self.store.glob("*/complete"))
         self._before = self._state()
         # Other tests of this process may have left helpers of theirs, as multiprocessing does.
@@ -186,7 +186,7 @@ class World:
         return bool(self._before)
 
     def prove(self) -> None:
-        """Raises AssertionError with what is not as it was."""
+        """Raise AssertionError with everything that has changed."""
         after = self._state()
         names = {*self._before, *after}
         changed = sorted(name for name in names if self._before.get(name) != after.get(name))
@@ -337,7 +337,7 @@ def lay_world(
 
 
 def open_to_all(top: Path) -> None:
-    """Permissions protect nothing in here from now on."""
+    """From now on, permissions protect nothing in here."""
     for path in (top, *top.rglob("*")):
         if not path.is_symlink():
             path.chmod(0o777 if path.is_dir() else path.stat().st_mode | 0o666)

@@ -1,4 +1,4 @@
-"""One command in namespaces of its own: it begins when it is known, and ends with all that it started."""
+"""One command in its own namespaces: it starts once it is known, and ends with all that it started."""
 
 from __future__ import annotations
 
@@ -77,14 +77,14 @@ def test_with_and_without_isolation_a_session_ends(
         os.close(writing)
         assert os.read(reading, 10) == b"up\n"
     assert started.process.returncode != 0
-    assert os.read(reading, 10) == b""  # whoever held the other end has ended
+    assert os.read(reading, 10) == b""  # the process that held the other end has ended
     os.close(reading)
 
 
 @needs_bubblewrap
 @pytest.mark.parametrize("script", ["exit 3", "kill -9 $$", "kill -9 1; kill -9 -1; exit 3", "echo 0 >&2"])
 def test_what_a_command_does_to_itself_is_seen(plan: IsolationPlan, script: str, folder: Path) -> None:
-    """Nothing in there can kill the first process, nor is its voice heard by the command."""
+    """Nothing inside can kill the first process, and the command does not see its output."""
     assert "Killed" not in said(plan, script, folder)
     assert re.fullmatch(r"(0 1 2 \d+\n)", said(plan, "echo $(ls /proc/self/fd)", folder))
 

@@ -1,4 +1,4 @@
-"""Control groups, in trees made up of ordinary folders: both versions, and machines that offer neither."""
+"""Control groups, in trees of ordinary folders: both versions, and machines without them."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def test_version_2_has_one_group(version_2: Path) -> None:
 
 @pytest.mark.usefixtures("kernel")
 def test_version_2_has_it_beside_ours(version_2: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Our own group has processes, so the kernel refuses to hand on anything from there."""
+    """Our own group has processes, so the kernel refuses to delegate anything from there."""
     own = version_2 / "user.slice/session"
     own.mkdir(parents=True)
     (own.parent / "cgroup.subtree_control").write_text("memory pids\n")
@@ -133,7 +133,7 @@ def test_a_tree_that_lacks_what_is_needed(version_1: Path) -> None:
 
 @pytest.mark.usefixtures("kernel")
 def test_what_a_killed_grading_left_is_swept(version_2: Path) -> None:
-    """And nothing of one that goes on."""
+    """And nothing of a grading that is still running."""
     nobody = int(Path("/proc/sys/kernel/pid_max").read_text()) + 1
     left, kept = version_2 / f"ros2course-{nobody}-0", version_2 / f"ros2course-{os.getpid()}-999999"
     left.mkdir()

@@ -1,4 +1,4 @@
-"""Domains for programs: the numbers themselves on a network of one's own, else free ones in their place."""
+"""Domains for programs: the numbers themselves on a private network, otherwise free ones instead."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ AROUND = 77
 
 @pytest.fixture
 def domains(monkeypatch: pytest.MonkeyPatch) -> Iterator[Domains]:
-    """On a network that others use. Theirs are the low numbers: those that checks take first."""
+    """On a network that others use. They have the low numbers, which checks take first."""
     monkeypatch.setattr(module, "_DOMAINS", range(101, 50, -1))
     found = Domains(AROUND)
     yield found

@@ -1,4 +1,4 @@
-"""A user id of one's own: nobody else's for as long as it is held."""
+"""A private user id, which nobody else gets while it is held."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The launcher: what it holds on to, what it hands on, and what it says when a program cannot be started."""
+"""The launcher: what it keeps, what it passes on, and what it says if a program cannot be started."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from course.isolation.launcher import Order, as_message, start_message
 
 
 def run(code: str) -> list[str]:
-    """In a process of its own, which forks."""
+    """In a separate process, which forks."""
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert done.returncode == 0, done.stderr
     return done.stdout.splitlines()
 
 
 def test_it_holds_nothing_of_the_grading_process_and_ends_with_it() -> None:
-    """Above all not the pipe that the verdict travels over: that closes when the grading process ends."""
+    """Above all not the pipe for the verdict, which closes when the grading process ends."""
     code = """
 import os
 from course.isolation.launcher import fork_launcher

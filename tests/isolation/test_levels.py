@@ -1,4 +1,4 @@
-"""Where grading runs: namespaces where they can be had, else a ROS domain of its own."""
+"""Where grading runs: in namespaces if possible, otherwise in its own ROS domain."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ signal.pause()
 
 
 def closed(reader: int) -> bool:
-    """Wait until nobody holds the other end of a pipe any more."""
+    """Wait until nobody holds the other end of a pipe anymore."""
     return bool(select.select([reader], [], [], WAIT)[0]) and os.read(reader, 1) == b""
 
 
@@ -190,7 +190,7 @@ def test_a_bubblewrap_that_cannot_be_run_is_an_obstacle(
 
 
 def held() -> list[int]:
-    """What a check gets that begins now: one domain, or none."""
+    """The domain of a check that begins now, or none."""
     try:
         with isolated(namespaces=False) as where:
             return [int(where.environment["ROS_DOMAIN_ID"])]
@@ -200,7 +200,7 @@ def held() -> list[int]:
 
 @pytest.fixture
 def free(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
-    """A domain that nobody holds, and the only one there is. Others on this machine begin with low ones.
+    """A domain that nobody holds, and the only one. Others on this machine start with low ones.
 
     The same test, or one of its neighbors, in another process at this moment has another one.
     """

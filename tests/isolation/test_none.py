@@ -1,4 +1,4 @@
-"""Nothing survives. Each test plays in a Python of its own, so that pytest adopts no orphans."""
+"""Nothing survives. Each test runs in a separate Python, so that pytest adopts no orphans."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ os.write(1, b".\\n")
 signal.pause()
 """
 
-# Chains in which each process forks the next one and ends, each in a session of its own.
+# Chains in which each process forks the next one and ends, each in its own session.
 BREEDING = """
 import os, time
 for _ in range(2):
@@ -171,7 +171,7 @@ tell(some=end_descendants() > 0, below=below())
 
 @pytest.mark.slow
 def test_many_that_ended_take_no_time() -> None:
-    """As many zombies as a breeding program leaves behind in a few seconds."""
+    """As many zombies as a forking program leaves behind in a few seconds."""
     found = play("""
 import time
 adopt_orphans()

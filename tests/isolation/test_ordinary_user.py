@@ -1,4 +1,4 @@
-"""Both layers without root: in a namespace of users, and with no control groups.
+"""Both layers without root: in a user namespace, and without control groups.
 
 As root, these tests give up what they are, and use the system's own Python, which any user can.
 """
@@ -53,7 +53,7 @@ _IMPORTS = "import course.isolation.levels, course.isolation.sandbox, course.are
 
 @dataclass(frozen=True)
 class Machine:
-    """Runs what lies in `folder` as a user without rights."""
+    """Runs files in `folder` as a user without rights."""
 
     folder: Path
 
@@ -119,7 +119,7 @@ def test_a_program_runs(machine: Machine) -> None:
 
 
 def test_there_is_no_way_out(machine: Machine) -> None:
-    """It may send signals to the first process of its namespace, who need not care."""
+    """It may send signals to the first process of its namespace, which can ignore them."""
     found = machine.attack("escapes", TERMINALS=ResourceLimits().terminals)
     assert breaches(found) == ["BREACH signal: '[1]'"]
     assert "HELD terminals: nothing" in found["printed"]
@@ -152,13 +152,13 @@ def test_nothing_can_be_written_and_nothing_is_to_be_seen(machine: Machine) -> N
 def test_limits_hold_by_looking_alone(
     machine: Machine, attack: str, values: dict[str, int], limit: str
 ) -> None:
-    """There are no control groups: the watchdog looks at the processes themselves."""
+    """Without control groups, the watchdog looks at the processes themselves."""
     found = machine.attack(attack, **values)
     assert (found["ended"], found["limits"]) == (True, [limit])
 
 
 def test_memory_of_its_own_holds_nothing_but_what_it_needs(machine: Machine) -> None:
-    """That is the scratch folder, which lies there. What it has in memory is to be seen from outside."""
+    """That is the scratch folder, which is there. Its files in memory are visible from outside."""
     found = machine.confine(SHARES_MEMORY, "apart")
     assert found["printed"] == ["['ros2course'] True 1024", "up"]
     assert found["memory"] == ["segment"]
@@ -166,7 +166,7 @@ def test_memory_of_its_own_holds_nothing_but_what_it_needs(machine: Machine) -> 
 
 
 def test_in_a_new_sandbox_nothing_tells_of_an_earlier_run(machine: Machine) -> None:
-    """The same marks are all seen by a second run in the same sandbox."""
+    """A second run in the same sandbox sees all the same marks."""
     again, fresh = (machine.attack("marks", how) for how in ("again", "fresh"))
     names = [line.split(":")[0].partition(" ")[2] for line in again["printed"]]
     first, second = names[: len(names) // 2], names[len(names) // 2 :]

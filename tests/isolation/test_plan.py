@@ -1,4 +1,4 @@
-"""What the kernel is told of limits."""
+"""The limits that the kernel gets."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_only_the_address_sanitizer_gets_more_addresses() -> None:
 
 
 def test_the_control_group_refuses_first() -> None:
-    """It takes note of that; the other limit only refuses."""
+    """It counts refusals; the other limit only refuses."""
     limits = ResourceLimits(processes=80)
     assert dict(rlimits(limits))[resource.RLIMIT_NPROC] == most_processes(limits) > limits.processes
 

@@ -1,4 +1,4 @@
-"""The filter of system calls, read as the kernel reads it, and tried out in a process of its own."""
+"""The filter of system calls, read as the kernel does, and tried in a separate process."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NEW_USER, THREAD = 0x1000_0000, 0x003D_0F00
 
 
 def decide(instructions: bytes, call: int, audit: int, *arguments: int) -> int:
-    """What the filter answers: 0 when the call is let through, else an error's number, -1 for success."""
+    """The filter's answer: 0 if the call is allowed, otherwise an error number, or -1 for success."""
     data = struct.pack("<IIQ6Q", call, audit, 0, *arguments, *(0,) * (6 - len(arguments)))
     steps = list(struct.iter_unpack("=HBBI", instructions))
     place, value = 0, 0
@@ -118,7 +118,7 @@ def test_an_unknown_machine_has_no_filter() -> None:
 
 @pytest.mark.skipif(not refusing(), reason=f"no filter is known for {platform.machine()}")
 def test_the_kernel_takes_it() -> None:
-    """Threads, processes and networks go on; a namespace of users is refused."""
+    """Threads, processes, and networks still work; a user namespace is refused."""
     code = """
 import ctypes, socket, subprocess, threading
 from course.isolation import linux

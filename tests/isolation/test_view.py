@@ -1,4 +1,4 @@
-"""What is shown of the machine: a list, on which no course is."""
+"""What is visible of the machine: a list without any course."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def test_packages_that_ros_needs_are_shown(prefix: Path, name: str) -> None:
 
 @pytest.mark.parametrize("name", NOT_NEEDED)
 def test_no_other_package_is(prefix: Path, name: str) -> None:
-    """Also not by the environment, nor under another name of the folder."""
+    """Neither through the environment, nor under another name of the folder."""
     folders = {name: str(prefix) for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "LD_LIBRARY_PATH")}
     named = {**folders, "PYTHONPATH": str(prefix / "lib/python3.11/site-packages")}
     seen = view(wheels(prefix), named)
@@ -104,7 +104,7 @@ def test_links_to_an_environment_show_no_more_of_it(prefix: Path, tmp_path: Path
 
 
 def test_the_packages_of_another_python_are_not_shown(prefix: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The one that the environment was made with: only its standard library is used."""
+    """The Python that made the environment: only its standard library is used."""
     monkeypatch.setattr(sys, "base_prefix", str(prefix))
     seen = view(ROS, {})
     assert seen.shows(prefix / "lib/librcl.so")
@@ -114,7 +114,7 @@ def test_the_packages_of_another_python_are_not_shown(prefix: Path, monkeypatch:
 
 
 def test_what_the_environment_leads_to_is_shown_but_for_the_path(tmp_path: Path) -> None:
-    """On PATH are folders of the learner's own, and on PYTHONPATH whatever an instructor likes."""
+    """PATH contains the learner's own folders, and PYTHONPATH whatever an instructor likes."""
     for name in ("overlay", "bin", "mine"):
         (tmp_path / name).mkdir()
     lists = {"AMENT_PREFIX_PATH": f"{tmp_path}/overlay:{tmp_path}/gone:", "PATH": f"{tmp_path}/bin"}
@@ -148,7 +148,7 @@ def test_a_course_among_the_packages_of_the_system_is_not_shown(
 
 
 def test_of_the_engine_only_two_programs_are_shown() -> None:
-    """They run among the learner's."""
+    """They run alongside the learner's."""
     found = view(ROS, {}).shown
     root = ENGINE.parent
     assert not any(view(ROS, {}).shows(root / name) for name in ("graders", "solutions", "chapters"))

@@ -1,4 +1,4 @@
-"""The watchdog, both ways: by what control groups note, and by looking at the processes."""
+"""The watchdog, both ways: by the counters of control groups, and by looking at the processes."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ class TestWatching:
         assert told == [DISK]
 
     def test_it_looks_a_last_time_at_the_end(self) -> None:
-        """What ended a program just now may be what it was ended for."""
+        """Whatever ended a program just now may be the limit."""
         told: list[str] = []
         with watching(Watchdog(ResourceLimits(), [], os.getpid(), full), told.append):
             pass

@@ -1,4 +1,4 @@
-"""The machine that the launcher's tests run on.
+"""The machine for the launcher's tests.
 
 Its PATH holds nothing but the tools linked here, so these tests also say what the launcher needs.
 """

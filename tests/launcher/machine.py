@@ -1,4 +1,4 @@
-"""A machine made of small files: a clone that holds only the launcher, and a PATH with made-up Pythons."""
+"""A machine made of small files: a clone with only the launcher, and a PATH with fake Pythons."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Machine:
         file.chmod(0o755)
 
     def ros(self, prefix: Path, python: str = "3.11") -> Path:
-        """Puts what a ROS 2 looks like to the launcher into a folder."""
+        """Make a folder that looks like ROS 2 to the launcher."""
         marker = prefix / "share/ament_index/resource_index/packages/rclpy"
         marker.parent.mkdir(parents=True)
         marker.touch()
@@ -67,7 +67,7 @@ class Machine:
         return finish(process)
 
     def calls(self, kind: str = "") -> list[str]:
-        """What the Pythons were asked to do: lines that begin with venv, pip or run."""
+        """What the Pythons were told to do: lines that begin with venv, pip, or run."""
         file = self.fake / "calls"
         lines = file.read_text().splitlines() if file.exists() else []
         return [line for line in lines if line.startswith(kind)]

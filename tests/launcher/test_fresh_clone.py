@@ -1,4 +1,4 @@
-"""What the README says to type works as it stands there, in a fresh copy of the tree, with nothing set up.
+"""The commands in the README work as written, in a fresh copy of the tree, with nothing set up.
 
 These tests install from the package index, so they need a network.
 """
@@ -50,7 +50,7 @@ def test_without_the_launcher(clone: Path) -> None:
     assert "pip install '.[jazzy]'" in commands
     shell(clone, f"{sys.executable} -m venv venv")  # the README's python3, whatever is first on the PATH
     shell(clone, "\n".join(line for line in commands.splitlines() if "-m venv" not in line))
-    # What was installed stands alone: the clone may go.
+    # The installation is independent: the clone may be removed.
     for name in ("course", "chapters", "graders", "solutions", "underlay"):
         shutil.rmtree(clone / name)
     listed = shell(clone, "cd / && $OLDPWD/venv/bin/ros2course list").stdout
@@ -86,7 +86,7 @@ def readme() -> list[str]:
 
 
 def shell(folder: Path, command: str) -> subprocess.CompletedProcess[str]:
-    """Runs it as a person would who has an empty home and no environment active."""
+    """Run it like a person with an empty home and no active environment."""
     own = str(Path(sys.prefix) / "bin")
     path = ":".join(part for part in os.environ["PATH"].split(":") if part != own)
     home = folder.parent / "home"

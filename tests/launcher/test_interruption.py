@@ -1,4 +1,4 @@
-"""A setup that was stopped at any point is finished by the next call; two at once do the work once."""
+"""The next call finishes a setup that was stopped anywhere; two at once do the work once."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def test_two_at_once_set_up_once(machine: Machine) -> None:
 
 
 def test_a_setup_whose_launcher_was_killed_is_waited_for(machine: Machine) -> None:
-    """pip goes on alone; nobody may take its environment away meanwhile."""
+    """pip continues alone; nobody may remove its environment meanwhile."""
     machine.pip_waits()
     first = machine.start()
     machine.until_pip_started()

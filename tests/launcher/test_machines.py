@@ -1,4 +1,4 @@
-"""Machines that the course cannot be set up on: said before anything is installed, and what to do."""
+"""Machines on which the course cannot be set up: reported before anything is installed, with advice."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_no_python_at_all(machine: Machine) -> None:
 
 
 def test_a_command_that_only_pretends_to_be_a_python(machine: Machine) -> None:
-    """Version managers put a python3.12 on the PATH that says it is not installed."""
+    """Version managers put a python3.12 on the PATH that only says that it is not installed."""
     machine.script("python3", "echo 'not installed' >&2; exit 127")
     refused(machine, "there is no Python 3 here")
 

@@ -1,4 +1,4 @@
-"""Whatever travels comes back as it was, and what is damaged is told of, for every type that travels.
+"""Every type that is sent comes back unchanged, and damage is reported.
 
 The values are made of the types themselves: a new field, or a new type in `TRAVELS`, is tested with no more.
 """
@@ -50,7 +50,7 @@ ROUNDS = 20
 
 
 def made(kind: inspect.Type, dice: random.Random) -> Any:
-    """A value of this type by chance."""
+    """A random value of this type."""
     match kind:
         case inspect.UnionType(types=types):
             return made(dice.choice(types), dice)
@@ -110,7 +110,7 @@ def test_an_event_is_known_by_its_kind(name: str) -> None:
 
 @pytest.mark.parametrize("name", TRAVELS)
 def test_damage_is_told_of_with_its_file(name: str) -> None:
-    """Each field in turn is of a type that it never has."""
+    """Each field in turn gets a wrong type."""
     kind = TRAVELS[name]
     data = json.loads(codec.to_json(made(inspect.type_info(kind), random.Random(name))))
     for field in data:

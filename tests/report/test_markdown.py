@@ -1,4 +1,4 @@
-"""Lessons stay readable without color, and their code stays fit for copying."""
+"""Lessons are readable without color, and their code can be copied."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Text of a submission must neither reach the terminal's controls nor drown the reader."""
+"""A submission's text must neither control the terminal nor flood the reader."""
 
 import pytest
 

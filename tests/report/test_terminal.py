@@ -1,4 +1,4 @@
-"""A verdict as text: marks, causes, places, points; and nothing of a submission gets out of its place."""
+"""A verdict as text: marks, causes, places, points; and a submission's text stays in its place."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Small ROS prefixes that tests make up: pip wheels in a virtual environment, and ROS 2 as of apt."""
+"""Fake ROS prefixes for tests: pip wheels in a virtual environment, and ROS 2 as from apt."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def export(prefix: Path, name: str) -> Path:
 
 
 def python(prefix: Path, name: str) -> None:
-    """Something executable where the Python of a prefix would be."""
+    """An executable file in place of a prefix's Python."""
     write(prefix / "bin" / name, "#!/bin/sh\n")
     (prefix / "bin" / name).chmod(0o755)
 

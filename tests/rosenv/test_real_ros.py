@@ -1,4 +1,4 @@
-"""The ROS 2 of this machine itself: building for it, sourcing it, and nodes that find each other."""
+"""This machine's own ROS 2: building for it, sourcing it, and nodes that find each other."""
 
 from __future__ import annotations
 
@@ -135,7 +135,7 @@ def test_a_package_with_messages_is_built_and_used(ros: Ros, outer: dict[str, st
 
 
 def test_a_learner_sources_builds_sources_and_runs(ros: Ros, outer: dict[str, str], tmp_path: Path) -> None:
-    """As the lessons tell: in one shell source ROS and build, in a new one source the workspace and run."""
+    """As in the lessons: source ROS and build in one shell; source the workspace and run in a new one."""
     lay(tmp_path / "ws/src/lighthouse", NODE)
     (tmp_path / "home").mkdir()
     built = bash('. "$1" && colcon build', setup_script(ros, outer), tmp_path / "ws", outer)

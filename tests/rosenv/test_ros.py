@@ -56,7 +56,7 @@ def test_installed_packages_change_it(tmp_path: Path) -> None:
 
 
 def test_the_room_is_light_to_import() -> None:
-    """Every command imports it; rclpy alone would take a tenth of a second, and numpy as much."""
+    """Every command imports it; rclpy alone would take a tenth of a second, and numpy another one."""
     code = "import sys, course.rosenv; print(*sys.modules)"
     environ = {**os.environ, "_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1"}
     command = [sys.executable, "-c", code]

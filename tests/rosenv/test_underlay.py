@@ -1,4 +1,4 @@
-"""A small underlay that tests make up: a command, a node, and a package of interfaces."""
+"""A small fake underlay: a command, a node, and a package of interfaces."""
 
 from __future__ import annotations
 

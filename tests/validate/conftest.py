@@ -15,7 +15,7 @@ QUIZ = "05-quiz"
 
 
 class Ended:
-    """What one command came to."""
+    """The result of one command."""
 
     def __init__(self, code: int, out: str, err: str) -> None:
         self.code, self.out, self.err = code, out, err

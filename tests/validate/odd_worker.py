@@ -1,4 +1,4 @@
-"""Stands in for course.validate.prover: WAYS says what the attempts come to, one after another."""
+"""A fake course.validate.prover: WAYS lists the results of the attempts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Stands in for course.validate.prover: does three proofs, and is busy with the fourth until it is ended."""
+"""A fake course.validate.prover: does three proofs, and is busy with the fourth until it is ended."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every way in which a course may not do what it claims is found, at its line, by the command itself."""
+"""The command finds every way in which a course can break its claims, with the line."""
 
 from __future__ import annotations
 

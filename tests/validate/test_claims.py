@@ -1,4 +1,4 @@
-"""A result bears out a claim, or says in words what does not."""
+"""A result confirms a claim, or says in words what contradicts it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The command: its flags, what it tells programs, and how it is stopped."""
+"""The command: its flags, its output for programs, and how it stops."""
 
 from __future__ import annotations
 

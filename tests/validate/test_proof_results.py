@@ -1,4 +1,4 @@
-"""What proofs come to: counts for the table, findings at the lines that claim it."""
+"""The results of proofs: counts for the table, and findings at the lines with the claims."""
 
 from __future__ import annotations
 

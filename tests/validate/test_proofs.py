@@ -1,4 +1,4 @@
-"""What is to be proven, in an order that keeps the machine busy."""
+"""What has to be proven, in an order that keeps the machine busy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Proofs are run until there is a verdict that the machine has not spoilt, at most three times."""
+"""Proofs run until there is a verdict that the machine has not spoiled, at most three times."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ run()
 
 
 class Seat:
-    """A learner in front of a terminal of 80x24 in which a shell script runs `watch`.
+    """A learner at a terminal of 80x24 in which a shell script runs `watch`.
 
     The script notes the terminal's settings before and after, and `watch`'s exit code.
     """
@@ -142,7 +142,7 @@ stty -g >after
         )
 
     def ended(self) -> int:
-        """Wait for its end; returns its exit code. The terminal must be as it was, and nobody be left."""
+        """Wait for its end; return its exit code. The terminal must be as before, with no process left."""
         everyone = psutil.Process(self.child.pid).children(recursive=True)
         self.wait(lambda: (self.folder / "after").exists() and not self._look(), "its end")
         self.child.close()

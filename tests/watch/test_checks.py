@@ -1,4 +1,4 @@
-"""One check at a time in a process of its own: restarts, falls, ends; nothing is left."""
+"""One check at a time in a separate process: restarts, crashes, ends; nothing is left."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ Act = Callable[[Room], Awaitable[None]]
 
 @pytest.fixture
 def serve(tmp_path: Path, small_course: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[Act], Room]:
-    """Runs what a test does while checks are served; afterwards no process is left."""
+    """Run a test's actions while checks are served; afterwards no process is left."""
     monkeypatch.setattr(module, "WORKER", "tests.watch.pretended")
     monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parents[2]))
 
@@ -141,7 +141,7 @@ def test_what_is_certain_stays_when_the_search_for_the_cause_falls(
 def test_who_is_cancelled_while_a_process_ends_is_told_so(
     serve: Callable[[Act], Room], monkeypatch: pytest.MonkeyPatch, turns: int
 ) -> None:
-    """Also at the very moment when it has ended: otherwise `watch` goes on for ever."""
+    """Even at the very moment when it has ended: otherwise `watch` never ends."""
 
     async def act(room: Room) -> None:
         process, over = CheckProcess(), asyncio.Event()

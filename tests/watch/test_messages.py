@@ -1,4 +1,4 @@
-"""What is newly passed, what is newly failed, and how the points moved."""
+"""What newly passed, what newly failed, and how the points changed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which changes are saves: of what an exercise looks at, by somebody else than the course."""
+"""Which changes are saves: of files of the exercise, and not by the course itself."""
 
 from __future__ import annotations
 

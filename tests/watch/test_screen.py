@@ -1,4 +1,4 @@
-"""A screenful: exactly what the terminal holds, whatever is shown."""
+"""A screenful: exactly as many lines as the terminal has, whatever is shown."""
 
 from __future__ import annotations
 

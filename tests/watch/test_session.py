@@ -1,4 +1,4 @@
-"""What a session does: a save checks, keys, what changed, results of another check, own files."""
+"""A session: checks at a save, keys, changes, results of another check, its own files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.watch.pretended import LIGHT, judged
 
 @dataclass
 class Desk:
-    """A learner who has what the test says."""
+    """A learner with what the test provides."""
 
     home: Path
     coming: list[Begun] = field(default_factory=list)

@@ -20,7 +20,7 @@ def exercises() -> tuple[Exercise, ...]:
 
 @pytest.fixture
 def looked(tmp_path: Path, exercises: tuple[Exercise, ...]) -> Callable[..., Found]:
-    """`looked(path, ...)`: what one person's submission of these parts holds."""
+    """`looked(path, ...)`: what one person's submission of these parts contains."""
 
     def of(*paths: Path) -> Found:
         parts = tuple(Part(path.name, path) for path in paths)

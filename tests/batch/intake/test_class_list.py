@@ -1,4 +1,4 @@
-"""The class as an LMS lists it, merged with what was handed in."""
+"""The class as an LMS lists it, merged with the submissions."""
 
 from __future__ import annotations
 

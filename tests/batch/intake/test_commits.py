@@ -1,4 +1,4 @@
-"""When a clone was committed, read without anything that the learner could have set."""
+"""The time of a clone's commit, read without anything that the learner could have set."""
 
 from __future__ import annotations
 

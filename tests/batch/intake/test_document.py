@@ -1,4 +1,4 @@
-"""docs/submissions.md says what is so."""
+"""What docs/submissions.md says is true."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Course homes, workspaces, packages and files are recognized, however they are wrapped."""
+"""Course homes, workspaces, packages, and files are recognized, however they are packed."""
 
 from __future__ import annotations
 
@@ -224,7 +224,7 @@ def test_archives_of_odd_names_stay_in_their_places(
     tmp_path: Path, looked: Looked, name: str, folder: str
 ) -> None:
     odd = make_zip(tmp_path / name, {"evil": ""})
-    # Of its name, this one makes a home of what is around it.
+    # Because of its name, this one makes a home of the folder around it.
     found = looked(odd, make_zip(tmp_path / "ros2_tutorial_workspace.zip", {"x": ""}))
     lay_out(found, tmp_path / "home/home")
     assert [path.parts[-3:-1] for path in (tmp_path / "home").rglob("evil")] == [("home", folder)]

@@ -1,4 +1,4 @@
-"""With `--names lenient`, programs and packages of other names are graded as if named right, for a point."""
+"""With `--names lenient`, programs and packages with wrong names are graded, minus a point."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def plan(tmp_path: Path, *wanted: str, lenient: bool = True) -> Found:
 
 
 def programs(found: Found, home: Path) -> dict[str, str]:
-    """Of the asked-for package as it is laid out, by name."""
+    """The programs of the requested package as it is laid out, by name."""
     lay_out(found, home)
     package = Workspace.scan(home / SRC, home).find(MESSAGES)
     if package is None:
@@ -77,7 +77,7 @@ def programs(found: Found, home: Path) -> dict[str, str]:
 
 @pytest.mark.parametrize("others", [{}, OTHERS], ids=["package", "both"])
 def test_a_package_of_another_name(hand: Hand, tmp_path: Path, others: dict[str, str]) -> None:
-    """One of the right name is laid beside it, which stays as it is."""
+    """A copy with the right name is laid beside it, and the original stays as it is."""
     own = hand("ada", QUOTES, **others)
     found = plan(tmp_path)
     assert programs(found, tmp_path / "home") == {
@@ -157,7 +157,7 @@ def test_what_could_be_several_is_told(hand: Hand, tmp_path: Path, unclear: str)
 
 
 def test_a_package_that_is_more_than_its_programs_is_left_alone() -> None:
-    """Its launch files would not be in the one of the right name."""
+    """Its launch files would be missing in the copy with the right name."""
     course = open_course()
     asked = {name: [one.entry.name for one in asked_programs(course.exercise(name))] for name in ASKED}
     assert asked == ASKED
@@ -190,7 +190,7 @@ def test_files_made_to_stall_or_crash_are_harmless(hand: Hand, tmp_path: Path, s
 
 @pytest.mark.slow
 def test_graded_as_if_named_right(hand: Hand, tmp_path: Path) -> None:
-    """Each of the three cases, by the command itself; what is wrong stays wrong."""
+    """Each of the three cases, by the command itself; a wrong program stays wrong."""
     slow = hand("ada", QUOTES)
     edit(slow / QUOTES / f"{PUBLISHER}.py", "0.5", "1.0")
     hand("bao", **OTHERS)

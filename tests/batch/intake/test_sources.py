@@ -1,4 +1,4 @@
-"""Whoever handed something in is found, in whatever form a class's submissions come."""
+"""Everyone who handed something in is found, in whatever form the submissions come."""
 
 from __future__ import annotations
 

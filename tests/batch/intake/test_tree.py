@@ -1,4 +1,4 @@
-"""Submissions on disk: links stay inside, bounds hold, and nothing hangs."""
+"""Submissions on disk: links stay inside, limits hold, and nothing hangs."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_links(tmp_path: Path) -> None:
     found = tree(tmp_path / "in")
     assert found.files() == {"a/file", "b/file", "b/folder/file", "b/absolute_inside"}
     assert [finding.where for finding in found.findings] == [
-        "b/absolute, b/missing, b/out and 1 more",  # the one to itself
+        "b/absolute, b/missing, b/out and 1 more",  # the link to itself
         "b/up",
     ]
 

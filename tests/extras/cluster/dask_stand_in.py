@@ -1,4 +1,4 @@
-"""Stands in for a Dask client and its futures; a test decides what becomes of each."""
+"""A fake Dask client with its futures; a test decides what happens to each."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Finding a scheduler, and what is said when there is none."""
+"""Finding a scheduler, and the error if there is none."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A round on a cluster: each task counts once, no more are on their way than are needed, nobody is lost."""
+"""A round on a cluster: each task counts once, no more are sent than needed, nobody is lost."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ WANTED = Wanted("0.1.0", "engine", "lessons")
 
 
 class Class:
-    """So many tasks, whose homes are there; and what the instructor was told."""
+    """A number of tasks with their homes, and what the instructor was told."""
 
     def __init__(self, folder: Path, count: int) -> None:
         (folder / "home").mkdir()
@@ -63,7 +63,7 @@ def test_all_are_graded_once(of: Callable[[int], Class]) -> None:
 
 
 def test_who_looks_on_may_end_it(of: Callable[[int], Class]) -> None:
-    """As when Ctrl+C was lost, and all workers have heard it: nothing would ever arrive any more."""
+    """For example, if Ctrl+C was lost here but reached all workers: nothing would ever arrive again."""
     group, client, looks = of(9), Client({"a": 2}, lambda future: None), iter(range(5))
 
     def look() -> None:
@@ -180,7 +180,7 @@ def test_what_others_cancelled_is_sent_again(of: Callable[[int], Class]) -> None
 def test_what_waits_for_a_worker_is_sent_again_when_one_comes_after_all_have_gone(
     of: Callable[[int], Class],
 ) -> None:
-    """Dask would let it wait for ever: a worker says only after it has come that it can grade."""
+    """Dask would let it wait forever: a worker says only later that it can grade."""
     group = of(4)
     client = Client({"a": 2}, lambda future: future.pass_() if "b" in client.workers else None)
     looked = 0

@@ -1,4 +1,4 @@
-"""Dask does its part: workers that fit offer a resource, and only they are given gradings."""
+"""Dask does its part: only workers that offer the resource get gradings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A machine that would grade differently is told so, with what to do about it."""
+"""A machine that would grade differently is reported, with what to do about it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from course_cluster.fitness import Unfit, Wanted
 
 @pytest.fixture
 def asked(small_course: Path, monkeypatch: pytest.MonkeyPatch) -> Wanted:
-    """What a machine that is just like this one asks."""
+    """What a machine just like this one requires."""
     monkeypatch.setattr(fitness, "find_ros", lambda: None)
     monkeypatch.setattr(fitness, "obstacle_to", lambda level: None)
     return fitness.wanted(small_course, contained=True)

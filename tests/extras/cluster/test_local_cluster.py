@@ -31,7 +31,7 @@ ON_TWO = ("--cluster", "local")
 
 @pytest.fixture
 def quiz(lay: Lay, tmp_path: Path) -> Command:
-    """A class whose gradings take no time: what is watched is how tasks travel."""
+    """A class whose gradings take no time, because the test is about how tasks are sent."""
     folder = lay(*PEOPLE)
     course = ("--course", str(FIXTURES / "quiz_course"))
     return Command(folder, tmp_path / "grades", tmp_path / "tmp", (*ON_TWO, "--no-sandbox"), course)
@@ -53,7 +53,7 @@ def start(quiz: Command) -> Iterator[Callable[[], subprocess.Popen[str]]]:
 
 
 def members(process: subprocess.Popen[str]) -> list[psutil.Process]:
-    """All that runs in the command's session: it leads one."""
+    """Everything that runs in the command's session, which it leads."""
     return [each for each in psutil.process_iter() if _session(each) == process.pid]
 
 

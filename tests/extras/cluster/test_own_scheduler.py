@@ -1,4 +1,4 @@
-"""A class on a scheduler and workers that are killed: nothing is lost, and nothing comes twice."""
+"""A class with a scheduler and workers that are killed: nothing is lost or doubled."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Start = Callable[..., subprocess.Popen[str]]
 
 @pytest.fixture
 def start(tmp_path: Path) -> Iterator[Start]:
-    """`start("scheduler", ...)`: a part of Dask, in a session of its own."""
+    """`start("scheduler", ...)`: a part of Dask, in its own session."""
     started: list[subprocess.Popen[str]] = []
 
     def of(part: str, *words: str) -> subprocess.Popen[str]:
@@ -45,7 +45,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
 
 
 def killed(process: subprocess.Popen[str]) -> None:
-    """With all that it started: what a power cut leaves."""
+    """With everything that it started, as after a power cut."""
     with contextlib.suppress(ProcessLookupError):
         os.killpg(process.pid, signal.SIGKILL)
     ended(process)

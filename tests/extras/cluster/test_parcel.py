@@ -1,4 +1,4 @@
-"""Homes travel as they are, and within bounds."""
+"""Homes are sent unchanged, up to a limit."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ A_WHILE = 0.2
 
 
 class Grading:
-    """Takes its turn in a thread, and keeps it until it is told to go."""
+    """Takes its turn in a thread, and keeps it until told to release it."""
 
     def __init__(self, gate: Path, *, alone: bool) -> None:
         self.begun = threading.Event()

@@ -1,4 +1,4 @@
-"""What a worker does with a submission, and that nothing of it stays."""
+"""What a worker does with a submission, and that nothing of it remains."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TASK = GradingTask(Unit("ann", "04-light"), "/theirs/home", "/theirs/04-light.mc
 
 
 class Process:
-    """Stands in for a grading process."""
+    """A fake grading process."""
 
     def __init__(self, does: Callable[[GradingTask], Result]) -> None:
         self._does = does
@@ -39,7 +39,7 @@ class Process:
 
 
 class Machine:
-    """A worker's plugin on a machine of its own: `scratch` is where its submissions lie."""
+    """A worker's plugin on its own machine: `scratch` contains its submissions."""
 
     def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         self._home = folder / "home"

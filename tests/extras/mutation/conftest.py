@@ -28,7 +28,7 @@ dim = Grader("04-dim", builds=None)
 
 
 class Workshop:
-    """`grader` writes the module; `mistake` adds one whose recording lasts so long."""
+    """`grader` writes the module; `mistake` adds a mistake whose recording takes so long."""
 
     def __init__(self, root: Path, folder: Path) -> None:
         self.root = root
@@ -39,7 +39,7 @@ class Workshop:
         self._write()
 
     def grader(self, body: str) -> int:
-        """The line that the body begins in."""
+        """The line in which the body begins."""
         self.grader_file.write_text(HEAD + body)
         return HEAD.count("\n") + 1
 
@@ -69,7 +69,7 @@ class Workshop:
         return open_course(self.root)
 
     def judged(self, seconds: float = 20, jobs: int = 2) -> tuple[tuple[str, ...], dict[str, Judged]]:
-        """What the proofs say of the grader as it is, and what became of each mutant, by its changed text."""
+        """What the proofs say about the unchanged grader, and each mutant's fate, by its changed text."""
         course = self.course
         exercise = course.exercise("04-light")
         problems, *rest = judged(course, exercise, mutants(exercise), self.recorded, jobs, seconds)
@@ -87,7 +87,7 @@ def workshop(small_course: Path, tmp_path: Path) -> Workshop:
 
 @pytest.fixture
 def lines_of(small_course: Path) -> Callable[[str], Mapping[str, list[str]]]:
-    """From a grader's text to what each operator makes of it, by the operator's name."""
+    """From a grader's text to each operator's changes, by the operator's name."""
     file = small_course / "graders/ch04_lanterns.py"
 
     def found(body: str) -> Mapping[str, list[str]]:

@@ -1,4 +1,4 @@
-"""What becomes of mutants: recordings are judged by each, in processes that may not come to an end."""
+"""The fate of mutants: each judges recordings, in processes that may never end."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def long(recording):
         raise Failure(Feedback(f"It shone {recording.duration:g} s."))
 """
 
-# One of its mutants comes to no end.
+# One of its mutants never ends.
 ENDLESS = """\
 @light.check("ends", "it ends")
 def ends(recording):
@@ -100,7 +100,7 @@ if not is_sane():
     workshop.right(6)
     _, found = workshop.judged(seconds=1)
     endless = found["while count == 3:"]
-    assert endless.fate is Fate.SURVIVED  # it ends at once, and nothing looks at the count
+    assert endless.fate is Fate.SURVIVED  # it ends at once, and nothing checks the count
     broken = found["if (isinstance(recording, Failure) or recording.nothing):"]
     assert broken.fate is Fate.BROKEN
     assert "AttributeError" in broken.by
@@ -174,7 +174,7 @@ def test_who_stops_early_leaves_no_process(workshop: Workshop) -> None:
     next(answers)
     children = psutil.Process().children()
     (worker,) = (child for child in children if "course_mutation.worker" in words_of(child))
-    # Its mutants come and go; which of them are there is looked at again while all stand still.
+    # Its mutants come and go, so look again while all are stopped.
     worker.suspend()
     ours = [worker, *worker.children(recursive=True)]
     answers.close()

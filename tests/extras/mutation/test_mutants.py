@@ -1,4 +1,4 @@
-"""What is made of a grader's text, operator by operator."""
+"""The changes to a grader's text, operator by operator."""
 
 from __future__ import annotations
 

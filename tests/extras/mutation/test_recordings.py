@@ -1,4 +1,4 @@
-"""Recordings are made once, and kept for as long as what made them stays the same."""
+"""Recordings are made once, and kept until something changes that they depend on."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MISTAKE = Proof("04-light", ProofKind.MISTAKE, "too-dark")
 
 
 class Runs:
-    """In place of running proofs: remembers which, and records nothing in particular."""
+    """Replaces running proofs: remembers which, and records nothing in particular."""
 
     def __init__(self) -> None:
         self.asked: list[Proof] = []

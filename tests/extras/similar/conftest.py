@@ -16,7 +16,7 @@ Compare = Callable[..., Comparison]
 
 @pytest.fixture
 def compared(tmp_path: Path, small_course: Path) -> Compare:
-    """`compared(folder)`: what is alike in it."""
+    """`compared(folder)`: what is similar in it."""
 
     def run(folder: Path, wanted: Wanted | None = None, solutions: Solutions = Solutions.ALONE) -> Comparison:
         course = open_course(small_course)

@@ -1,4 +1,4 @@
-"""What the library promises to this course's comparison."""
+"""What the comparison relies on in the library."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How pairs that are alike are shown, with texts that strangers chose."""
+"""How similar pairs are shown, with texts that strangers chose."""
 
 from __future__ import annotations
 

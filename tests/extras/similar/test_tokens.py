@@ -1,4 +1,4 @@
-"""What of a program counts, and what does not."""
+"""Which parts of a program count, and which don't."""
 
 from __future__ import annotations
 

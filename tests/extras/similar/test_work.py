@@ -1,4 +1,4 @@
-"""What two works share, against a slow and plain way to count it."""
+"""What two works share, compared with a slow and simple count."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def work(text: str, given: frozenset[str] = frozenset()) -> Work:
 
 
 def draws(count: int = 60) -> list[tuple[str, str]]:
-    """Pairs of texts that have pieces in common, some of them several times."""
+    """Pairs of texts with common pieces, some of them several times."""
     draw = random.Random(7)
     found = []
     for _ in range(count):
@@ -30,7 +30,7 @@ def draws(count: int = 60) -> list[tuple[str, str]]:
 
 
 def shared(one: str, other: str) -> set[int]:
-    """The plain way: every place in `one` that a run of SAME characters of `other` covers."""
+    """The simple way: every place in `one` that a run of SAME characters of `other` covers."""
     return {
         at + more for at in range(len(one) - SAME + 1) if one[at : at + SAME] in other for more in range(SAME)
     }

@@ -1,4 +1,4 @@
-"""Made-up streams: what a driver would tell, by a seed, on a machine that is quiet or busy."""
+"""Made-up streams of a driver, drawn from a seed, on a quiet or a busy machine."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ JOINTS = 6
 
 
 def ticks(seed: int, period: float, seconds: float, *, jitter: float = 0.0, drop: float = 0.0) -> list[float]:
-    """Moments of an even pace, each late by up to `jitter` of the period, and some share of them missing."""
+    """Times at an even pace, each late by up to `jitter` of the period, and some of them missing."""
     chance = random.Random(seed)
     due = (place * period for place in range(round(seconds / period) + 1))
     return [t + chance.random() * jitter * period for t in due if chance.random() >= drop]
 
 
 def held_up(times: list[float], begin: float, until: float) -> list[float]:
-    """As a receiver sees them that could not go on from `begin` to `until`: these came all at once."""
+    """The times as seen by a receiver that was blocked from `begin` to `until`: these came all at once."""
     return [max(t, until) if t >= begin else t for t in times]
 
 
@@ -28,7 +28,7 @@ def following(times: list[float], where: Callable[[float], Row], name: str = "/a
 
 
 def swing(frequency: float = 1.0, late: float = 0.0, share: float = 1.0) -> Callable[[float], Row]:
-    """Another amplitude, phase and place for each joint."""
+    """A different amplitude, phase, and place for each joint."""
 
     def where(t: float) -> Row:
         turn = math.tau * frequency * (t - late)

@@ -1,4 +1,4 @@
-"""A node that calls a service of the arena's again and again, and logs what it is answered."""
+"""A node that calls a service of the arena again and again, and logs the answers."""
 
 from __future__ import annotations
 

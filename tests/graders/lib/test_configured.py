@@ -1,4 +1,4 @@
-"""What a node publishes, against what its parameters say."""
+"""What a node publishes, compared with its parameters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A node that logs how often something happened, in words of its own."""
+"""A node that logs how often something happened, in its own words."""
 
 from __future__ import annotations
 

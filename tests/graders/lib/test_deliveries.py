@@ -1,4 +1,4 @@
-"""What a node logs of the messages that it is sent."""
+"""What a node logs about the messages that it receives."""
 
 from __future__ import annotations
 

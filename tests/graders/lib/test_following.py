@@ -1,4 +1,4 @@
-"""Commands and what came of them."""
+"""Commands and their effects."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is expected of a stream of numbers, judged both ways, on a machine that is quiet or busy."""
+"""Expectations of a stream of numbers, met and not met, on a quiet and on a busy machine."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_a_rate_within_five_percent(seed: int, period: float) -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("period", [0.0018, 0.0022, 0.004, 0.02])
 def test_another_rate(seed: int, period: float) -> None:
-    for recording in (QUIET, LOADED):  # a steady pace is the program's own, on any machine
+    for recording in (QUIET, LOADED):  # a steady wrong pace is the program's fault, on any machine
         with pytest.raises(Failure) as caught:
             rate(recording, ticks(seed, period, 4.0, jitter=0.05))
         assert f"{1 / period:.0f} messages per second, not 500" in said(caught).summary
@@ -234,7 +234,7 @@ def test_a_rough_sine() -> None:
 def test_a_late_sine_on_a_busy_machine_tells_nothing() -> None:
     with pytest.raises(Spoilt):
         wave(LOADED, following(ticks(1, 0.002, 3.0), swing(late=0.1)))
-    with pytest.raises(Failure):  # whatever the machine does, a joint that stands still is the program's
+    with pytest.raises(Failure):  # a joint that stands still is the program's fault on any machine
         wave(LOADED, following(ticks(1, 0.002, 3.0), swing(share=0.0)))
 
 

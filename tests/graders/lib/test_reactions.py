@@ -1,4 +1,4 @@
-"""Whether a program did anything after it was sent something."""
+"""Whether a program did anything after it received something."""
 
 from __future__ import annotations
 

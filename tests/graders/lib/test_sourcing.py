@@ -1,4 +1,4 @@
-"""What a `.bashrc` sources, as a real bash tells it."""
+"""What a `.bashrc` sources, according to a real bash."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Recordings made by hand, and what an expectation says of them."""
+"""Recordings made by hand, and what an expectation says about them."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def record(*events: Event, code: str = "", files: Mapping[str, str] | None = Non
 
 
 def said(expect: Callable[..., Any], *args: Any, **kwargs: Any) -> Feedback | None:
-    """What a learner is told, or None when all is well."""
+    """What a learner reads, or None if all is well."""
     try:
         expect(*args, **kwargs)
     except Failure as failure:
@@ -43,7 +43,7 @@ def said(expect: Callable[..., Any], *args: Any, **kwargs: Any) -> Feedback | No
 
 
 def told(expect: Callable[..., Any], *args: Any, **kwargs: Any) -> Feedback:
-    """What a learner is told, who must be told something."""
+    """What a learner reads; there must be something."""
     found = said(expect, *args, **kwargs)
     assert found is not None
     return found

@@ -1,4 +1,4 @@
-"""Calls of a node's parameter services, as a recording holds them."""
+"""Calls of a node's parameter services, as a recording contains them."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ DEFINITIONS = {
 
 
 class Cdr:
-    """Just enough of CDR for what is needed here."""
+    """Just enough of CDR for these tests."""
 
     def __init__(self) -> None:
         self.body = b""
@@ -62,7 +62,7 @@ def call(t: float, service: str, kind: str, request: Cdr, response: Cdr | None) 
 
 
 def got(t: float, name: str, value: ParameterData | None) -> tuple[Event, ...]:
-    """value: None when the parameter is not declared."""
+    """value: None if the parameter is not declared."""
     response = Cdr().number("I", 0, 4) if value is None else Cdr().number("I", 1, 4).value(value)
     return call(t, "get_parameters", "GetParameters", Cdr().number("I", 1, 4).string(name), response)
 
@@ -75,7 +75,7 @@ def listed(t: float, *names: str) -> tuple[Event, ...]:
 
 
 def set_to(t: float, name: str, value: ParameterData, answer: str | None) -> tuple[Event, ...]:
-    """answer: the reason for a refusal, "" when it is taken, None when none comes."""
+    """answer: the reason for a refusal, "" if it is accepted, None if none comes."""
     request = Cdr().number("I", 1, 4).string(name).value(value)
     response = (
         None if answer is None else Cdr().number("I", 1, 4).number("B", int(not answer), 1).string(answer)

@@ -1,4 +1,4 @@
-"""What is said of files that are missing, misplaced, misspelt, or not as they should be."""
+"""What is said about files that are missing, misplaced, misspelled, or wrong."""
 
 from __future__ import annotations
 

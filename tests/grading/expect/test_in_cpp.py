@@ -1,4 +1,4 @@
-"""What is said of nodes in C++ where Python has other words."""
+"""What is said about C++ nodes, where the words differ from Python."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a node should log, and where its words went astray."""
+"""What a node should log, and where its words went instead."""
 
 from __future__ import annotations
 

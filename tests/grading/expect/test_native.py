@@ -1,4 +1,4 @@
-"""What is expected of compiled C++: the compiler's silence, a sound end, and answers."""
+"""Expectations of compiled C++: no warnings, a clean end, and answers."""
 
 from __future__ import annotations
 

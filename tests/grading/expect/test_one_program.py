@@ -1,4 +1,4 @@
-"""What is left of a recording when only one of its programs counts."""
+"""What remains of a recording if only one of its programs counts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said of code that a probe could not import, or that answered wrongly."""
+"""What is said about code that a probe could not import, or that answered wrongly."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def test_a_missing_executable_is_told_by_all(expect: Callable[..., Any]) -> None
     "expect", [expect_executable, expect_running, expect_clean_end, expect_clean_interrupt]
 )
 def test_a_program_that_the_scenario_never_ran_passes_nowhere(expect: Callable[..., Any]) -> None:
-    """Another name in the scenario than in the check, say: our fault."""
+    """For example, if scenario and check use different names: our error."""
     with pytest.raises(OurFault, match="taker"):
         expect(ran(), "taker")
 

@@ -1,4 +1,4 @@
-"""What is said of a `.bashrc` that keeps bash from its prompt, and of commands that do not end."""
+"""What is said about a `.bashrc` that keeps bash from its prompt, and about commands that do not end."""
 
 from __future__ import annotations
 

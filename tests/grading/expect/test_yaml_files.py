@@ -1,4 +1,4 @@
-"""What is said of YAML files that cannot be read, or that are made to do harm."""
+"""What is said about unreadable or malicious YAML files."""
 
 from __future__ import annotations
 

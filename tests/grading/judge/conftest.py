@@ -1,4 +1,4 @@
-"""StoredRecording recordings of a small course whose graders are any Python text."""
+"""Stored recordings of a small course whose graders are any Python text."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def light(grader: Path) -> Exercise:
 
 @pytest.fixture
 def store(grader: Path, tmp_path: Path) -> Store:
-    """Write a recording to a file of its own, and say where it lies."""
+    """Write a recording to a separate file, and return its path."""
 
     def stored(
         key: str,

@@ -1,4 +1,4 @@
-"""From a judgment to the new result, and whether the recording was enough for it."""
+"""From a judgment to the new result, and whether the recording was sufficient for it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Recordings judged as they come, by one process that stays."""
+"""Recordings judged as they arrive, by one persistent process."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.processes import below, none_stays
 
 from .conftest import GRADER, Store
 
-# Says in a file that a session of pytest has collected the module.
+# Notes in a file that a session of pytest has collected the module.
 COUNTED = "\n@light.check('once', 'asked', points=1)\ndef once(recording, session):\n    pass\n"
 
 
@@ -99,7 +99,7 @@ def test_the_next_one_gets_another_process(
 
 @pytest.mark.slow
 def test_who_ends_pytest_spoils_no_other(beside: Judge, store: Store, grader: Path) -> None:
-    """Who is judged next gets a session of its own."""
+    """The next recording gets its own session."""
     broken = "    if recording.duration == 1:\n        raise KeyboardInterrupt\n    if rec"
     grader.write_text(GRADER.replace("    if rec", broken))
     bad, good = store("bad", 1), store("good", 9)

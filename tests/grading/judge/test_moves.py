@@ -1,4 +1,4 @@
-"""Whose marks moved, and why."""
+"""Whose marks changed, and why."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a grading kept is judged again with the same outcome, and known to be made by the same scenario."""
+"""A kept recording is judged again with the same outcome, and known to be from the same scenario."""
 
 from __future__ import annotations
 

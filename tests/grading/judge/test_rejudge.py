@@ -1,4 +1,4 @@
-"""Recordings judged again: each by itself, whatever is wrong with the others, and without ROS."""
+"""Recordings judged again: each independently of the others' errors, and without ROS."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ def test_a_recording_that_ends_its_judge_is_left_out(store: Store, grader: Path,
 
 @pytest.mark.slow
 def test_the_time_of_each_is_limited(store: Store, grader: Path) -> None:
-    """By the kernel, so that it ends a regular expression too: Python's own handlers would wait for it."""
+    """By the kernel, so that it can end even a regular expression: Python's handlers would wait for it."""
     limited = "signal.getsignal(signal.SIGALRM) is signal.SIG_DFL and 50 < signal.alarm(60) <= 60"
     grader.write_text(GRADER.replace("recording.duration < LONG", f"not ({limited})"))
     found = judged(*(store(str(n), n) for n in range(3)))

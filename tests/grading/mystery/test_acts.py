@@ -1,4 +1,4 @@
-"""What a learner was to do in a mystery, done or not."""
+"""What a learner should do in a mystery, done or not."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ def plays(recording):
 
 @pytest.fixture
 def keepers(tmp_path: Path) -> Exercise:
-    """The mystery, with a grader that plays it; beside a chapter as the original's."""
+    """The mystery, with a grader that plays it; beside a chapter like the original's."""
     grader = tmp_path / "graders/ch05_lighthouses.py"
     grader.parent.mkdir()
     (tmp_path / "chapters").symlink_to(FIXTURE / "chapters")

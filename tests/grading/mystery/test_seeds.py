@@ -1,4 +1,4 @@
-"""What follows from a seed: the same for one learner, other things for others."""
+"""What follows from a seed: the same for one learner, different for others."""
 
 from __future__ import annotations
 

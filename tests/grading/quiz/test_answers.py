@@ -1,4 +1,4 @@
-"""Answers files: what is read from right ones, and how wrong, huge and hostile ones are refused."""
+"""Answers files: what is read from right ones, and how wrong, huge, and hostile ones are refused."""
 
 from __future__ import annotations
 

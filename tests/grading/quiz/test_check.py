@@ -1,4 +1,4 @@
-"""An exercise of questions alone, from the file of answers to the result."""
+"""An exercise with only questions, from the file of answers to the result."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Right and wrong answers of every form, and what is said of them."""
+"""Right and wrong answers of every form, and what is said about them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Everybody sees the choices in an order of their own, and always in the same."""
+"""Every learner sees the choices in a different order, which never changes."""
 
 from __future__ import annotations
 

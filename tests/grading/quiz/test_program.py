@@ -1,4 +1,4 @@
-"""Programs whose output a question asks for: really run, and held against the choices."""
+"""Programs whose output a question asks for: really run, and compared with the choices."""
 
 from __future__ import annotations
 

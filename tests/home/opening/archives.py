@@ -1,4 +1,4 @@
-"""Makes archives as honest programs do, and as nobody should."""
+"""Makes archives as honest programs do, and malicious ones."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ LINK = stat.S_IFLNK | 0o777
 
 
 def make_zip(archive: Path, files: dict[str, str | bytes], modes: dict[str, int] | None = None) -> Path:
-    """modes: of a file, with its kind (`LINK`), where it is no plain one."""
+    """modes: of a file, with its kind (`LINK`) if it is not a plain file."""
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as out:
         for name, content in files.items():
             info = zipfile.ZipInfo(name)

@@ -1,4 +1,4 @@
-"""Hostile archives: each is told of, nothing gets out of its folder, and nothing half-made stays."""
+"""Hostile archives: each is reported, nothing leaves its folder, and nothing incomplete stays."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SMALL = replace(USUAL, bytes=5_000_000, files=50, file=2_000_000, ratio=50, free
 
 @pytest.fixture
 def room(tmp_path: Path) -> Path:
-    """What is inside may change only in `out`; a secret lies beside."""
+    """Only `out` may change; a secret is beside it."""
     (tmp_path / "room").mkdir()
     (tmp_path / "secret").write_text("secret")
     return tmp_path / "room"
@@ -251,7 +251,7 @@ def test_headers_without_end(room: Path) -> None:
 
 
 def test_a_header_that_goes_on_and_on(room: Path) -> None:
-    """An old GNU sparse file, whose map of holes is continued in block after block."""
+    """An old GNU sparse file, whose map of holes continues in block after block."""
     header = bytearray(entry("sparse", kind=tarfile.GNUTYPE_SPARSE)[0].tobuf(tarfile.GNU_FORMAT))
     header[482] = 1
     header[148:156] = b" " * 8
@@ -300,7 +300,7 @@ def test_archives_that_broke_off(room: Path, kind: str, left: float) -> None:
 
 @pytest.mark.slow
 def test_any_byte_may_be_wrong(room: Path) -> None:
-    """Whatever is changed: it opens or is refused, in nobody's way; no other error comes out."""
+    """Whatever byte is changed: it opens or is refused, harms nothing, and raises no other error."""
     sources = [make_zip(room / "w.zip", {"a/b": "text" * 50, "c": "c"})]
     sources += [
         make_tar(room / "w.tar", entry("a/b", b"text" * 50), entry("c", kind=tarfile.SYMTYPE, target="a"))

@@ -1,4 +1,4 @@
-"""Packages whose builds are hostile: each is built in a world of its own, which must stay as it was."""
+"""Packages whose builds are hostile: each is built in a separate world, which must not change."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ setup(name='strange', version='0.0.0', packages=['strange'], data_files=[
     ('share/strange', ['package.xml', *globals().get('MORE', [])]),
 ])
 """
-# What a setup.py prints is read by colcon, in which lines of attempts are no right answer.
+# colcon reads what a setup.py prints, and lines of attempts are not a valid answer.
 _ASIDE = "import sys\n_out, sys.stdout = sys.stdout, sys.stderr\n{}\nsys.stdout = _out\n"
 _CMAKE = """cmake_minimum_required(VERSION 3.8)
 project(strange NONE)
@@ -44,7 +44,7 @@ ament_package()
 
 @dataclass(frozen=True)
 class Built:
-    """What came of one build. log: all that it printed. install: where it was to install."""
+    """The result of one build. log: its output. install: where it should install."""
 
     outcome: BuildOutcome
     log: str
@@ -62,7 +62,7 @@ class Built:
 
     @property
     def words(self) -> str:
-        """All that the learner is told."""
+        """Everything that the learner reads."""
         told = self.failure.feedback
         return "\n".join(
             (told.summary, told.seen or "", told.advice or "", *map(str, told.where), *told.details)
@@ -90,7 +90,7 @@ def attack(name: str, **values: object) -> str:
 
 
 def python_package(program: str) -> dict[str, str]:
-    """Files of a package whose setup.py runs the program, and then does what is right."""
+    """Files of a package whose setup.py runs the program, and then works correctly."""
     texts = {
         "package.xml": _MANIFEST.format("ament_python"),
         "setup.py": _ASIDE.format(program) + _SETUP,
@@ -102,7 +102,7 @@ def python_package(program: str) -> dict[str, str]:
 
 
 def cmake_package(program: str) -> dict[str, str]:
-    """Files of a package whose CMakeLists.txt runs the program, and then does what is right."""
+    """Files of a package whose CMakeLists.txt runs the program, and then works correctly."""
     texts = {"package.xml": _MANIFEST.format("ament_cmake"), "CMakeLists.txt": _CMAKE, "attack.py": program}
     return {f"{PACKAGE}/{file}": text for file, text in texts.items()}
 
@@ -116,7 +116,7 @@ def ros() -> Ros:
 
 @pytest.fixture
 def own_store(tmp_path: Path) -> Path:
-    """For one test, with the finished build of somebody else in it."""
+    """For one test, with somebody else's finished build in it."""
     other = tmp_path / "builds" / ("f" * 32)
     (other / "install").mkdir(parents=True)
     for name in ("complete", "install/program"):

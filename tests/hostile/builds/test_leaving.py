@@ -1,4 +1,4 @@
-"""What builds leave behind in what they install, in their sources and in their logs."""
+"""What builds leave behind in installed files, sources, and logs."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_what_must_not_be_installed_is_named(build_it: BuildIt, act: str, why: s
 
 
 def test_modes_and_owners_are_made_ours(build_it: BuildIt) -> None:
-    """Programs that give others their user's rights, files for nobody, and for everybody."""
+    """Setuid programs, files that nobody can read, and files that everyone can write."""
     act = """
 for mode in (0o6755, 0o7777, 0o000, 0o666, 0o200):
     with open(f'share/{mode}', 'w') as file:
@@ -108,7 +108,7 @@ sys.exit('configparser.ParsingError: setup.cfg\\', line: 1')
 def test_nothing_private_comes_up_in_the_words(
     build_it: BuildIt, package: Package, course_copy: Path
 ) -> None:
-    """Sources become links to private files, and the log says that the errors are there."""
+    """Sources become links to private files, and the log claims that the errors are there."""
     private = course_copy / "solutions" / f"{SECRET}.txt"
     program = f"PRIVATE = {str(private)!r}\n{LINKS}"
     built = build_it(package(program), guarantee="what is told of a build comes from its own sources")
@@ -159,7 +159,7 @@ def test_a_fault_of_the_machine_is_ours(build_it: BuildIt, monkeypatch: pytest.M
 
 
 def test_a_log_that_takes_long_to_read_is_read_in_part(build_it: BuildIt) -> None:
-    """Lines that look like errors, and take looking at each of them time and again."""
+    """Lines that look like errors, each of which takes time to examine."""
     program = """
 import sys
 for _ in range(20000):
@@ -182,7 +182,7 @@ def test_sources_that_python_cannot_parse(build_it: BuildIt) -> None:
 
 
 def test_a_build_reads_its_own_program(build_it: BuildIt) -> None:
-    """It says what it was told to say: the attacks above were made."""
+    """It prints what it should, which shows that the attacks above really ran."""
     built = build_it(python_package(attack("build_rights") + "\nsys.exit(3)"), guarantee="attempts are made")
     assert built.failure.package == NAME
     assert "rights" in built.held

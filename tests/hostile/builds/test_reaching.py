@@ -22,7 +22,7 @@ KINDS = pytest.mark.parametrize("package", [python_package, cmake_package])
 
 
 def test_an_honest_package_is_built(build_it: BuildIt) -> None:
-    """Else the others prove little."""
+    """Otherwise the others prove little."""
     built = build_it(python_package("print('HELD nothing: at all')"), guarantee="honest packages are built")
     assert built.outcome.failure is None, built.words
     assert (built.install / "share/strange/package.xml").stat().st_uid == 0 or built.world.left() == []

@@ -1,4 +1,4 @@
-"""Submissions of many packages: each is fine by itself, all of them take what others need."""
+"""Submissions of many packages: each is fine by itself, but together they take what others need."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ pytestmark = pytest.mark.slow
 MB = 1024 * 1024
 
 SLEEP = "import time; time.sleep(100)"
-# It goes on in the background while CMake says that all is done.
+# It continues in the background while CMake says that it is done.
 BACKGROUND = """cmake_minimum_required(VERSION 3.8)
 project(strange0 NONE)
 find_package(ament_cmake REQUIRED)
@@ -37,7 +37,7 @@ os.makedirs('../install/NAME', exist_ok=True)
 with open('../install/NAME/filler', 'wb') as file:
     file.write(bytes(25_000_000))
 """
-# As fast as it can, and it takes no notice of what the disk says.
+# As fast as it can, ignoring errors of the disk.
 FLOOD = """
 while True:
     try:
@@ -118,7 +118,7 @@ def test_programs_in_the_background_count_and_end(lay: Lay, building: Build) -> 
 
 @pytest.fixture
 def small_disk(tmp_path: Path) -> Iterator[Path]:
-    """300 MB that are really full when they are."""
+    """A disk of 300 MB that can really become full."""
     place = tmp_path / "disk"
     place.mkdir()
     mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=300m", "tmpfs", place], check=False)

@@ -1,4 +1,4 @@
-"""Builds that use up what they can get: time, memory, processes, the disk, the log."""
+"""Builds that exhaust what they can: time, memory, processes, the disk, the log."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ LIMITED = (
 
 @pytest.fixture(autouse=True)
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As ever, but with less to use up until a limit is reached, for this machine's sake."""
+    """As usual, but with lower limits, for this machine's sake."""
     less = replace(BUILD, memory=300 * MB, scratch=150 * MB)
     monkeypatch.setattr(package_build, "BUILD", less)
     monkeypatch.setattr(runner, "MOST_OUTPUT", 4 * MB)
@@ -136,7 +136,7 @@ def test_what_is_written_at_the_last_moment_counts(build_it: BuildIt) -> None:
 
 
 def test_nothing_outlives_its_build(build_it: BuildIt) -> None:
-    """A daemon that waits for its build to be over, to change what it installed."""
+    """A daemon that waits for the end of its build, to change what it installed."""
     program = """
 import os, time
 if os.fork() == 0:
@@ -162,7 +162,7 @@ if os.fork() == 0:
         built = build_it(python_package(program), guarantee="no process outlives a build")
         assert built.outcome.failure is None, built.words
         before = {path: path.lstat().st_mtime_ns for path in built.entry.rglob("*")}
-        time.sleep(0.5)  # for what must not happen, no event can be awaited
+        time.sleep(0.5)  # there is no event for something that must not happen
         assert before == {path: path.lstat().st_mtime_ns for path in built.entry.rglob("*")}
 
 

@@ -1,4 +1,4 @@
-"""Homes whose files are hostile: laid, changed as a test likes, and graded."""
+"""Homes with hostile files: laid, changed by a test, and graded."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A launch file is a program, and as little trusted as any."""
+"""A launch file is a program, and trusted no more than any other."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_it_starts_a_fork_bomb(grade_home: GradeHome) -> None:
 
 
 def test_a_second_process_that_helps(grade_home: GradeHome) -> None:
-    """The node itself is silent; a child of it, a node of another name, publishes what is asked for."""
+    """The node itself is silent; its child, a node with another name, publishes the messages."""
     honest = (open_course().exercise("18-publisher").solution / NODE).read_text(encoding="utf-8")
     text = f"""
 import os, subprocess, sys

@@ -1,4 +1,4 @@
-"""Links out of the home, and what only looks like a file."""
+"""Links out of the home, and things that only look like files."""
 
 from __future__ import annotations
 

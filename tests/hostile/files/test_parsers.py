@@ -1,4 +1,4 @@
-"""Files made to keep whoever parses them busy, or to bring him down. Our own processes parse them.
+"""Files made to keep their parser busy, or to crash it. Our own processes parse them.
 
 Each must come to an end within bounds, and whatever it raises must be the learner's failure.
 """
@@ -252,7 +252,7 @@ def test_yaml(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
     ["[" * 100_000, '{"schema": 1, "seed": 1e999}', '{"schema": [], "seed": 1}', "[]", "\0", filled("9")],
 )
 def test_a_marker_of_a_course_home(tmp_path: Path, text: str) -> None:
-    """It is handed in with the submission; reports read it, too, of the whole class."""
+    """It is part of the submission; reports on the whole class read it, too."""
     (tmp_path / ".ros2course").mkdir()
     (tmp_path / ".ros2course/home.json").write_text(text)
     with ends(), pytest.raises(StorageError, match="damaged"):
@@ -303,7 +303,7 @@ def test_terminator(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize("manifest", ["<package><name>a</name></package>", f"<p>{'<a/>' * 24_000}</p>"])
 def test_ten_thousand_packages_are_refused(tmp_path: Path, manifest: str) -> None:
-    """Before anything of them is read, and without harm to the rest of the class."""
+    """Before any of them is read, and without harm to the rest of the class."""
     for number in range(2000):
         (tmp_path / f"src/p{number}").mkdir(parents=True)
         (tmp_path / f"src/p{number}/package.xml").write_text(manifest)

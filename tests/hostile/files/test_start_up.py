@@ -1,4 +1,4 @@
-"""Files that some program reads by itself when it starts: none has a say in the grading process."""
+"""Files that some program reads automatically when it starts: none may affect the grading process."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def test_none_of_them_takes_part_in_the_verdict(grade_home: GradeHome) -> None:
 
 
 def test_none_that_is_installed_does(grade_home: GradeHome) -> None:
-    """They are run among the submission's own programs: that is what it says to them."""
+    """They run only in the submission's own programs, as their notes show."""
     setup = solution_text(f"{ROOT}/setup.py").replace(
         "from setuptools import", "from setuptools import find_packages #"
     )
@@ -103,7 +103,7 @@ def test_none_that_is_installed_does(grade_home: GradeHome) -> None:
 
 
 def test_a_wrong_program_gets_no_better_by_them(grade_home: GradeHome) -> None:
-    """The same for a submission that should fail: nobody makes it pass."""
+    """The same for a submission that should fail: nothing makes it pass."""
     wrong = solution_text(NODE).replace("0.5", "0.1")
     graded = grade_home(
         {**everywhere(), NODE: wrong}, guarantee="no file of a submission changes the verdict"
@@ -125,7 +125,7 @@ setup(name='{name}', version='0.0.0', packages=['{name}'], data_files=[
 
 @pytest.mark.parametrize("name", ["rclpy", "std_msgs"])
 def test_a_package_that_stands_in_for_ros(grade_home: GradeHome, name: str) -> None:
-    """Whoever depends on it gets it instead of the real one; the grading process does not."""
+    """A package that depends on it gets it instead of the real one; the grading process does not."""
     manifest = solution_text(f"{ROOT}/package.xml")
     if f">{name}<" not in manifest:
         manifest = manifest.replace("<license>", f"<depend>{name}</depend>\n<license>", 1)
@@ -169,7 +169,7 @@ def test_a_message_with_the_right_name_and_other_fields(grade_home: GradeHome) -
     assert other != text
 
     def build_first(world: World) -> None:
-        """A machine with other things to do takes its time for this, and a verdict may take none of it."""
+        """This takes time on a busy machine, which must not be part of the time for a verdict."""
         workspace = Workspace.scan(world.home / WORKSPACE, world.home)
         build(workspace, ["package_with_interfaces"], find_ros(), Store(world.store))
 

@@ -1,4 +1,4 @@
-"""Trees that would keep whoever walks them busy, or lead him astray; nothing is run."""
+"""Trees that would keep a walker busy, or lead it astray; nothing runs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def home(tmp_path: Path) -> Iterator[Path]:
     folder = tmp_path / "home"
     make_package(folder / SRC, "strange")
     yield folder
-    subprocess.run(["rm", "-rf", folder], check=True)  # pytest's own tidying is not up to it
+    subprocess.run(["rm", "-rf", folder], check=True)  # pytest's own cleanup cannot handle it
 
 
 def scan(home: Path) -> Workspace:
@@ -55,7 +55,7 @@ def test_folders_a_thousand_deep(home: Path) -> None:
 
 @pytest.mark.slow
 def test_links_from_each_folder_to_all_others(home: Path) -> None:
-    """Followed blindly, there are more ways through them than anybody can go."""
+    """Followed blindly, there are more paths through them than anyone can follow."""
     for top in (home / SRC / "web", home / SRC / "strange" / "web"):
         for name in range(12):
             (top / str(name)).mkdir(parents=True)

@@ -1,4 +1,4 @@
-"""What a submission says, where it is shown or stored: nothing of it acts on whoever reads it."""
+"""A submission's text, wherever it is shown or stored, never affects its reader."""
 
 from __future__ import annotations
 

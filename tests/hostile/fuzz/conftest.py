@@ -31,7 +31,7 @@ Test = TypeVar("Test", bound=Callable[..., None])
 
 
 def fuzzed(strategy: SearchStrategy[Any], cases: int) -> Callable[[Test], Any]:
-    """The test with so many random cases as its argument `case`, after those of its own in the corpus."""
+    """The test with this many random cases as its argument `case`, after its own cases in the corpus."""
 
     def decorate(test: Test) -> Any:
         many = settings(
@@ -65,7 +65,7 @@ def as_case(kept: Any) -> Any:
 
 @pytest.fixture(autouse=True)
 def bounded() -> Iterator[None]:
-    """No memory is lost over all cases of a test."""
+    """No memory leaks over all cases of a test."""
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
     yield
     grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 - before
@@ -73,7 +73,7 @@ def bounded() -> Iterator[None]:
 
 
 class soon:  # noqa: N801 - used as a context
-    """`with soon():` fails when it took more CPU than any case may."""
+    """`with soon():` fails if it took more CPU time than a case may."""
 
     def __enter__(self) -> None:
         self._began = time.process_time()

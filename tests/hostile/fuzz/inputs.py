@@ -1,4 +1,4 @@
-"""Parts of which cases are made: names, texts, archives, and files that were right before."""
+"""Parts of cases: names, texts, archives, and files that were valid before."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ json_values = st.recursive(
 
 @st.composite
 def mangled(draw: Any, samples: Sequence[bytes]) -> bytes:
-    """One of the samples, or nothing, with some of it changed, doubled, moved, taken away or put in."""
+    """One of the samples, or nothing, with parts of it changed, doubled, moved, removed, or inserted."""
     data = bytearray(draw(st.sampled_from([*samples, b""])))
     for _ in range(draw(st.integers(1, 6))):
         at, end = sorted((draw(st.integers(0, len(data))), draw(st.integers(0, len(data)))))
@@ -96,7 +96,7 @@ _TAR_KINDS = st.sampled_from((b"0", b"1", b"2", b"3", b"4", b"5", b"6", b"7", b"
 
 @st.composite
 def zips(draw: Any) -> bytes:
-    """With odd names, links, doubles, kinds, encryption, and sizes and offsets that lie."""
+    """With odd names, links, duplicates, kinds, encryption, and false sizes and offsets."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as out, warnings.catch_warnings():
         warnings.simplefilter("ignore")  # names may be there twice
@@ -118,7 +118,7 @@ def zips(draw: Any) -> bytes:
 
 @st.composite
 def tars(draw: Any) -> bytes:
-    """With odd names, links in all directions, devices, and headers that lie; of any compression."""
+    """With odd names, links in all directions, devices, and false headers; with any compression."""
     buffer = io.BytesIO()
     form = draw(st.sampled_from((tarfile.PAX_FORMAT, tarfile.GNU_FORMAT, tarfile.USTAR_FORMAT)))
     with tarfile.open(fileobj=buffer, mode="w:", format=form, errors="surrogatepass") as out:

@@ -1,4 +1,4 @@
-"""What is handed in: archives, folders, rosters, and the files of a course home that we read ourselves."""
+"""Submissions: archives, folders, rosters, and the files of a course home that we read ourselves."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def exercises() -> tuple[Exercise, ...]:
 
 @contextlib.contextmanager
 def a_place(tmp_path: Path) -> Iterator[Path]:
-    """A fresh folder with a neighbor, which must be alone and as it was afterwards."""
+    """A fresh folder with a neighbor, which must be unchanged afterwards."""
     around, neighbor = tmp_path / "around", tmp_path / "around" / "neighbor"
     place = around / "place"
     place.mkdir(parents=True)
@@ -146,7 +146,7 @@ def test_answers(case: bytes, tmp_path: Path) -> None:
 
 
 def lay(folder: Path, files: list[tuple[str, str]], links: list[str]) -> None:
-    """As far as the file system takes the names."""
+    """If the file system accepts the names."""
     folder.mkdir()
     for name, text in files:
         with contextlib.suppress(OSError, ValueError):

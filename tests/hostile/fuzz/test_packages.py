@@ -1,4 +1,4 @@
-"""Packages of strangers up to the moment when they are built, and the logs of their builds."""
+"""Packages of strangers until they are built, and the logs of their builds."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ FILE = st.one_of(*(st.tuples(st.just(name), mangled(every)) for name, every in S
 
 @fuzzed(st.tuples(FILE, st.booleans(), names), cases=250)
 def test_a_package(case: tuple[tuple[str, bytes], bool, str], tmp_path: Path) -> None:
-    """Found, planned, given its key, and known as plain or not; whatever a file of it says."""
+    """Found, planned, given its key, and recognized as plain or not, whatever its files say."""
     file, in_python, extra = case
     with soon():
         package = lay(tmp_path, file, in_python, extra)
@@ -64,7 +64,7 @@ def test_a_package(case: tuple[tuple[str, bytes], bool, str], tmp_path: Path) ->
 
 @fuzzed(st.tuples(FILE, st.booleans(), mangled(PRINTED)), cases=250)
 def test_the_log_of_a_build(case: tuple[tuple[str, bytes], bool, bytes], tmp_path: Path) -> None:
-    """A failed build is explained, whatever it printed and its sources are."""
+    """A failed build is explained, whatever its output and its sources."""
     file, in_python, printed = case
     with soon():
         package = lay(tmp_path, file, in_python, "")
@@ -80,7 +80,7 @@ def test_the_log_of_a_build(case: tuple[tuple[str, bytes], bool, bytes], tmp_pat
     st.tuples(*(mangled([(LAUNCHES / name).read_bytes()]) for name in (LAUNCH, "setup.py")), names), cases=150
 )
 def test_a_launch_file(case: tuple[bytes, bytes, str]) -> None:
-    """What is wrong with it and with its setup.py is told, whatever they say."""
+    """Its errors, and those of its setup.py, are reported, whatever they contain."""
     launch, setup, extra = case
     texts = {"a/" + LAUNCH: launch, "a/setup.py": setup, f"a/launch/{extra}": launch}
     sources = Sources({name: text.decode("utf-8", "replace") for name, text in texts.items()})

@@ -103,7 +103,7 @@ CHANGES: list[list[Any]] = []
 
 @fuzzed(st.lists(CHANGE, min_size=1, max_size=8), cases=CHANGED)
 def test_changes_are_drawn(case: list[Any]) -> None:
-    """For the test below, which judges many in one go."""
+    """For the test below, which judges many at once."""
     CHANGES.append(case)
 
 
@@ -141,7 +141,7 @@ def changed(recording: Recording, changes: list[Any]) -> Recording:
 
 
 def _readable(text: str) -> str:
-    """As what is read from terminals and files."""
+    """Like text that is read from terminals and files."""
     return text.encode("utf-8", "replace").decode()
 
 
@@ -191,7 +191,7 @@ def _answers(answers: tuple[str, ...], nth: int, text: str) -> tuple[str, ...]:
 
 
 def _graph(graph: Any, nth: int) -> Any:
-    """Some of what was there is not, or twice, or of another type."""
+    """Some entries are missing, doubled, or of another type."""
     if nth % 3 == 0:
         return with_fields(graph, nodes=graph.nodes[nth % 2 :], endpoints=graph.endpoints[nth % 5 :])
     odd = [with_fields(end, type="a/msg/B", type_hash="", node="") for end in graph.endpoints[: nth % 4]]
@@ -200,7 +200,7 @@ def _graph(graph: Any, nth: int) -> Any:
 
 @fuzzed(st.lists(mangled([text.encode("utf-8", "replace") for text in TEXTS]), max_size=6), cases=400)
 def test_terminal_output(case: list[bytes]) -> None:
-    """Cut into lines, kept within bounds, and shown without acting on the terminal."""
+    """Cut into lines, limited, and shown without affecting the terminal."""
     with soon():
         splitter = LineSplitter()
         lines = [line for data in case for line in splitter.feed(data)] + splitter.rest()
@@ -214,7 +214,7 @@ def test_terminal_output(case: list[bytes]) -> None:
 def test_damaged_evidence(
     bases: dict[str, Recording], tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
-    """A file that was changed is told as such, in time; with right checksums or wrong ones."""
+    """A changed file is reported as such, in time, with right or wrong checksums."""
     file = tmp_path / "evidence.mcap"
     save(next(iter(bases.values())), file, began_ns=0)
     whole = file.read_bytes()

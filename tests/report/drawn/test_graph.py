@@ -1,4 +1,4 @@
-"""Who publishes and who listens, and the pair of names that is a slip."""
+"""Who publishes and who listens, and the two names that differ by a typo."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Submissions that try to get out of their place in a report."""
+"""Submissions that try to break out of their place in a report."""
 
 from __future__ import annotations
 

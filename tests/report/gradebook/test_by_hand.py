@@ -1,4 +1,4 @@
-"""What people decided and what lateness cost, in every format."""
+"""Marks by people and the cost of lateness, in every format."""
 
 from __future__ import annotations
 

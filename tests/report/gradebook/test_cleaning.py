@@ -1,4 +1,4 @@
-"""Nothing leaves that must not: controls, paths, secrets, our own faults, right answers."""
+"""Nothing private leaks: control characters, paths, secrets, our own errors, right answers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""People's names are no paths."""
+"""People's names are not paths."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All reports of a class: what lies where, for many, without holding them all."""
+"""All reports of a class: which file is where, for many, without keeping them all in memory."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.report.gradebook import hostile, samples
 
 
 class Store:
-    """A class that is made while it is read."""
+    """A class that is generated while it is read."""
 
     def __init__(self, size: int) -> None:
         self.size = size

@@ -1,4 +1,4 @@
-"""The LMS's own sheet, filled in: the right cells, and not a byte beside them."""
+"""The LMS's own sheet, filled in: the right cells, and no other byte."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Points and totals: what is zero, what is not known, and what does not count."""
+"""Points and totals: zero, unknown, and not counted."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""results.csv: what a spreadsheet makes of it."""
+"""results.csv, as a spreadsheet reads it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Classes to make pages of."""
+"""Classes for pages."""
 
 from __future__ import annotations
 

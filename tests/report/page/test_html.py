@@ -1,4 +1,4 @@
-"""The page: well-formed, shut off, escaped; of a learner's nothing is another's."""
+"""The page: well-formed, isolated, escaped; and no learner's data appears as another's."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The server: for this machine alone, and only to read."""
+"""The server: only for this machine, and read-only."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What was found, for programs: by the rules of those that read it."""
+"""Findings for programs, by their readers' rules."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Words that a translation leaves behind, and long sentences, in every text of a course."""
+"""Words that reveal a translation, and long sentences, in every text of a course."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Solutions and right answers that a learner would be given."""
+"""Solutions and right answers that a learner would see."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a shell would make of code in a text."""
+"""Code in a text as a shell would read it."""
 
 from __future__ import annotations
 

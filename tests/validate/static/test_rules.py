@@ -1,4 +1,4 @@
-"""What is wrong is told all at once, with what the course's own audit finds; never with a traceback."""
+"""All errors are reported at once, with those of the course's own audit, and never as a traceback."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files that nothing uses, wherever they lie."""
+"""Files that nothing uses, wherever they are."""
 
 from __future__ import annotations
 
