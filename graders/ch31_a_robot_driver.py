@@ -333,7 +333,7 @@ def expect_step_and_wave(
 
 
 def expect_no_jump(sine: Stream, states: Stream, advice: str, where: tuple[Location, ...]) -> None:
-    """No joint jumps away from its commands. A busy machine does not cause that, so it is no excuse.
+    """No joint jumps away from its commands. A busy machine does not cause that and excuses nothing.
 
     The first rows may still show an earlier target if the machine was busy.
     """
