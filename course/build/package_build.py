@@ -14,6 +14,7 @@ from pathlib import Path
 
 from course.build.budget import ALL_CPU, ALL_DISK, ALL_SECONDS, NO_ROOM, Bounds, Budget, Spent
 from course.build.build_outcome import BuildFailure, InstalledPackage, unreadable
+from course.build.cmake_reuse import keep_tree, make_command
 from course.build.colcon import (
     Killed,
     Machine,
@@ -21,16 +22,18 @@ from course.build.colcon import (
     colcon_command,
     raise_if_machine,
     require_tools,
+    uses_cmake,
 )
 from course.build.outputs import FILES, MOST_FILES, DiskUsage, Flaw, seal
 from course.build.package_sources import SourcesChanged, content_key, copy_sources
-from course.build.reuse import likeness, reused
+from course.build.reuse import likeness, resumed, reused
 from course.build.runner import Ended, Ending, Interrupt, run
 from course.build.store import Store, StoreEntry, disk_full, storage
 from course.build.workspace import Package, Workspace
 from course.explain.build_errors import BuildError, explain_build, explain_success
 from course.explain.builds import Build, log_text, read_copy, readable
 from course.explain.package_xml import strict_fault
+from course.files import wipe
 from course.isolation import IsolationPlan
 from course.isolation.isolation_plan import BUILD
 from course.isolation.levels import isolated_build
@@ -109,31 +112,38 @@ class PackageBuild:
         copy_sources(package.folder, self.workspace.home, entry.kept)
         if content_key(entry.kept, entry.kept, self.needed, self.ros.identity) != self.key:
             raise SourcesChanged
-        identity, python = (self.needed, self.ros.identity), package.build_type == "ament_python"
-        like = likeness(entry.kept, *identity) if python else None
-        again = like is None or not reused(self.store, like, self.key, *identity)
-        if again and (failure := self._run_undisturbed()):
+        identity = (self.needed, self.ros.identity)
+        like = likeness(entry.kept, package.build_type, *identity)
+        make = like is not None and uses_cmake(package)
+        again = like is None or make or not reused(self.store, like, self.key, *identity)
+        if again and (failure := self._run_undisturbed(like if make else None)):
             entry.give_up()
             return failure
-        entry.finish(package.name)
-        if like is not None:
+        keeps = make and entry.build.exists()
+        entry.finish(package.name, keeps_build=keeps)
+        if like is not None and (keeps or not make):
             self.store.note_alike(like, self.key)
         return None
 
-    def _run_undisturbed(self) -> BuildFailure | None:
+    def _run_undisturbed(self, like: str | None) -> BuildFailure | None:
         """Run the build, and again if one of our processes was killed, which the build could not cause."""
         for _ in range(_ATTEMPTS - 1):
             with suppress(Spoilt):
-                return self._run()
+                return self._run(like)
             self.entry.begin_again()
-        return self._run()
+        return self._run(like)
 
-    def _run(self) -> BuildFailure | None:
+    def _run(self, like: str | None) -> BuildFailure | None:
+        """like: of what the build folder may be used for, and be taken from."""
         entry = self.entry
         copy_sources(entry.kept, entry.kept, entry.src)
+        goes_on = like is not None and resumed(
+            self.store, like, self.key, self.needed, self.ros.identity, self.stop
+        )
         env = build_environment(self.ros, entry, self.overlays)
         require_tools(self.package, env)
-        command = colcon_command(self.package, entry, self.ros, env)
+        command = make_command(self.package.name, entry, env) if goes_on else None
+        command = command or colcon_command(self.package, entry, self.ros, env)
         killed, usage = Killed(), self.usage()
         with self.commands(env, usage) as run_command:
             ended = run_command(command, entry.path, entry.log, self.time_limit)
@@ -143,6 +153,8 @@ class PackageBuild:
             if limit := limit or self._too_much(usage):  # only now can all folders be looked into
                 ended = replace(ended, ending=Ending.LIMIT, limit=limit)
         error = self._error(build, ended, flaw, usage, killed)
+        if goes_on or like is None or not keep_tree(entry):
+            wipe(entry.build)
         return BuildFailure(build.name, error.kind, error.feedback, entry.log) if error else None
 
     def _error(

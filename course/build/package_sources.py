@@ -139,11 +139,17 @@ def content_key(folder: Path, home: Path, dependencies: Iterable[str], identity:
     return _key((_FORMAT, identity, *sorted(dependencies)), source_files(folder, home), _content)
 
 
-def likeness_key(folder: Path, home: Path, dependencies: Iterable[str], identity: str) -> str:
-    """The same for packages that differ in nothing but what their Python modules say, setup.py excepted."""
+def likeness_key(
+    folder: Path,
+    home: Path,
+    dependencies: Iterable[str],
+    identity: str,
+    may_differ: Callable[[SourceFile], bool],
+) -> str:
+    """The same for packages that differ in nothing but the contents of files that may differ."""
 
     def content(file: SourceFile) -> bytes:
-        return b"" if is_module(file) else _content(file)
+        return b"" if may_differ(file) else _content(file)
 
     return _key(("like", _FORMAT, identity, *sorted(dependencies)), source_files(folder, home), content)
 

@@ -18,7 +18,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
+from course.build.cmake_reuse import is_plain_cmake, lay_times, may_differ
 from course.build.package_sources import content_key, is_module, likeness_key, source_files
+from course.build.runner import Interrupt
 from course.build.store import Store, StoreEntry
 from course.explain.python_code import parsed
 from course.explain.setup_py import read_setup_cfg
@@ -58,15 +60,48 @@ _OTHER_SETTINGS = frozenset({"pyproject.toml", "MANIFEST.in"})
 _CONFIGURED = {"develop": {"script_dir", "script-dir"}, "install": {"install_scripts", "install-scripts"}}
 
 
-def likeness(kept: Path, needed: Iterable[str], identity: str) -> str | None:
-    """What the Python package in `kept` has in common with those like it; None if its build may do anything.
+def likeness(kept: Path, build_type: str, needed: Iterable[str], identity: str) -> str | None:
+    """What the package in `kept` has in common with those like it; None if its build may do anything.
 
     needed: keys of the packages that it depends on. identity: of the ROS in use.
     """
     files = source_files(kept, kept)
-    if any(file.link is not None for file in files) or not is_plain(kept, (file.name for file in files)):
+    if any(file.link is not None for file in files):
         return None
-    return likeness_key(kept, kept, needed, identity)
+    if build_type == "ament_cmake" and is_plain_cmake(files):
+        return likeness_key(kept, kept, needed, identity, may_differ)
+    if build_type == "ament_python" and is_plain(kept, (file.name for file in files)):
+        return likeness_key(kept, kept, needed, identity, is_module)
+    return None
+
+
+def resumed(
+    store: Store, like: str, key: str, needed: Iterable[str], identity: str, interrupt: Interrupt
+) -> bool:
+    """Fill the entry `key` with the build folder and the installation of a package like it, for make."""
+    entry, other = store.entry(key), store.alike(like)
+    if other is None:
+        return False
+    earlier, move = store.entry(other), _Move(other.encode(), key.encode())
+    try:
+        with store.in_use(other, interrupt):
+            if not _is_as_built(earlier, other, needed, identity) or not earlier.build.is_dir():
+                return False
+            for old, new in ((earlier.install, entry.install), (earlier.build, entry.build)):
+                _copy(old, new, move, {})
+            if lay_times(earlier, entry):
+                return True
+    except OSError:
+        pass
+    wipe(entry.install, entry.build)
+    entry.install.mkdir()
+    entry.build.mkdir()
+    return False
+
+
+def _is_as_built(earlier: StoreEntry, key: str, needed: Iterable[str], identity: str) -> bool:
+    """Whether the entry is there, and its sources are what it was built from."""
+    return earlier.is_complete() and content_key(earlier.src, earlier.src, needed, identity) == key
 
 
 def reused(store: Store, like: str, key: str, needed: Iterable[str], identity: str) -> bool:
@@ -74,10 +109,8 @@ def reused(store: Store, like: str, key: str, needed: Iterable[str], identity: s
     entry, other = store.entry(key), store.alike(like)
     earlier = store.entry(other) if other else None
     try:
-        if other is None or earlier is None or not earlier.is_complete():
+        if other is None or earlier is None or not _is_as_built(earlier, other, needed, identity):
             return False
-        if content_key(earlier.src, earlier.src, needed, identity) != other:
-            return False  # its sources are not what it was built from
         changes = _changes(earlier, entry)
         if changes is None:
             return False

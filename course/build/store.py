@@ -4,12 +4,12 @@
     ROOT/<key>/kept     the same while it is built, out of reach of what the build does to its own
     ROOT/<key>/install  colcon's install base; it contains the package's prefix, isolated
     ROOT/<key>/log      what the build printed
-    ROOT/<key>/build    while it is built
+    ROOT/<key>/build    while it is built; kept where other builds may go on from it, see `cmake_reuse`
     ROOT/<key>/complete written last, by rename: without it the entry is half-made and counts for nothing.
                         It has a digest of what was installed: an entry that differs is made again
     ROOT/<key>.lock     held while the entry is made or removed
     ROOT/<key>.used     held, shared, by everyone who uses the entry: it is not removed meanwhile
-    ROOT/<key>.like     the key of an entry whose package differs in its modules alone, see `reuse`
+    ROOT/<key>.like     the key of an entry whose package differs in its sources alone, see `reuse`
     ROOT/pruned         when the store was last pruned: the age of the file
 
 An entry that is complete is never written to again. Its paths are baked into what was built, so it
@@ -106,9 +106,9 @@ class StoreEntry:
         """Bytes that it takes on the disk, as noted when it was complete; 0 before that."""
         return _noted_size(self.marker)
 
-    def finish(self, package: str) -> None:
+    def finish(self, package: str, *, keeps_build: bool = False) -> None:
         """Mark as complete, when everything is in place."""
-        wipe(self.src, self.build)
+        wipe(self.src, *(() if keeps_build else (self.build,)))
         if self.kept.exists():
             self.kept.rename(self.src)
         noted = {"package": package, "bytes": _size(self.path), "installed": digest_of(self.install)}

@@ -47,13 +47,13 @@ def commands(sources: Sources, folder: str, *names: str, first: str = "") -> tup
 
     names: only these commands. first: only those with this first word.
     """
-    every = _commands(sources.files.get(f"{folder}/{LISTS}", ""), f"{folder}/{LISTS}")
+    every = commands_in(sources.files.get(f"{folder}/{LISTS}", ""), f"{folder}/{LISTS}")
     return tuple(
         one for one in every if (not names or one.name in names) and (not first or one.words[:1] == (first,))
     )
 
 
-def _commands(text: str, file: str) -> list[Command]:
+def commands_in(text: str, file: str) -> list[Command]:
     found: list[Command] = []
     known: dict[str, str] = {}
     position = 0

@@ -45,9 +45,9 @@ def real(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     ran: list[str] = []
     run = PackageBuild._run
 
-    def recorded(build: PackageBuild) -> BuildFailure | None:
+    def recorded(build: PackageBuild, like: str | None) -> BuildFailure | None:
         ran.append(build.package.name)
-        return run(build)
+        return run(build, like)
 
     monkeypatch.setattr(PackageBuild, "_run", recorded)
     return ran
