@@ -1,10 +1,11 @@
-"""A build of a C++ package that goes on where that of one like it ended, so that only changed files compile.
+"""A C++ build that resumes where the build of a similar package ended: only changed files compile.
 
-Packages are alike when they differ in what their sources say, and in nothing that CMake reads. The earlier
-build folder is copied, and make does the rest: it compiles what is older than its sources, and installs.
+Packages are similar if they differ in their sources alone, and in nothing that CMake reads. The earlier build
+folder is copied, and make does the rest: it compiles what is older than its sources, and installs.
 
-A build folder is used for other submissions, too, so it may hold nothing that a submission's own programs
-wrote. It is kept only where CMakeLists.txt consists of commands that run CMake, make and the compiler alone.
+This is done for a learner's own packages and for the course's, never for submissions (see `PackageBuild`): a
+build folder contains what the programs of one author made. It also requires that CMakeLists.txt consists of
+commands that start CMake, make, and the compiler alone, because make does not know what others have read.
 """
 
 from __future__ import annotations
@@ -31,20 +32,29 @@ _COMMANDS = frozenset(
     "ament_export_include_directories ament_lint_auto_find_test_dependencies ament_package".split()
 )
 _INSTALLS = frozenset({"TARGETS", "DIRECTORY", "FILES", "PROGRAMS", "EXPORT"})
-_VARIABLES = re.compile(r"CMAKE_(C|CXX)_(STANDARD|STANDARD_REQUIRED|EXTENSIONS|FLAGS)|(?!CMAKE_)\w+")
-# What could hide a command from a reader, and what has a program of the package's own run by the build.
-_OBSCURE = re.compile(r"\\|\[=*\[|LAUNCHER|RULE_LAUNCH|plugin|wrapper|CONFIGS|file:", re.IGNORECASE)
+_VARIABLES = re.compile(r"CMAKE_(C|CXX)_(STANDARD|STANDARD_REQUIRED|EXTENSIONS)|(?!CMAKE_)\w+")
+# What could hide a command, or makes the build run one of the package's own programs.
+_OBSCURE = re.compile(
+    r"\\|\[=*\[|LAUNCHER|RULE_LAUNCH|plugin|wrapper|specs|CONFIGS|file:|@|[\s(\"]-B", re.IGNORECASE
+)
+# How a compiler reads a file without saying so to make.
+_READS = re.compile(rb"\.incbin|\.include\b|#\s*embed")
 
 
 def may_differ(file: SourceFile) -> bool:
-    """Whether it is a source, which compilers or installed programs read, but CMake does not."""
+    """Return whether it is a source: compilers or installed programs read it, but CMake does not."""
     return PurePosixPath(file.name).suffix in _SOURCES
 
 
 def is_plain_cmake(files: Iterable[SourceFile]) -> bool:
-    """Whether CMake and make run nothing that comes from the package."""
+    """Return whether CMake and make run nothing that comes from the package."""
+    files = tuple(files)
     lists = [file for file in files if PurePosixPath(file.name).name == LISTS]
-    return [file.name for file in lists] == [LISTS] and _is_plain_list(lists[0].path)
+    return (
+        [file.name for file in lists] == [LISTS]
+        and _is_plain_list(lists[0].path)
+        and not any(_READS.search(file.path.read_bytes()) for file in files if may_differ(file))
+    )
 
 
 def _is_plain_list(file: Path) -> bool:
@@ -61,12 +71,15 @@ def _is_plain(command: str, first: tuple[str, ...]) -> bool:
     return command not in ("set", "unset") or all(map(_VARIABLES.fullmatch, first))
 
 
-def keep_tree(entry: StoreEntry) -> bool:
-    """Make a finished build fit to be gone on with; False if it is not.
+def keep_tree(package: str, entry: StoreEntry) -> bool:
+    """Prepare a finished build so that others can resume it; return False if that is not possible.
 
-    What a compiler warns of would not be printed again for a file that is not compiled again.
+    The compiler's warnings would not be printed again for a file that is not compiled again.
     """
     shutil.rmtree(entry.build / "tmp", ignore_errors=True)
+    hooks = entry.build / package / "ament_cmake_environment_hooks/package.dsv"
+    if hooks.is_file():  # colcon installs a longer one, and make must not install this one again
+        shutil.copy2(entry.prefix(package) / "share" / package / hooks.name, hooks)
     says = entry.log.read_text(encoding="utf-8", errors="replace").lower()
     return (
         "warning" not in says
@@ -76,16 +89,19 @@ def keep_tree(entry: StoreEntry) -> bool:
 
 
 def lay_times(earlier: StoreEntry, entry: StoreEntry) -> bool:
-    """Make unchanged sources as old as they were; False if the clock has been set back since."""
+    """Date sources so that make compiles the changed ones; return False if the clock was set back since."""
+    now = time.time()
     for file in source_files(entry.src, entry.src):
         before = earlier.src / file.name
         if before.read_bytes() == file.path.read_bytes():
             shutil.copystat(before, file.path)
-    return all(file.stat().st_mtime < time.time() for file in entry.build.rglob("*"))
+        else:  # it may have been copied before the earlier build ended
+            os.utime(file.path, (now, now))
+    return all(file.stat().st_mtime < now for file in entry.build.rglob("*") if file.is_file())
 
 
 def make_command(package: str, entry: StoreEntry, env: Mapping[str, str]) -> list[str]:
-    """What colcon runs after it has configured the package; CMake itself is configured no more."""
+    """Return the command that colcon runs after it has configured the package."""
     cmake = shutil.which("cmake", path=env.get("PATH", os.defpath)) or "cmake"
     jobs = str(os.cpu_count() or 1)
     return [cmake, "--build", str(entry.build / package), "--target", "install", "--parallel", jobs]

@@ -114,14 +114,16 @@ class PackageBuild:
             raise SourcesChanged
         identity = (self.needed, self.ros.identity)
         like = likeness(entry.kept, package.build_type, *identity)
-        make = like is not None and uses_cmake(package)
-        again = like is None or make or not reused(self.store, like, self.key, *identity)
-        if again and (failure := self._run_undisturbed(like if make else None)):
+        cmake = like is not None and uses_cmake(package)
+        if cmake and not self.workspace.is_trusted:
+            like, cmake = None, False  # nothing that one submission built reaches another one
+        again = like is None or cmake or not reused(self.store, like, self.key, *identity)
+        if again and (failure := self._run_undisturbed(like if cmake else None)):
             entry.give_up()
             return failure
-        keeps = make and entry.build.exists()
+        keeps = cmake and entry.build.exists()
         entry.finish(package.name, keeps_build=keeps)
-        if like is not None and (keeps or not make):
+        if like is not None and (keeps or not cmake):
             self.store.note_alike(like, self.key)
         return None
 
@@ -134,7 +136,7 @@ class PackageBuild:
         return self._run(like)
 
     def _run(self, like: str | None) -> BuildFailure | None:
-        """like: of what the build folder may be used for, and be taken from."""
+        """like: of the packages whose build folder this build may resume, and that may resume this one."""
         entry = self.entry
         copy_sources(entry.kept, entry.kept, entry.src)
         goes_on = like is not None and resumed(
@@ -153,7 +155,10 @@ class PackageBuild:
             if limit := limit or self._too_much(usage):  # only now can all folders be looked into
                 ended = replace(ended, ending=Ending.LIMIT, limit=limit)
         error = self._error(build, ended, flaw, usage, killed)
-        if goes_on or like is None or not keep_tree(entry):
+        if goes_on and error and error.kind not in ("compiler", "linker"):
+            entry.begin_again()  # make may miss a library that an upgrade of the system replaced
+            return self._run(None)
+        if error or goes_on or like is None or not keep_tree(self.package.name, entry):
             wipe(entry.build)
         return BuildFailure(build.name, error.kind, error.feedback, entry.log) if error else None
 

@@ -78,14 +78,14 @@ def likeness(kept: Path, build_type: str, needed: Iterable[str], identity: str) 
 def resumed(
     store: Store, like: str, key: str, needed: Iterable[str], identity: str, interrupt: Interrupt
 ) -> bool:
-    """Fill the entry `key` with the build folder and the installation of a package like it, for make."""
+    """Fill the entry `key` with the build folder and the installation of a similar package, for make."""
     entry, other = store.entry(key), store.alike(like)
     if other is None:
         return False
     earlier, move = store.entry(other), _Move(other.encode(), key.encode())
     try:
         with store.in_use(other, interrupt):
-            if not _is_as_built(earlier, other, needed, identity) or not earlier.build.is_dir():
+            if not _is_as_built(earlier, other, needed, identity) or not earlier.is_resumable():
                 return False
             for old, new in ((earlier.install, entry.install), (earlier.build, entry.build)):
                 _copy(old, new, move, {})

@@ -4,7 +4,7 @@
     ROOT/<key>/kept     the same while it is built, out of reach of what the build does to its own
     ROOT/<key>/install  colcon's install base; it contains the package's prefix, isolated
     ROOT/<key>/log      what the build printed
-    ROOT/<key>/build    while it is built; kept where other builds may go on from it, see `cmake_reuse`
+    ROOT/<key>/build    while it is built; kept if other builds may resume it, see `cmake_reuse`
     ROOT/<key>/complete written last, by rename: without it the entry is half-made and counts for nothing.
                         It has a digest of what was installed: an entry that differs is made again
     ROOT/<key>.lock     held while the entry is made or removed
@@ -82,16 +82,20 @@ class StoreEntry:
 
     def is_complete(self) -> bool:
         """Whether it can be used, and is what was built; notes the use, so that it is kept."""
-        if not self._is_intact():
+        if not self._is_intact("installed", self.install):
             return False
         with suppress(OSError):  # a store on a read-only disk serves all the same
             os.utime(self.marker)
         return True
 
-    def _is_intact(self) -> bool:
+    def is_resumable(self) -> bool:
+        """Whether its build folder was kept, and is as it was left."""
+        return self._is_intact("build", self.build)
+
+    def _is_intact(self, name: str, folder: Path) -> bool:
         try:
             noted = json.loads(self.marker.read_text(encoding="utf-8"))
-            return bool(noted["installed"] == digest_of(self.install))
+            return bool(noted[name] == digest_of(folder))
         except (OSError, ValueError, KeyError, TypeError):
             return False
 
@@ -112,6 +116,8 @@ class StoreEntry:
         if self.kept.exists():
             self.kept.rename(self.src)
         noted = {"package": package, "bytes": _size(self.path), "installed": digest_of(self.install)}
+        if keeps_build:
+            noted["build"] = digest_of(self.build)
         write_atomic(self.marker, json.dumps(noted))
 
     def discard(self) -> None:

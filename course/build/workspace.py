@@ -79,7 +79,12 @@ class Workspace:
 
     def scan_again(self) -> Workspace:
         """The same as it is now."""
-        return Workspace.scan(self.root, self.home, trusted=self.inside is None)
+        return Workspace.scan(self.root, self.home, trusted=self.is_trusted)
+
+    @property
+    def is_trusted(self) -> bool:
+        """Whether it is the learner's own or the course's, and not a submission."""
+        return self.inside is None
 
     @property
     def source(self) -> str:
