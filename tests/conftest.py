@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+from course.build import Store
+
 FIXTURES = Path(__file__).parent / "fixtures"
 NOBODY = 65534
 GUARDED = {
@@ -63,9 +65,18 @@ def _guard(monkeypatch: pytest.MonkeyPatch, root: Path) -> None:
 @pytest.fixture(autouse=True, scope="session")
 def _guarded_session(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """For fixtures that live longer than a test, and so start before its own guard."""
+    base = tmp_path_factory.getbasetemp()  # each worker has its own, in a common folder
+    run = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
     with pytest.MonkeyPatch.context() as monkeypatch:
         _guard(monkeypatch, tmp_path_factory.mktemp("session"))
+        monkeypatch.setenv("ROS2COURSE_CACHE", str(run / "course-cache"))
         yield
+
+
+@pytest.fixture(scope="session")
+def shared_builds(_guarded_session: None) -> Store:
+    """Shared by all workers of a run: the same sources are built once."""
+    return Store()
 
 
 @pytest.fixture(autouse=True)

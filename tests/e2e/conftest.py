@@ -13,15 +13,16 @@ from pathlib import Path
 import pexpect
 import pytest
 
+from course.build import Store
+
 REPO = Path(__file__).parents[2]
 SOLUTIONS = REPO / "solutions"
 COMMAND = [sys.executable, "-m", "course"]
 
 
 @pytest.fixture(scope="session")
-def builds(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """One cache of builds for all workers of a run."""
-    return tmp_path_factory.getbasetemp().parent / "e2e-cache"
+def builds(shared_builds: Store) -> Path:
+    return shared_builds.root.parent
 
 
 @pytest.fixture

@@ -24,9 +24,8 @@ def course() -> Course:
 
 
 @pytest.fixture(scope="session")
-def store(tmp_path_factory: pytest.TempPathFactory) -> Store:
-    """Shared by all workers of a run: the same sources are built once."""
-    return Store(tmp_path_factory.getbasetemp().parent / "builds")
+def store(shared_builds: Store) -> Store:
+    return shared_builds
 
 
 @pytest.fixture

@@ -25,7 +25,7 @@ _MANIFEST = """<package format="3">
 """
 
 
-def busy(sanitizer: str, folder: Path) -> Path:
+def busy(sanitizer: str, folder: Path, store: Store) -> Path:
     """The program. What was compiled of the same sources before is not compiled again."""
     package = f"rclcpp_{sanitizer}"
     sources = folder / "src" / package
@@ -35,6 +35,6 @@ def busy(sanitizer: str, folder: Path) -> Path:
     chosen = f"set(PACKAGE {package})\nset(SANITIZE {SANITIZERS[sanitizer]})\n"
     (sources / "sanitizer.cmake").write_text(chosen)
     ros = find_ros()
-    outcome = build(Workspace.scan(folder), [package], ros, Store(), time_limit=TIME_LIMIT)
+    outcome = build(Workspace.scan(folder), [package], ros, store, time_limit=TIME_LIMIT)
     assert outcome.failure is None, outcome.failure
     return outcome.packages[-1].prefix / "lib" / package / "busy"

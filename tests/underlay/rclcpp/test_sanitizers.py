@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from course.build import Store
 from tests.underlay.rclcpp.busy import SANITIZERS, busy
 from tests.underlay.rclcpp.room import Room
 
@@ -28,16 +29,18 @@ _OPTIONS = {
         ("thread", "race", "ThreadSanitizer: data race"),
     ],
 )
-def test_what_is_wrong_is_found(sanitizer: str, wrong: str, said: str, room: Room) -> None:
-    with room.started(busy(sanitizer, room.folder), wrong, **_OPTIONS) as program:
+def test_what_is_wrong_is_found(
+    sanitizer: str, wrong: str, said: str, room: Room, shared_builds: Store
+) -> None:
+    with room.started(busy(sanitizer, room.folder, shared_builds), wrong, **_OPTIONS) as program:
         ended = program.wait()
     assert ended.code != 0
     assert said in ended.text
 
 
 @pytest.mark.parametrize("sanitizer", SANITIZERS)
-def test_a_busy_node(sanitizer: str, room: Room) -> None:
-    program = busy(sanitizer, room.folder)
+def test_a_busy_node(sanitizer: str, room: Room, shared_builds: Store) -> None:
+    program = busy(sanitizer, room.folder, shared_builds)
     with subprocess.Popen(
         [program],
         env={**room.environment, **_OPTIONS},
