@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from course.build import Store
+from tests.shared import run_folder
 
 FIXTURES = Path(__file__).parent / "fixtures"
 NOBODY = 65534
@@ -65,11 +66,9 @@ def _guard(monkeypatch: pytest.MonkeyPatch, root: Path) -> None:
 @pytest.fixture(autouse=True, scope="session")
 def _guarded_session(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """For fixtures that live longer than a test, and so start before its own guard."""
-    base = tmp_path_factory.getbasetemp()  # each worker has its own, in a common folder
-    run = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
     with pytest.MonkeyPatch.context() as monkeypatch:
         _guard(monkeypatch, tmp_path_factory.mktemp("session"))
-        monkeypatch.setenv("ROS2COURSE_CACHE", str(run / "course-cache"))
+        monkeypatch.setenv("ROS2COURSE_CACHE", str(run_folder(tmp_path_factory) / "course-cache"))
         yield
 
 

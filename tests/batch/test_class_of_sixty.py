@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from course.build import Store
 from course.content import open_course
 from course.isolation import Level
 from course.isolation.levels import obstacle_to
@@ -20,11 +21,12 @@ pytestmark = pytest.mark.slow
 
 
 @pytest.fixture
-def command(tmp_path: Path) -> Command:
+def command(tmp_path: Path, shared_builds: Store) -> Command:
     obstacle = obstacle_to(Level.CONTAINED)
     if obstacle:
         pytest.skip(f"not exercised here: a class with hostile submissions ({obstacle})")
-    return Command(tmp_path / "class", tmp_path / "grades", tmp_path / "tmp")
+    cache = shared_builds.root.parent
+    return Command(tmp_path / "class", tmp_path / "grades", tmp_path / "tmp", cache=cache)
 
 
 def rows(out: Path) -> Iterator[dict[str, str]]:

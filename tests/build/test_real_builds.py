@@ -21,9 +21,9 @@ Break = Callable[[Path], object]
 
 
 @pytest.fixture(scope="session")
-def kept(tmp_path_factory: pytest.TempPathFactory) -> Store:
+def kept(shared_builds: Store) -> Store:
     """One store for all of these tests, because an interface package takes ten seconds."""
-    return Store(tmp_path_factory.mktemp("builds") / "store")
+    return Store(shared_builds.root.parent / "store")
 
 
 @pytest.fixture

@@ -16,6 +16,7 @@ from tests.launcher.machine import GUARD, REPO, Machine
 
 PACKAGES = {"git": "git", "g++": "g++", "cmake": "cmake", "make": "make", "bwrap": "bubblewrap", "zsh": "zsh"}
 PACKAGES |= {"chromium": "chromium"}
+PYTEST = "python -m pytest -n 3 --dist worksteal --durations 30"
 
 
 @pytest.fixture
@@ -46,14 +47,14 @@ def test_it_sets_up_then_lints_then_tests(checks: Machine) -> None:
         "codespell ./*.md bench chapters course docs extras graders solutions underlay",
         "codespell --builtin en-GB_to_en-US tests",
         "shellcheck ros2course run-tests .ci/run course/report/gradebook/scripts/*",  # none in this copy
-        "python -m pytest -n 3 --dist worksteal --durations 30 -m not slow",
+        f"{PYTEST} -m not slow",
     ]
 
 
 def test_without_arguments_there_are_some_proofs_and_the_quick_tests(checks: Machine) -> None:
     assert run(checks, "run-tests").returncode == 0
     proofs, tests = checks.calls()[-2:]
-    assert tests == "python -m pytest -n 3 --dist worksteal --durations 30 -m not slow"
+    assert tests == f"{PYTEST} -m not slow"
     command, *wanted = proofs.removeprefix("ros2course ").split()
     exercises = [open_course(REPO).exercise(name) for name in wanted]
     assert command == "validate"
@@ -62,7 +63,7 @@ def test_without_arguments_there_are_some_proofs_and_the_quick_tests(checks: Mac
 
 def test_all_is_every_proof_and_every_test(checks: Machine) -> None:
     assert run(checks, "run-tests", "--all").returncode == 0
-    assert checks.calls()[-2:] == ["ros2course validate", "python -m pytest -n 3 --dist worksteal --durations 30"]
+    assert checks.calls()[-2:] == ["ros2course validate", PYTEST]
 
 
 @pytest.mark.parametrize("args", [[], ["--all"]])
@@ -70,7 +71,7 @@ def test_what_is_not_proven_fails_it_after_the_tests(checks: Machine, args: list
     launcher = os.path.relpath(checks.clone / "ros2course", checks.bin)
     checks.script(launcher, notes("ros2course") + '\n[ "$1" != validate ] || exit 1')
     assert run(checks, "run-tests", *args).returncode == 1
-    assert checks.calls()[-1].startswith("python -m pytest -n 3 --dist worksteal --durations 30")
+    assert checks.calls()[-1].startswith(PYTEST)
 
 
 def test_ci_calls_all_of_it_without_a_terminal(checks: Machine) -> None:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import fcntl
-import os
 from pathlib import Path
 
 import pytest
 
+from tests.shared import made_once
 from tests.underlay.runtime.colcon import colcon_build, copy_interfaces
 from tests.underlay.runtime.conftest import install, script
 
@@ -22,16 +21,7 @@ _EXECUTABLES = {
 
 
 def built_workspace(factory: pytest.TempPathFactory) -> Path:
-    """The one of this run of pytest: what comes first builds it, other workers wait."""
-    folder = factory.getbasetemp()
-    folder = folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder
-    workspace = folder / "workspace_of_the_tutorial"
-    with (folder / "workspace_of_the_tutorial.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        if not (workspace / "complete").exists():
-            _build(workspace)
-            (workspace / "complete").touch()
-    return workspace
+    return made_once(factory, "workspace_of_the_tutorial", _build)
 
 
 def _build(workspace: Path) -> None:

@@ -16,6 +16,7 @@ import pytest
 
 from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment
+from tests.shared import made_once
 from tests.underlay.runtime.captured import capture
 from tests.underlay.runtime.colcon import EXAMPLES, colcon_build, copy_interfaces, definitions
 from tests.underlay.runtime.command import PACKAGES, Ros2, ros2_command
@@ -47,14 +48,16 @@ def test_every_definition_is_compiled_and_well_formed(tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A workspace with packages of the underlay, of the course and new ones, after `colcon build`."""
-    workspace = tmp_path_factory.mktemp("built")
+    return made_once(tmp_path_factory, "built", _build)
+
+
+def _build(workspace: Path) -> None:
     source = workspace / "src"
     for name in ("ament_lint_auto", "ament_lint_common", "demo_nodes_py", "ros2cli", "rosidl_runtime_py"):
         shutil.copytree(PACKAGES / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
     copy_interfaces(source)
     _create_packages(source)
     colcon_build(workspace)
-    return workspace
 
 
 @pytest.fixture

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from course.files import locked
+from tests.shared import made_once
 from tests.underlay.tutorial.learner import work_up_to_chapter_22
 from tests.underlay.tutorial.room import COURSE, Room, open_room
 
@@ -36,23 +35,21 @@ def built_underlay() -> None:
 @pytest.fixture(scope="session")
 def advanced_home(built_underlay: None, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """All packages are built, and .bashrc sources them. Shared by all workers: nothing may change it."""
-    base = tmp_path_factory.getbasetemp()  # each worker has its own, in a common folder
-    shared = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "tutorial"
-    home, done, real_home = (shared / name for name in ("ros2course", "done", "real-home"))
-    with locked(shared / "lock"):
-        if not done.exists():
-            real_home.mkdir(exist_ok=True)
-            with open_room(_make_home(home), real_home) as room:
-                work_up_to_chapter_22(room.terminal(), home)
-                room.leave()
-            done.touch()
-    return home
+    return made_once(tmp_path_factory, "tutorial", _make_advanced_home) / "ros2course"
 
 
 @pytest.fixture
 def room(advanced_home: Path, guarded_home: Path) -> Iterator[Room]:
     with open_room(advanced_home, guarded_home) as room:
         yield room
+        room.leave()
+
+
+def _make_advanced_home(folder: Path) -> None:
+    home, real_home = folder / "ros2course", folder / "real-home"
+    real_home.mkdir(parents=True)
+    with open_room(_make_home(home), real_home) as room:
+        work_up_to_chapter_22(room.terminal(), home)
         room.leave()
 
 
