@@ -102,6 +102,6 @@ def lay_times(earlier: StoreEntry, entry: StoreEntry) -> bool:
 
 def make_command(package: str, entry: StoreEntry, env: Mapping[str, str]) -> list[str]:
     """Return the command that colcon runs after it has configured the package."""
-    cmake = shutil.which("cmake", path=env.get("PATH", os.defpath)) or "cmake"
-    jobs = str(os.cpu_count() or 1)
-    return [cmake, "--build", str(entry.build / package), "--target", "install", "--parallel", jobs]
+    cmake, jobs = shutil.which("cmake", path=env.get("PATH", os.defpath)) or "cmake", os.cpu_count() or 1
+    command = [cmake, "--build", str(entry.build / package), "--target", "install"]
+    return [*command, "--", f"-j{jobs}", f"-l{jobs}", "--output-sync=target"]
