@@ -194,7 +194,7 @@ def date_it_tomorrow(entry: Path) -> None:
         (lambda entry: shutil.rmtree(entry / "build"), False),
         (date_it_tomorrow, False),
     ],
-    ids=str,
+    ids=["as it was", "an object", "a makefile", "a source", "no folder", "tomorrow"],
 )
 def test_only_what_was_built_is_resumed(
     talk: Talk, earlier: Store, tmp_path: Path, spoil: Callable[[Path], object], resumes: bool

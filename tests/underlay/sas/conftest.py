@@ -6,16 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from course.build import Store
-from tests.underlay.sas.built import probes
-
 _SOURCES = Path(__file__).parents[3] / "underlay/src"
-
-
-@pytest.fixture(autouse=True, scope="session")
-def _probes(shared_builds: Store) -> None:
-    """Built before a test has a cache of its own, where each worker would build them."""
-    probes()
 
 
 @pytest.fixture(autouse=True)
