@@ -967,6 +967,8 @@ def story(recording: Recording, name: str) -> Story:
     """What was drawn (task, number) and what was printed, in order."""
     items: list[tuple[int, float] | str] = []
     for text in recording.process(name).text:
+        if text.startswith("Exception in callback"):  # what asyncio prints of it contains the result
+            break
         draw = re.fullmatch(r"\[draw (\d+) ([\d.]+)\]", text)
         items.append((int(draw[1]), float(draw[2])) if draw else text)
     return tuple(items)
@@ -1163,12 +1165,14 @@ def why_not_installed(recording: Recording) -> Feedback:
             summary=f"The entry point `{bare[0].name}` names a module but no function in it.",
             seen=bare[0].text,
             where=(bare[0].where,),
-            advice=f"End it with `:main`: `{bare[0].text}:main`.",
+            advice="Put a colon between the module and the function, as in `package.module:main`.",
         )
     return Feedback(
         summary=f"pip cannot install the project: {errors[-1] if errors else 'it does not say why'}",
         where=(Location(SETUP, int(place[-1]) if place else None),),
-        advice="Check this line of `setup.py` and the line before it.",
+        advice="`find_packages` needs parentheses, which call it: `find_packages()`."
+        if "'method' object is not iterable" in "".join(errors)
+        else "Check this line of `setup.py` and the line before it.",
         details=tuple(errors[:4]),
     )
 

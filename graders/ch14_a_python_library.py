@@ -296,7 +296,11 @@ REMEDIES = (
     (("has no attribute 'get_name'",), "The class needs a method `get_name`, indented below `class`."),
     (("has no attribute",), "Is it set in `__init__` with `self.`, and spelled the same in both places?"),
     (("missing", "argument"), "Compare its arguments with those in the task."),
-    (("'str' object is not callable",), "The method and the attribute need different names: `self._name`."),
+    (
+        ("'str' object is not callable",),
+        "The parentheses call a text. A property is read without parentheses, and a method and an attribute "
+        "need different names: `self._name`.",
+    ),
 )
 # Python adds the installed file's path to some messages, which does not help a learner.
 STORE_PATH = re.compile(r" \(/[^)]*\)")

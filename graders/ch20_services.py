@@ -263,6 +263,7 @@ def random_point(recording: Recording) -> None:
         return
     own = about_server(recording)
     seeds = tuple(call.where for call in calls(own.sources, "seed"))[:1]
+    lost = slips.other_response(own.sources)
     raise Failure(
         Feedback(
             summary="Every quote that is not about life gets the same point."
@@ -270,8 +271,10 @@ def random_point(recording: Recording) -> None:
             else "The same quote gets the same point again. It should be random each time.",
             expected="a random point at each call",
             seen=shown(asked[0]),
-            where=seeds or settings(own),
-            advice="`random.seed` makes the same numbers come again: remove it."
+            where=lost.where if lost else seeds or settings(own),
+            advice=lost.text
+            if lost
+            else "`random.seed` makes the same numbers come again: remove it."
             if seeds
             else "Draw the numbers in the callback, in each call: `random.uniform(0.0, 100.0)`.",
         )

@@ -141,7 +141,7 @@ def expect_thrown(
             expected=f"std::{wanted}",
             seen=(seen.error or returned)[:120],
             where=(Location(JOINTS),),
-            advice=advice,
+            advice=f"Throw `std::{wanted}` there instead." if seen.error is not None else advice,
         )
     )
 

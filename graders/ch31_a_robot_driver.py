@@ -911,7 +911,16 @@ def joints_alike(recording: Recording) -> None:
 
 @client.check("client_rate", "it sends 100 targets per second", points=2, needs="sends")
 def client_rate(recording: Recording) -> None:
-    where = places(only_script(recording).sources, "Clock")
+    own = only_script(recording).sources
+    where = places(own, "Clock")
+    if places(own, "update_and_sleep") and not places(own, "init"):
+        raise Failure(
+            Feedback(
+                summary="The clock is not started: on a robot, it first counts all rounds since 1970.",
+                where=where,
+                advice="Call `clock.init()` after you make the clock, just before the loop.",
+            )
+        )
     advice = "`Clock(0.01)`, then `clock.init()`, and `clock.update_and_sleep()` once in each round."
     expect_rate(
         recording, recording.stream(MYROBOT.topic(TARGETS), "data"), 100.0, advice=advice, where=where

@@ -312,6 +312,7 @@ done
 """
 USED = "nm -C {program} 2>/dev/null | grep -m 3 qpOASES::; ldd {program} | grep -i qpoases"
 
+
 @link.scenario
 def build_and_run(arena: Arena) -> None:
     arena.require("g++", "cmake", "make")

@@ -26,9 +26,15 @@ def called_callback(sources: Sources) -> Cause | None:
             return Cause(text, (taker.where,))
         if isinstance(callback, ast.Call) and _gives_nothing(sources, callback):
             written = ast.unparse(callback)
+            name, _, given = written.partition("(")
+            right = (
+                f"`partial({name}, {given}`, of functools"
+                if given != ")"
+                else f"without parentheses: `{name}`"
+            )
             return Cause(
                 f"`{written}` calls the function at once and passes on its result, `None`. "
-                f"Pass the function itself, without parentheses: `{written.split('(')[0]}`.",
+                f"Pass the function itself, {right}.",
                 (taker.where,),
             )
     return None
@@ -137,6 +143,14 @@ def never_spun(sources: Sources) -> Cause | None:
             "Nothing runs the callbacks: `main()` must pass the node to `rclpy.spin(node)`, which waits and "
             "calls them. A loop of your own does not."
         )
+    makes = tuple(
+        Location(file, node.lineno)
+        for file, node in nodes(sources)
+        if isinstance(node, ast.Call) and called_name(node).endswith("ThreadedExecutor")
+    )
+    given = any(spin.argument(0, "node") for spin in calls(sources, "spin"))
+    if makes and not given and not any(calls(sources, name) for name in ("add_node", *SPINS[1:])):
+        return Cause("The executor has no node: call `executor.add_node(node)` before it spins.", makes[:1])
     early = [place for place in spins if _in_a_constructor(sources, place)]
     if not early:
         return None

@@ -30,6 +30,15 @@ _BROUGHT = (
     ("ament_cmake_python", "ament_python_install_package"),
     ("ament_cmake_gtest", "ament_add_gtest"),
 )  # fmt: skip
+
+
+def _package_is_found(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`find_package` comes before the place of the error."""
+    found = evidence.line(LISTS, rf"^\s*find_package\s*\(\s*{words['of']}\b")
+    last = symptom.where.line if symptom.where and symptom.where.line else None
+    return Proven() if found and (last is None or found <= last) else None
+
+
 # Packages that come in parts, each with its own name: `Qt5Core` provides `Qt5::Core`.
 _IN_PARTS = ("Qt5", "Qt6")
 _OF_INTERFACES = ("_msgs", "_srvs", "_interfaces")
@@ -173,6 +182,11 @@ PROJECTS: tuple[Known[Evidence], ...] = (
             ),
         )
     ),
+    Known(pattern=r'links to(?: target)?:? "?(?P<name>(?P<of>[\w]+)::[\w:]+)"?.*not found',
+          cause="There is no `{name}` to link.",
+          remedy="`find_package({of})` succeeds, but `{of}` has no target of this name: correct the name.",
+          proof=_package_is_found, given={"CMakeLists.txt": "find_package(door REQUIRED)\n"},
+          example='Target "talk" links to:\n\n    door::dor\n\n  but the target was not found.'),
     Known(pattern=r'links to(?: target)?:? "?(?P<name>[\w:]+)"?.*not found',
           cause="There is no `{name}` to link.",
           remedy="`find_package` must come before this line, with the exact name of the package.",

@@ -10,7 +10,8 @@ from itertools import islice
 
 from course.evidence.sources import Sources
 from course.explain.cmake import LISTS, commands
-from course.explain.cpp_code import cpp_calls
+from course.explain.cpp_code import cpp_calls, cpp_files, only_code
+from course.explain.engine import Cause
 from course.explain.python_code import text_places
 from course.model.events import ProcessExited
 from course.model.feedback import Feedback, Location
@@ -147,7 +148,7 @@ _KNOWN = (
 _QUOTED = re.compile(r"^\s+'(?P<name>[^']+)'\s*$")
 _HEAP = re.compile(r"^(?:free|munmap_chunk|realloc)\(\):|^(?:malloc|double free|corrupted|tcache)")
 _NO_LIBRARY = re.compile(r"error while loading shared libraries: lib(?P<name>\S+?)\.so")
-_SHOWN = 4
+_SHOWN, _MOST_FUNCTIONS = 4, 200
 _ENDINGS = {
     signal.SIGSEGV: ("it uses a pointer that does not point to an object",
                      "Is it empty (`nullptr`)? Make the object before you use it: `std::make_shared`."),
@@ -160,6 +161,7 @@ _TWICE = (
     "it frees memory that it may not free",
     "Make the node with `std::make_shared`, and pass that pointer on. Do not make a second one from it.",
 )
+C_TEXTS = "`%s` is for C strings: use its `.c_str()`. `%d` is for `int`, `%f` for `double`."
 
 
 def cpp_crash(
@@ -179,9 +181,10 @@ def cpp_crash(
     heap = [line for line in lines if _HEAP.search(line)]
     cause, advice = _TWICE if heap else _ENDINGS[signal.Signals(ended.signal)]
     where: tuple[Location, ...] = ()
-    if ended.signal == signal.SIGSEGV and (texts := _texts_without_a_text(sources)):
-        where = texts
-        advice = "`%s` is for C strings: use its `.c_str()`. `%d` is for `int`, `%f` for `double`."
+    if ended.signal == signal.SIGSEGV and (texts := texts_without_a_text(sources)):
+        where, advice = texts, C_TEXTS
+    if ended.signal == signal.SIGSEGV and (endless := calls_itself(sources)):
+        cause, advice, where = "a function calls itself, without end", endless.text, endless.where
     return Feedback(
         summary=f"{what}: {cause}.",
         seen=f"ended by the signal {signal.Signals(ended.signal).name}",
@@ -234,7 +237,40 @@ def _named(lines: Sequence[str], sources: Sources) -> tuple[Location, ...]:
     return tuple(place for name in names for place in text_places(sources, f'"{name}"'))[:2]
 
 
-def _texts_without_a_text(sources: Sources) -> tuple[Location, ...]:
+_FUNCTION = re.compile(
+    r"(?<![\w.>])(?P<name>operator\s*<<|\w+)\s*\((?P<given>[^(){};]*)\)\s*(?:const\s*)?\{(?P<body>[^{}]*)\}"
+)
+_LEAVES = re.compile(r"\b(?:if|while|for|switch|catch)\b|[?]|&&|\|\|")
+
+
+def calls_itself(sources: Sources) -> Cause | None:
+    """A function that cannot end before it calls itself, such as an `operator<<` that writes its object."""
+    for file, text in cpp_files(sources).items():
+        code = only_code(text)
+        for found in islice(_FUNCTION.finditer(code), _MOST_FUNCTIONS):
+            again = None if _LEAVES.search(found["body"]) else re.search(_itself(found), found["body"])
+            if again:
+                start = found.start("body") + again.start()
+                text = "" if "<<" in found["name"] else "()"
+                return Cause(
+                    f"`{' '.join(found['name'].split())}{text}` calls itself here, again and again. Use the "
+                    "member or the function that has the value.",
+                    (Location(file, code.count("\n", 0, start) + 1),),
+                )
+    return None
+
+
+def _itself(function: re.Match[str]) -> str:
+    """A pattern for a call of the function with as many arguments."""
+    parameters = [part.split()[-1].lstrip("&*") for part in function["given"].split(",") if part.strip()]
+    if "<<" in function["name"]:
+        last = re.escape(parameters[-1]) if parameters else "this"
+        return rf"<<\s*{last}\s*(?:;|<<)"
+    arguments = r"[^(),]+" + r",[^(),]+" * (len(parameters) - 1) if parameters else r"\s*"
+    return rf"(?<![\w.>:]){re.escape(function['name'])}\s*\({arguments}\)"
+
+
+def texts_without_a_text(sources: Sources) -> tuple[Location, ...]:
     """Lines that log with `%s` but do not pass a text in the form that C expects."""
     logged = (call for call in cpp_calls(sources, "RCLCPP_INFO") if "%s" in call.arguments)
     return tuple(call.where for call in logged if "c_str" not in call.arguments)

@@ -22,6 +22,14 @@ def _constructor(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
     return Proven(where=places[:1])
 
 
+def _all_private(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """The class has no `public:` at all."""
+    name = words["name"]
+    whole = rf"\bclass\s+{name}\b[^;{{}}]*\{{(?:(?!\bpublic\s*:|\n\}}).)*\n\}}"
+    places = places_of(evidence.sources, rf"(?s){whole}")
+    return Proven(where=places[:1]) if places else None
+
+
 COMPILER: tuple[Known[Evidence], ...] = (
     Known(
         r"application of 'sizeof' to incomplete type '(?:\w+::)*(?P<outer>\w+)::(?P<name>\w+)'",
@@ -204,6 +212,13 @@ COMPILER: tuple[Known[Evidence], ...] = (
         "'Talker::Talker()' is private within this context",
         proof=_constructor,
         given={"src/talker.hpp": "class Talker\n{\n  Talker();\n};\n"},
+    ),
+    Known(
+        r"\b(?P<name>\w+)::\w+(?:\([^']*)?' is private within",
+        "`{name}` has no `public:`, so all of it is private. Write `public:` above what others may use.",
+        "'int Arm::count() const' is private within this context",
+        proof=_all_private,
+        given={"src/arm.hpp": "class Arm\n{\n  int count() const;\n};\n"},
     ),
     Known(
         r"is private within|is protected within",

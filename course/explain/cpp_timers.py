@@ -30,6 +30,9 @@ _DIVISION = r"(?<![\w.])1\s*/\s*(?:[2-9]|[1-9]\d+)(?![\w.])"
 def cpp_timer_cause(sources: Sources) -> Cause | None:
     """Why the function is not called: no timer, one that nobody keeps, or seconds for milliseconds."""
     timers = timers_of(sources)
+    rates = places_of(sources, r"\bRate\b|\bWallRate\b|\bsleep_for\b")
+    if not timers and rates:
+        return _slow_rate(sources)
     if not timers:
         return Cause(
             "The code makes no timer: write `timer_ = create_wall_timer(500ms, ...)` in the node's "
@@ -90,6 +93,13 @@ def integer_division(sources: Sources) -> Cause | None:
             (found,),
         )
     return None
+
+
+def _slow_rate(sources: Sources) -> Cause | None:
+    """`rclcpp::Rate rate(0.5)`: once in two seconds."""
+    where = places_of(sources, r"Rate\s*\w*\s*[({]\s*0?\.\d+\s*[)}]")
+    text = "A rate is how often per second, not the time between two calls: twice per second is 2.0."
+    return Cause(text, where[:1]) if where else None
 
 
 def _another_node(sources: Sources) -> Cause | None:

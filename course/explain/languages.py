@@ -16,12 +16,12 @@ from course.evidence.recording import Recording
 from course.evidence.sources import Sources
 from course.explain.callbacks import never_spun
 from course.explain.cpp_code import cpp_calls, cpp_files, places_of
-from course.explain.cpp_crashes import cpp_crash
+from course.explain.cpp_crashes import C_TEXTS, cpp_crash, texts_without_a_text
 from course.explain.cpp_timers import MAKERS, cpp_timer_cause
 from course.explain.cpp_timers import SPINS as CPP_SPINS
 from course.explain.engine import Cause, Evidence, Symptom, explain
 from course.explain.python_code import calls, nodes
-from course.explain.python_errors import SHUT_DOWN_TWICE, Crash, crash, crash_feedback
+from course.explain.python_errors import EXCEPTIONS, SHUT_DOWN_TWICE, Crash, crash, crash_feedback
 from course.explain.python_slips import (
     first,
     python_timer_cause,
@@ -79,8 +79,8 @@ class Language(ABC):
         """What prints only to the terminal, as the code calls it, and where."""
 
     @abstractmethod
-    def other_words(self, text: str) -> str | None:
-        """Advice on a logged line with different words, if they show what went wrong."""
+    def other_words(self, text: str, sources: Sources) -> Cause | None:
+        """Why a logged line has different words, if they show what went wrong."""
 
     @abstractmethod
     def silent(self, sources: Sources) -> Cause | None:
@@ -155,8 +155,8 @@ class Python(Language):
     def printed(self, sources: Sources) -> tuple[str, tuple[Location, ...]]:
         return "print", self.places(sources, "print")
 
-    def other_words(self, text: str) -> str | None:
-        return _BRACES if "{" in text else None
+    def other_words(self, text: str, sources: Sources) -> Cause | None:
+        return Cause(_BRACES) if "{" in text else None
 
     def silent(self, sources: Sources) -> Cause | None:
         listens = calls(sources, "create_subscription") and not calls(sources, "create_timer")
@@ -172,7 +172,9 @@ def _not_spun(sources: Sources) -> Cause | None:
     if not calls(sources, "init"):
         return Cause("`main()` must call `rclpy.init()`, make the node, and pass it to `rclpy.spin(node)`.")
     once = tuple(call.where for call in calls(sources, "spin_once"))
-    if calls(sources, "spin") or (once and _in_a_loop(sources, once[0])):
+    if any(calls(sources, name) for name in ("spin", "rclcpp_spin_some")) or (
+        once and _in_a_loop(sources, once[0])
+    ):
         return None
     if once:
         return Cause("`spin_once` handles one event and returns. `rclpy.spin(node)` runs until Ctrl+C.", once)
@@ -194,7 +196,9 @@ def _in_a_loop(sources: Sources, place: Location) -> bool:
 def _at_the_end(found: Crash, recording: Recording) -> Cause:
     """What to do about this exception, which came after Ctrl+C."""
     evidence = Evidence(sources=recording.sources, packages=recording.packages)
-    known = explain([SHUT_DOWN_TWICE], [Symptom(found.error, found.where)], evidence)
+    of_ros = _OF_CTRL_C.search(found.error)
+    entries = (SHUT_DOWN_TWICE,) if of_ros else (SHUT_DOWN_TWICE, *EXCEPTIONS[:-1])  # the last fits any
+    known = explain(entries, [Symptom(found.error, found.where)], evidence)
     if known:
         return Cause(known.remedy, known.where)
     where = (found.where,) if found.where else ()
@@ -213,6 +217,8 @@ def _unhandled(found: Crash, cause: Cause) -> Feedback:
     )
 
 
+# Errors that Ctrl+C causes; any other one has a cause of its own.
+_OF_CTRL_C = re.compile(r"KeyboardInterrupt|ExternalShutdown|RCLError|CancelledError|rclpy|context", re.I)
 # Ways to print, as learners write them, and the patterns that find them.
 _PRINTING = (("std::cout", r"\b(?:cout|cerr|clog)\s*<<"), ("printf", r"\b(?:f?printf|f?puts)\s*\("))
 _CPP_DEAF = (
@@ -284,17 +290,27 @@ class Cpp(Language):
         found = ((name, places_of(sources, pattern)) for name, pattern in _PRINTING)
         return next(((name, places) for name, places in found if places), (_PRINTING[0][0], ()))
 
-    def other_words(self, text: str) -> str | None:
-        return next((advice for sign, advice in _IN_THE_TEXT if sign in text), None)
+    def other_words(self, text: str, sources: Sources) -> Cause | None:
+        advice = next((advice for sign, advice in _IN_THE_TEXT if sign in text), None)
+        where = () if advice else texts_without_a_text(sources)
+        return Cause(advice or C_TEXTS, where) if advice or where else None
 
     def silent(self, sources: Sources) -> Cause | None:
-        cause = cpp_timer_cause(sources)
+        cause = _without_node(sources) or cpp_timer_cause(sources)
         if cause or any(self.places(sources, name) for name in CPP_SPINS):
             return cause
         return Cause(
             "Nothing runs the timer's callback: `main` must pass the node to `rclcpp::spin(...)`, which "
             "waits and calls it. A loop of your own does not."
         )
+
+
+def _without_node(sources: Sources) -> Cause | None:
+    """An executor that spins, but was given no node."""
+    made = places_of(sources, r"ThreadedExecutor\s+\w+\s*[;({]")
+    if not made or cpp_calls(sources, "add_node"):
+        return None
+    return Cause("The executor has no node: call `executor.add_node(node);` before it spins.", made[:1])
 
 
 _PYTHON, _CPP = Python(), Cpp()

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Sequence
 from itertools import pairwise
 from statistics import median
 
 from course.evidence.sources import Sources
-from course.explain.callbacks import in_callbacks
+from course.explain.callbacks import callbacks, in_callbacks
 from course.explain.cpp_code import cpp_files
 from course.explain.cpp_timers import cpp_periods, integer_division
 from course.explain.engine import Cause
-from course.explain.python_code import calls, number
+from course.explain.python_code import called_name, calls, number
 from course.explain.python_slips import long_sleep, several_timers
 from course.model.feedback import Location
 
@@ -31,7 +32,9 @@ def pace_cause(times: Sequence[float], period: float, sources: Sources, *, writt
     if cpp_files(sources):
         found = integer_division(sources) if median(gaps) < period / 10 else None
     else:
-        found = _several_at_once(gaps, period, sources) or _slept(gaps, sources)
+        found = (
+            _looped(gaps, period, sources) or _several_at_once(gaps, period, sources) or _slept(gaps, sources)
+        )
     return found or (_written(gaps, period, sources) if written else None)
 
 
@@ -64,6 +67,20 @@ def _several_at_once(gaps: Sequence[float], period: float, sources: Sources) -> 
         if len(inside) >= count:
             what = f"{count} come together each {period:g} s: the callback does it {count} times."
             return Cause(what, inside[:2])
+    return None
+
+
+def _looped(gaps: Sequence[float], period: float, sources: Sources) -> Cause | None:
+    """A `while` in a callback that does it as fast as it can."""
+    if median(gaps) > period / 10:
+        return None
+    for callback in callbacks(sources):
+        for loop in (part for part in ast.walk(callback.node) if isinstance(part, ast.While)):
+            inside = {called_name(part) for part in ast.walk(loop) if isinstance(part, ast.Call)}
+            if inside & {"info", "publish", "call_async"} and "sleep" not in inside:
+                text = "This loop goes on and on within one call of the callback. Remove it: the timer alone "
+                text += "calls the function again and again."
+                return Cause(text, (Location(callback.file, loop.lineno),))
     return None
 
 

@@ -12,7 +12,7 @@ from pathlib import PurePosixPath
 
 from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
-from course.explain.callbacks import called_callback
+from course.explain.callbacks import callbacks, called_callback
 from course.explain.engine import (
     Cause,
     Evidence,
@@ -26,8 +26,8 @@ from course.explain.engine import (
     here,
 )
 from course.explain.parameter_causes import undeclared, value_forgotten
-from course.explain.python_code import nodes, parsed
-from course.explain.python_slips import accidental_tuple, misnamed_constructor, shadowed_import
+from course.explain.python_code import calls, nodes, parsed
+from course.explain.python_slips import accidental_tuple, misnamed_constructor, shadowed_import, uncalled
 from course.explain.service_causes import (
     fields_of_the_request,
     no_response,
@@ -56,6 +56,7 @@ def crash(traceback: tuple[str, ...], packages: BuiltPackages, sources: Sources)
     """Return what this traceback says; None if it is empty."""
     if not traceback:
         return None
+    traceback = tuple(line.partition(f" {_ROS_1}")[0] for line in traceback)  # it is never the cause here
     places = [place for place in (_place(line, packages, sources) for line in traceback) if place]
     where = places[-1] if places else None
     start = _error_start(traceback)
@@ -205,7 +206,27 @@ def _misspelled(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
     stored = {node.attr for node in stores if isinstance(node, ast.Attribute)}
     named = {node.id for node in stores if isinstance(node, ast.Name)}
     near = nearest(name, (named if "plain" in words else stored) - {name}, LOOSELY)
-    return Proven({"name": name, **({"near": near} if near else {})})
+    own = {node.name for _, node in nodes(evidence.sources) if isinstance(node, ast.ClassDef)}
+    foreign = {"foreign": words["of"]} if "of" in words and words["of"] not in own else {}
+    return Proven({"name": name, **foreign, **({"near": near} if near else {})})
+
+
+def _ros_calls_it(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A callback of rclpy's, which no line of the learner's calls."""
+    found = [one for one in callbacks(evidence.sources) if one.node.name == words["name"]]
+    return None if not found or calls(evidence.sources, words["name"]) else Proven(where=(found[0].where,))
+
+
+def _parameters(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
+    """The arguments of the learner's class, if it is one of theirs."""
+    for _, node in nodes(evidence.sources):
+        if isinstance(node, ast.ClassDef) and node.name == words["called"]:
+            made = (
+                part for part in node.body if isinstance(part, ast.FunctionDef) and part.name == "__init__"
+            )
+            for one in made:
+                return Proven({"parameters": listed([part.arg for part in one.args.args[1:]])})
+    return Proven()
 
 
 def _not_imported(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
@@ -341,7 +362,8 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "TypeError: Node.__init__() missing 1 required positional argument: 'node_name'",
           proof=because(misnamed_constructor),
           given={"talk/talker.py": "class Talker(Node):\n    def _init_(self):\n        pass\n"}),
-    Known(r"ROS 1 message type|_TYPE_SUPPORT|has no attribute|unexpected keyword", "{cause}", _ROS_1,
+    Known(r"has no attribute|unexpected keyword", "{cause}",
+          "AttributeError: type object 'type' has no attribute '_TYPE_SUPPORT'",
           proof=because(shadowed_import),
           given={"talk/talker.py": "from talk.msg import Quote\nclass Quote(Node):\n    pass\n"}),
     Known(r"'(?P<of>\w+)' object is not subscriptable",
@@ -397,6 +419,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "AttributeError: 'NoneType' object has no attribute 'sum'",
           proof=because(result_too_early), where=(here,),
           given={"talk/talker.py": "future.result().sum"}),
+    Known(r"Spin the node until is_enabled", "{cause}",
+          "RuntimeError: nothing has come yet. Spin the node until is_enabled() is true.",
+          proof=because(uncalled), given={"talk/client.py": "while not robot.is_enabled:\n    pass\n"}),
     Known(_NOT_STARTED,
           "Call `rclcpp_init()` of `sas_common` first, before `rclcpp_Node(...)` makes the node.",
           "rclpy.exceptions.NotInitializedException: rclpy.init() has not been called.", proof=_is_of_sas,
@@ -439,6 +464,88 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "AttributeError: type object 'str' has no attribute '_TYPE_SUPPORT'"),
     Known(r"circular import", "Two files import each other. Move what both need to a third one.",
           "ImportError: cannot import (most likely due to a circular import)"),
+    Known(r"'property' object (?:has no attribute|is not iterable)",
+          "This asks a class, not an object of it. Make an object with `()`, as in `Some.Request()`.",
+          "AttributeError: 'property' object has no attribute 'quote'"),
+    Known(r"'await' outside async function",
+          "Write `async` before the `def` of the function that contains this line.",
+          "SyntaxError: 'await' outside async function"),
+    Known(r"cannot access local variable|local variable '\w+' referenced before",
+          "The function with this line assigns to this name, which makes it a local variable. If the one "
+          "outside is meant, write `nonlocal` and its name first. An attribute needs `self.` before it.",
+          "UnboundLocalError: cannot access local variable 'count' where it is not associated with a value"),
+    Known(r"(?P<of>\w+) index out of range",
+          "The {of} has no element with this index: the last one is `len(...) - 1`. `index % len(...)` "
+          "begins again at the first.", "IndexError: tuple index out of range"),
+    Known(r"The '(?P<field>\w+)' field must be of type '(?P<type>int|float|str|bool)'",
+          "The field `{field}` takes only the type `{type}`: convert the value with `{type}(...)`.",
+          "AssertionError: The 'id' field must be of type 'int'"),
+    Known(r"The '(?P<field>\w+)' field must be a sub message of type '(?P<type>\w+)'",
+          "The field `{field}` is itself a message. Set one of the fields of this `{type}`, or give it a "
+          "whole `{type}(...)`.", "AssertionError: The 'quote' field must be a sub message of type 'Quote'"),
+    Known(r"callback should be either be callable with one argument",
+          "The callback must take the message: add a parameter, as in `def callback(self, message):`.",
+          "RuntimeError: Subscription.__init__(): callback should be either be callable with one argument"),
+    Known(r"service type provided is not valid",
+          "Pass the type of the service itself: without `.Request` or `.Response`, and without parentheses.",
+          "RuntimeError: The service type provided is not valid (<class 'X_Response'>)"),
+    Known(r"'(?P<of>int|float|str|bool|list|dict|tuple)' object is not callable",
+          "The parentheses call something that is a value of type `{of}`. A property or an attribute is read "
+          "without parentheses.", "TypeError: 'int' object is not callable"),
+    Known(r"argument of type '(?P<of>\w+)' is not (?:iterable|a container)",
+          "`in` cannot search a `{of}` object. Search one of its fields: a text or a list.",
+          "TypeError: argument of type 'Quote' is not iterable"),
+    Known(r"(?P<called>\w+)\.__init__\(\) got an unexpected keyword argument '(?P<name>\w+)'",
+          ("`{called}` has no argument `{name}`. It has {parameters}.",
+           "`{called}` has no argument `{name}`."),
+          "TypeError: Sample.__init__() got an unexpected keyword argument 'nam'", proof=_parameters,
+          given={"talk/talker.py": "class Sample:\n    def __init__(self, name):\n        pass\n"}),
+    Known(r"got an unexpected keyword argument '(?P<name>\w+)'",
+          "What is called here has no argument `{name}`: compare the call with its definition.",
+          "TypeError: say() got an unexpected keyword argument 'nam'"),
+    Known(r"RecursionError|maximum recursion depth",
+          "The function or property with this line calls itself, again and again. Use the attribute or "
+          "function that has the value.", "RecursionError: maximum recursion depth exceeded"),
+    Known(r"'(?P<of>\w+)' object is not an iterator",
+          "`next` needs an iterator, such as `itertools.count()`, and this is only a `{of}`: keep the "
+          "iterator, not what `next` took from it.", "TypeError: 'int' object is not an iterator"),
+    Known(r"missing \d+ required positional arguments?: 'self'",
+          "The method is called on the class. Call it on an object of the class.",
+          "TypeError: Sample.get_name() missing 1 required positional argument: 'self'"),
+    Known(r"\b(?P<name>\w+)\(\) missing \d+ required positional arguments?: (?P<lost>.*)",
+          "ROS calls `{name}` without {lost}: remove it from the `def`.",
+          "TypeError: Talker.tick() missing 1 required positional argument: 'event'", proof=_ros_calls_it,
+          given={"talk/talker.py": "node.create_timer(1, tick)\ndef tick(event):\n    pass\n"}),
+    Known(r"\b(?P<name>\w+)\(\) missing \d+ required (?:positional|keyword-only) arguments?: (?P<lost>.*)",
+          "`{name}` needs more than it is given here: {lost}. Compare the call with its `def`.",
+          "TypeError: Talker.say() missing 1 required positional argument: 'text'"),
+    Known(r"await wasn't used with future|type (?:Task|coroutine|Future) doesn't"
+          r"|'(?:coroutine|_asyncio\.Future|_GatheringFuture|Task)' object",
+          "`await` is missing before what is called here, or before the task: only `await` waits for it.",
+          "RuntimeError: await wasn't used with future"),
+    Known(r"object (?P<of>[\w.]+) can't be used in 'await' expression",
+          "`await` cannot wait for a `{of}`. Remove `await`, or await a coroutine, a task or a future.",
+          "TypeError: object NoneType can't be used in 'await' expression"),
+    Known(r"unsupported operand type\(s\) for (?P<sign>\S+): '(?P<left>[^']+)' and '(?P<right>[^']+)'",
+          "`{sign}` does not work between a `{left}` and a `{right}`: one of the two is not what you "
+          "expect, or must be converted first.",
+          "TypeError: unsupported operand type(s) for +: 'int' and 'str'"),
+    Known(r"not supported between instances of '(?P<left>\w+)' and '(?P<right>\w+)'",
+          "A `{left}` cannot be compared with a `{right}`: convert one of them first.",
+          "TypeError: '<' not supported between instances of 'str' and 'int'"),
+    Known(r"cannot unpack non-iterable (?P<of>\w+)|'(?P<it>\w+)' object is not iterable",
+          ("This needs several values, such as a list or a tuple, and it gets a single `{of}`.",
+           "This needs several values, such as a list or a tuple, and it gets a single `{it}`."),
+          "TypeError: 'int' object is not iterable"),
+    Known(r"(?:too many|not enough) values to unpack",
+          "There must be as many names before the `=` as there are values after it.",
+          "ValueError: too many values to unpack (expected 2)"),
+    Known(r"KeyError: (?P<key>.+)", "The dict has no key {key}: print its keys, and compare the spelling.",
+          "KeyError: 'qoute'"),
+    Known(r"SyntaxError: f-string: (?:unmatched|expecting)",
+          "A quote in the braces ends this f-string too early: it must differ from the quotes around the "
+          "string. A field of a message needs no quotes: `message.field`.",
+          "SyntaxError: f-string: unmatched '['"),
     Known(r"SyntaxError",
           "Python cannot read the file. Check this line and the end of the line before it.",
           "SyntaxError: invalid syntax"),
@@ -459,9 +566,6 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r'can only concatenate str \(not "(?P<type>[\w.]+)"',
           "This line adds a `{type}` to a text: use an f-string.",
           'TypeError: can only concatenate str (not "list") to str'),
-    Known(r"'property' object has no attribute",
-          "This asks a class, not an object of it. Make an object with `()`, as in `Some.Request()`.",
-          "AttributeError: 'property' object has no attribute 'quote'"),
     Known(r"'NoneType' object has no attribute '(?P<name>\w+)'",
           "What comes before `.{name}` is `None` here: it was not given a value yet, or a function returned "
           "nothing.",
@@ -477,8 +581,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`{name}` gets its value later than this line runs. Set it before.",
           "AttributeError: 'Talker' object has no attribute 'count'", proof=_given_later, where=(here,),
           given={"talk/talker.py": "class Talker(Node):\n    def __init__(self):\n        self.count = 0\n"}),
-    Known(r"has no attribute '(?P<name>\w+)'|name '(?P<plain>\w+)' is not defined",
+    Known(r"(?:'(?P<of>\w+)' object )?has no attribute '(?P<name>\w+)'|name '(?P<plain>\w+)' is not defined",
           ("You probably mean `{near}`.",
+           "What comes before `.{name}` is an object of type `{foreign}`, which has no `{name}`. Is it the "
+           "object that you mean, and is the name right?",
            "Check the spelling of `{name}`: nothing of that name exists here."),
           "AttributeError: 'Talker' object has no attribute 'cuont'", proof=_misspelled,
           given={"talk/talker.py": "self.count = 0\n"}),

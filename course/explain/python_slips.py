@@ -15,7 +15,18 @@ from course.model.feedback import Location
 _Def = ast.FunctionDef | ast.AsyncFunctionDef
 _CONSTRUCTORS = ("_init_", "__init_", "_init__", "__int__")
 # What learners write without parentheses, besides their own functions.
-_METHODS = {"spin", "ok", "is_set", "done", "shutdown", "try_shutdown", "destroy_node", "cancel", "is_alive"}
+_METHODS = {
+    "spin",
+    "ok",
+    "is_set",
+    "done",
+    "shutdown",
+    "try_shutdown",
+    "destroy_node",
+    "cancel",
+    "is_alive",
+    "is_enabled",
+}
 _SELDOM = ("once", "skip_first", "throttle_duration_sec")
 _LOGS = ("debug", "info", "warn", "warning", "error", "fatal")
 _GROUPS = ("callback_group", "ReentrantCallbackGroup", "MutuallyExclusiveCallbackGroup")
@@ -88,9 +99,10 @@ def uncalled(sources: Sources) -> Cause | None:
         for part in _asked(node):
             if isinstance(part, ast.Attribute) and part.attr in names:
                 written = ast.unparse(part)
+                given = "(node)" if written == "rclpy.spin" else "()"
                 return Cause(
-                    f"`{written}` only names the function, and does not call it: write `{written}()`, with "
-                    "parentheses.",
+                    f"`{written}` only names the function, and does not call it: write `{written}{given}`, "
+                    "with parentheses.",
                     (Location(file, part.lineno),),
                 )
     return None
@@ -224,7 +236,11 @@ def logged_seldom(sources: Sources) -> Cause | None:
                     f"`{written}` suppresses most of the log messages: remove it to log each time.",
                     (call.where,),
                 )
-    return None
+    quiet = () if any(calls(sources, name) for name in _LOGS[1:]) else calls(sources, "debug")
+    return _in(
+        (call.where for call in quiet),
+        "Messages at level DEBUG are not logged by default: log with `self.get_logger().info(...)`.",
+    )
 
 
 def accidental_tuple(sources: Sources) -> Cause | None:

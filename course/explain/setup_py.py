@@ -11,7 +11,7 @@ from pathlib import PurePosixPath
 
 from course.evidence.sources import Sources
 from course.explain.builds import Build, tag
-from course.explain.engine import Known, Proven, Symptom, Words, at, like
+from course.explain.engine import Cause, Known, Proven, Symptom, Words, at, like
 from course.explain.python_code import parsed
 from course.model.feedback import Location
 
@@ -46,6 +46,25 @@ class EntryPoint:
         """The file of the target's module, for a package in this folder."""
         module = self.target.partition(":")[0].strip()
         return f"{folder}/{module.replace('.', '/')}.py"
+
+
+def starts_another(sources: Sources, seen: str, wanted: str) -> Cause | None:
+    """The node that runs is in one file, and the one that should is in another: the entry point is wrong."""
+    names = (seen.lstrip("/"), wanted)
+    modules = {file: text for file, text in sources.files.items() if re.search(r"(?<!setup)\.py$", file)}
+    quoted = {
+        one: [f for f, text in modules.items() if re.search(rf"['\"]{one}['\"]", text)] for one in names
+    }
+    runs, should = (quoted[one] for one in names)
+    if len(runs) != 1 or len(should) != 1 or runs == should:
+        return None
+    stem, right = (PurePosixPath(one[0]).stem for one in (runs, should))
+    folder = str(PurePosixPath(should[0]).parents[1])
+    wrong = [entry for entry in entry_points(sources, folder) if f".{stem}:" in entry.target]
+    if not wrong:
+        return None
+    text = f"This entry point starts `{stem}`. The node `{wanted}` is in `{right}`: name that module there."
+    return Cause(text, (wrong[0].where, Location(should[0])))
 
 
 def entry_points(sources: Sources, package_folder: str) -> tuple[EntryPoint, ...]:
@@ -227,6 +246,13 @@ def _other_marker(build: Build, symptom: Symptom, words: Words) -> Proven:
     return Proven({"other": others[0]} if len(others) == 1 else {})
 
 
+def _in_a_folder(build: Build, symptom: Symptom, words: Words) -> Proven | None:
+    """`find_packages('src')` without `package_dir`."""
+    text = build.text("setup.py")
+    found = re.search(r"find_packages\(\s*(?:where\s*=\s*)?['\"](?P<inside>[\w/]+)['\"]", text)
+    return Proven({"inside": found["inside"]}) if found and "package_dir" not in text else None
+
+
 def _line_of_setup_cfg(build: Build, symptom: Symptom, words: Words) -> Proven:
     return Proven(where=(build.place("setup.cfg", int(words["line"])),))
 
@@ -266,6 +292,12 @@ OF_FILES: tuple[Known[Build], ...] = (
           remedy=("Did you mean `{near}`?", "Create the file, or remove it from `data_files`."),
           proof=like(Build.files), where=(at("setup.py", "{base}", "data_files"),),
           example="error: can't copy 'launch/talk.launch.py': doesn't exist or not a regular file"),
+    Known(kind="package-dir", pattern=r"^error: package directory '(?P<name>[^'/]+)' does not exist",
+          cause="setup.py of `{package}` finds {name} in `{inside}`, and then looks for it elsewhere.",
+          remedy="Say where it is: add `package_dir={'': '{inside}'},` to `setup(...)`.",
+          where=(at("setup.py", r"\bpackages\s*="),), proof=_in_a_folder,
+          given={"setup.py": "setup(packages=find_packages('src'))"},
+          example="error: package directory 'talk' does not exist"),
     Known(kind="package-folder", pattern=r"^error: package directory '(?P<name>.+?)' does not exist",
           cause="setup.py of `{package}` lists the Python package {name}, but there is no such folder.",
           remedy="`packages=find_packages(exclude=['test'])` finds every folder that has an `__init__.py`.",

@@ -137,7 +137,7 @@ def _not_logged(
     after = [line.text for line in recording.log if line.t > lost[0].asked]
     terminal = recording.process(process).text
     printed = [] if after else [text for text in terminal if wanted[names[0]] in text]
-    cause = None if printed or len(names) < len(wanted) else future_lost(recording.sources)
+    cause = None if printed or len(names) < len(wanted) else _unanswered(recording.sources)
     shown = printed or after
     made = calls(recording.sources, "print" if printed else "info")
     return Feedback(
@@ -160,6 +160,11 @@ def _advice(names: list[str], wanted: Mapping[str, str], after: list[str], print
     if len(names) < len(wanted):
         return f"Log all of {', '.join(f'`{name}`' for name in wanted)}; `{names[0]}` is missing."
     return "Read `future.result()` once the future is `done()`, and log each field of the answer."
+
+
+def _unanswered(sources: Sources) -> Cause | None:
+    one_group = not any("callback_group" in text for text in sources.files.values())
+    return future_lost(sources) or (slips.standstill(sources) if one_group else None)
 
 
 def future_lost(sources: Sources) -> Cause | None:

@@ -180,6 +180,14 @@ def _unlinked(error: CppError, package: BuiltPackage, every: Sequence[Command], 
             advice=f"Add `ament_export_targets(export_{package.name} HAS_LIBRARY_TARGET)`, and "
             "`EXPORT` with that name to the `install` of the library.",
         )
+    made = {one.words[0] for one in _named(every, "add_library") if one.words}
+    lost = [one for one in exported if one.name == "ament_export_libraries" and not made & {*one.words}]
+    if made and lost:
+        return Feedback(
+            summary=f"{_OTHERS}: the package makes no library {listed(lost[0].words)}.",
+            where=(lost[0].where,),
+            advice=f"Name the target of `add_library`: `ament_export_libraries({listed(made)})`.",
+        )
     return Feedback(
         summary=f"Your header declares `{error.text}`, but nothing in the library defines it.",
         where=places_of(sources, rf"\b{re.escape(name)}\s*\(")[:2] or (_lists(package),),

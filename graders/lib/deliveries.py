@@ -18,6 +18,7 @@ from course.api import (
     Recording,
     calls,
     cause_of_silence,
+    slips,
     text_places,
 )
 
@@ -93,7 +94,7 @@ def _silent(recording: Recording, process: str, count: int) -> Feedback:
     where = tuple(call.where for call in calls(recording.sources, "create_subscription"))[:1]
     if any(calls(recording.sources, name) for name in LOGS):
         look_at = "is this the right topic, and does the callback come to the line that logs?"
-        cause = cause_of_silence(recording, process, look_at=look_at)
+        cause = cause_of_silence(recording, process, slips.logged_seldom, look_at=look_at)
     else:
         cause = Cause("Log in the callback of the subscription: `self.get_logger().info(...)`.", where)
     return Feedback(

@@ -13,7 +13,8 @@ from course.explain.callbacks import (
     never_spun,
 )
 from course.explain.languages import timer_places
-from course.explain.python_slips import python_timer_cause
+from course.explain.paces import pace_cause
+from course.explain.python_slips import python_timer_cause, uncalled
 from tests.golden import golden
 
 FILE = "src/talk/talk/talker.py"
@@ -99,9 +100,60 @@ def test_nothing_spins() -> None:
     golden(never_spun(sources(f"{MADE}Talker()\nwhile True:\n    time.sleep(1)\n")))
 
 
-@pytest.mark.parametrize("spin", ["rclpy.spin(node)", "executor.spin()", "spin_once(node)"])
+EXECUTOR = "executor = SingleThreadedExecutor()\n"
+
+
+@pytest.mark.parametrize(
+    "spin",
+    [
+        "rclpy.spin(node)",
+        "executor.spin()",
+        "spin_once(node)",
+        f"{EXECUTOR}executor.add_node(node)\nexecutor.spin()",
+        f"{EXECUTOR}rclpy.spin(node, executor)",
+    ],
+)
 def test_something_does(spin: str) -> None:
     assert never_spun(sources(f"{MADE}\n{spin}\n")) is None
+
+
+def test_an_executor_without_a_node() -> None:
+    found = never_spun(sources(f"{MADE}{EXECUTOR}executor.spin()\n"))
+    assert found is not None
+    assert "add_node" in found.text
+    assert found.where[0].line == 4
+
+
+LOOP = "def tick(self):\n    while {}:\n        self.get_logger().info('x'){}\n"
+
+
+@pytest.mark.parametrize(
+    ("gaps", "code", "is_told"),
+    [
+        (0.001, LOOP.format("True", ""), True),
+        (0.5, LOOP.format("True", ""), False),
+        (0.001, LOOP.format("True", "; time.sleep(1)"), False),
+        (0.001, TICK, False),
+    ],
+)
+def test_a_loop_in_a_callback(gaps: float, code: str, is_told: bool) -> None:
+    times = [gaps * number for number in range(20)]
+    found = pace_cause(times, 0.5, sources(f"self.create_timer(0.5, self.tick)\n{code}"), written=False)
+    assert (found is not None and "This loop" in found.text) is is_told
+
+
+@pytest.mark.parametrize(
+    ("code", "advice"),
+    [
+        ("rclpy.spin", "write `rclpy.spin(node)`"),
+        ("executor.spin", "write `executor.spin()`"),
+        ("while not robot.is_enabled:\n    pass", "write `robot.is_enabled()`"),
+        ("rclpy.spin(node)", None),
+    ],
+)
+def test_a_method_that_is_only_named(code: str, advice: str | None) -> None:
+    found = uncalled(sources(code))
+    assert advice in found.text if found and advice else found is None and advice is None
 
 
 def test_a_constructor_that_spins() -> None:

@@ -150,3 +150,29 @@ def test_nothing_is_made_of_other_lines() -> None:
 
 def test_files_of_others_are_no_place() -> None:
     assert own_place("/usr/include/x.h", "3", SOURCES) is None
+
+
+STREAMS = (
+    "std::ostream & operator<<(std::ostream & stream, const Arm & arm)\n{{\n  return stream << {};\n}}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("code", "line"),
+    [
+        (STREAMS.format("arm"), 3),
+        (STREAMS.format('"arm " << arm << "."'), 3),
+        (STREAMS.format("arm.size()"), None),
+        ("int Arm::size() const { return size(); }", 1),
+        ("int Arm::size() const { return parts_.size(); }", None),
+        ("void set(int a) { set(a, 0); }\nvoid set(int a, int b) { b_ = a + b; }", None),
+        ("int fall(int n)\n{\n  return fall(n - 1);\n}", 3),
+        ("int fall(int n) { return n < 1 ? 0 : fall(n - 1); }", None),
+        ("void spin(Node node) { rclcpp::spin(node); }", None),
+    ],
+)
+def test_a_function_that_calls_itself_without_end(code: str, line: int | None) -> None:
+    found = told(number=11, code=code)
+    assert found is not None
+    assert [place.line for place in found.where] == ([line] if line else [])
+    assert ("calls itself" in str(found.advice)) is (line is not None)

@@ -77,3 +77,13 @@ def test_a_plain_node_in_place_of_the_class() -> None:
     assert cause(text) is None
     found = cause(f'{text}int main() {{ spin(std::make_shared<rclcpp::Node>("a")); }}') or ""
     assert found.startswith("[7] The program makes a plain `rclcpp::Node`")
+
+
+@pytest.mark.parametrize(("hertz", "is_told"), [("0.5", True), ("2.0", False)])
+def test_a_rate_is_not_a_period(hertz: str, is_told: bool) -> None:
+    found = cause(f"int main()\n{{\n  rclcpp::Rate rate({hertz});\n}}\n")
+    assert found == (
+        "[3] A rate is how often per second, not the time between two calls: twice per second is 2.0."
+        if is_told
+        else None
+    )

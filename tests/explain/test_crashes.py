@@ -142,7 +142,10 @@ def main():
         ("NameError: name 'size' is not defined", "`size` gets its value where this line cannot see it"),
         ("NameError: name 'nothing' is not defined", "Check the spelling of `nothing`"),
         ("AttributeError: 'Talker' object has no attribute 'count'", "`count` gets its value later"),
-        ("AttributeError: 'Other' object has no attribute 'count'", "Check the spelling of `count`"),
+        (
+            "AttributeError: 'Other' object has no attribute 'count'",
+            "What comes before `.count` is an object",
+        ),
         ("AttributeError: 'Talker' object has no attribute 'steps'", "Check the spelling of `steps`"),
         ("AttributeError: 'Talker' object has no attribute 'othr'", "You probably mean `other`"),
         ('TypeError: can only concatenate str (not "float") to str', "This line adds a number"),

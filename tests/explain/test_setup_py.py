@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from course.evidence.sources import Sources
-from course.explain.setup_py import EntryPoint, entry_points, joined_entry_points
+from course.explain.setup_py import EntryPoint, entry_points, joined_entry_points, starts_another
 from course.model.feedback import Location
 
 FOLDER = "src/talk"
@@ -120,3 +120,16 @@ def test_a_missing_comma_is_noticed(scripts: str, joined: str | None) -> None:
     sources = Sources({f"{FOLDER}/setup.py": f"setup(entry_points={{'console_scripts': {scripts}}})"})
     entry = joined_entry_points(sources, FOLDER)
     assert (entry.text if entry else None) == joined
+
+
+@pytest.mark.parametrize(
+    ("seen", "wanted", "line"),
+    [("/one_node", "two_node", 1), ("/one_node", "one_node", None), ("/other", "two_node", None)],
+)
+def test_an_entry_point_that_starts_another_node(seen: str, wanted: str, line: int | None) -> None:
+    scripts = f"setup(entry_points={{'console_scripts': [{TWO.replace('talk.two', 'talk.one')}]}})"
+    modules = {name: f"super().__init__('{name}_node')" for name in ("one", "two")}
+    files = {f"{FOLDER}/talk/{name}.py": text for name, text in modules.items()}
+    cause = starts_another(Sources({f"{FOLDER}/setup.py": scripts, **files}), seen, wanted)
+    assert (cause.where[0].line if cause else None) == line
+    assert cause is None or "starts `one`" in cause.text

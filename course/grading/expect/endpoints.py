@@ -11,6 +11,7 @@ from course.evidence.recording import Recording
 from course.explain.languages import language_of
 from course.explain.python_code import text_places
 from course.explain.python_slips import made_again
+from course.explain.setup_py import starts_another
 from course.model.feedback import Failure, Feedback, Location
 from course.model.graph import Endpoint, Kind, Qos, mismatch
 from course.spelling import listed, nearest
@@ -29,6 +30,7 @@ def expect_node(recording: Recording, name: str, *, whole: bool = True) -> str:
     if found is not None:
         return found
     close = (nearest(name, nodes) if whole else None) or (nodes[0] if len(nodes) == 1 else None)
+    other = starts_another(recording.sources, close, name.lstrip("/")) if close else None
     if whole:
         wanted, called, missing = name, f"not `{name}`", f"There is no node `{name}`."
     else:
@@ -40,8 +42,8 @@ def expect_node(recording: Recording, name: str, *, whole: bool = True) -> str:
             summary=f"The node is called `{close}`{separator}{called}." if close else missing,
             expected=wanted,
             seen=listed(nodes, "no node at all"),
-            where=_name_places(recording, close) if close else (),
-            advice=language_of(recording.sources).to_name_a_node(name.lstrip("/")),
+            where=other.where if other else _name_places(recording, close) if close else (),
+            advice=other.text if other else language_of(recording.sources).to_name_a_node(name.lstrip("/")),
         )
     )
 

@@ -9,10 +9,13 @@ from course.evidence.recording import Recording
 from course.evidence.topic_view import LogLine
 from course.explain.languages import language_of
 from course.explain.python_code import text_places
-from course.grading.expect.programs import cause_of_silence
-from course.model.feedback import Failure, Feedback
+from course.grading.expect.programs import cause_of_silence, proven_silence
+from course.model.feedback import Failure, Feedback, Location
 
-_SHOWN = 3
+_SHOWN, _FEW = 3, 2
+_EXACTLY = "Log exactly the words of the task, with the same capital letters and period."
+# Words less alike than this are not the expected line with an error in it.
+_ALIKE = 0.6
 
 
 def expect_logged(
@@ -31,7 +34,7 @@ def expect_logged(
     before_the_end = (line.text for line in view.lines if line.t < (view.interrupted_at or inf))
     printed = [text for text in before_the_end if mark in text and text not in view.traceback()]
     if recording.log:
-        raise Failure(_other_words(recording, example))
+        raise Failure(_other_words(recording, process, example))
     if printed:
         raise Failure(_printed(recording, printed[0]))
     raise Failure(_silent(recording, process, example))
@@ -48,17 +51,35 @@ def _level(recording: Recording, line: LogLine, example: str) -> Feedback:
     )
 
 
-def _other_words(recording: Recording, example: str) -> Feedback:
+def _other_words(recording: Recording, process: str, example: str) -> Feedback:
     """Feedback on the line most similar to the expected one: a node may log other things, too."""
-    line = max(recording.log, key=lambda one: SequenceMatcher(None, one.text[:200], example).ratio())
-    advice = language_of(recording.sources).other_words(line.text)
+
+    def alike(one: LogLine) -> float:
+        return SequenceMatcher(None, one.text[:200], example).ratio()
+
+    line = max(recording.log, key=alike)
+    cause = language_of(recording.sources).other_words(line.text, recording.sources)
+    working = len(recording.log) > _FEW or alike(line) >= _ALIKE
+    lost = None if cause or working else proven_silence(recording, process)
+    if lost:
+        return Feedback(
+            summary=f"The node logs other things, but nothing like `{example}`.",
+            expected=example,
+            seen=line.text[:200],
+            where=lost.where,
+            advice=lost.text,
+        )
     return Feedback(
         summary=f"The node logs different words: `{line.text[:120]}`.",
         expected=example,
         seen=line.text[:200],
-        where=text_places(recording.sources, line.text[:20])[:1] if line.text.strip() else (),
-        advice=advice or "Log exactly the words of the task, with the same capital letters and period.",
+        where=(cause.where if cause else ()) or _written(recording, line.text),
+        advice=cause.text if cause else _EXACTLY,
     )
+
+
+def _written(recording: Recording, text: str) -> tuple[Location, ...]:
+    return text_places(recording.sources, text[:20])[:1] if text.strip() else ()
 
 
 def _printed(recording: Recording, text: str) -> Feedback:

@@ -64,8 +64,13 @@ def cause_of_silence(
     the learner if no cause is proven.
     """
     own = of_program(recording, process)
-    found = first(own.sources, *others) or language_of(own.sources).silent(own.sources)
+    found = first(own.sources, *others) or proven_silence(recording, process)
     return found or unproven(own, look_at, timer_places(own.sources))
+
+
+def proven_silence(recording: Recording, process: str) -> Cause | None:
+    own = of_program(recording, process)
+    return language_of(own.sources).silent(own.sources)
 
 
 def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:

@@ -129,6 +129,14 @@ def test_other_words(text: str) -> None:
     golden(logged(cpp(log(1.0, text))))
 
 
+def test_a_text_of_cpp_for_percent_s() -> None:
+    code = '\nRCLCPP_INFO(get_logger(), "%s", text{});'
+    found = logged(cpp(log(1.0, ""), code=code.format("")))
+    assert "c_str()" in str(found.advice)
+    assert [place.line for place in found.where] == [3]
+    assert "c_str()" not in str(logged(cpp(log(1.0, ""), code=code.format(".c_str()"))).advice)
+
+
 @pytest.mark.parametrize("code", ['std::cout << "Print";', 'printf("Print");'])
 def test_printed_and_not_logged(code: str) -> None:
     golden(logged(cpp(OutputLine(1.0, "talker", EXAMPLE), code=code)))

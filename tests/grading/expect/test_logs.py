@@ -43,7 +43,15 @@ def test_one_line_at_another_level_is_enough() -> None:
 
 
 def test_other_words() -> None:
-    golden(feedback(record(log(1.0, "Count: 0"), code="\nlog.info(f'Count: {n}')\n# Count: 0")))
+    lines = [log(t, "Count: 0") for t in (1.0, 1.5, 2.0)]
+    golden(feedback(record(*lines, code="\nlog.info(f'Count: {n}')\n# Count: 0")))
+
+
+def test_a_greeting_alone_does_not_mean_that_the_words_differ() -> None:
+    code = "class Talker(Node):\n    def __init__(self):\n        self.get_logger().info('Ready')\n"
+    found = feedback(record(log(1.0, "Ready"), code=code))
+    assert "nothing like" in found.summary
+    assert "makes no timer" in str(found.advice)
 
 
 def test_braces_as_they_stand() -> None:
