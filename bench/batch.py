@@ -37,9 +37,10 @@ from course.model.result import Outcome, Result, from_json
 ROOT = Path(__file__).parents[1]
 MB = 1024 * 1024
 LOOK_EVERY = 0.1
+RECORDING = "course.grading.recording_process"
 ROLES = (
     ("course.batch.worker", "worker"),
-    ("course.grading.recording_process", "recording"),
+    (RECORDING, "recording"),
     ("course.grading.judge.judging_process", "judging"),
 )
 
@@ -168,7 +169,11 @@ def _role(process: psutil.Process) -> str:
     words = process.cmdline()
     if words and words[0].endswith("bwrap"):
         return "bubblewrap"
-    return next((role for module, role in ROLES if module in words), "submission, build")
+    role = next((role for module, role in ROLES if module in words), "submission, build")
+    parent = process.parent() if role == "recording" else None
+    if parent is not None and RECORDING not in parent.cmdline():
+        return "fork server"
+    return role
 
 
 def checked(
@@ -197,7 +202,15 @@ def report(goes: Sequence[Go], alone: Sequence[tuple[str, float, Judged]]) -> No
     rows = [row(go, one_by_one) for go in goes]
     head = ("people", "jobs", "whole (s)", "a minute", "x check", "s each", "attempts", "our error", "lag")
     show("grade", head, rows)
-    roles = ("coordinator", "worker", "recording", "judging", "submission, build", "bubblewrap")
+    roles = (
+        "coordinator",
+        "worker",
+        "fork server",
+        "recording",
+        "judging",
+        "submission, build",
+        "bubblewrap",
+    )
     sizes = [[str(go.people), str(go.jobs)] for go in goes]
     memory = [[f"{go.peaks.memory[role] / MB:.0f}" for role in roles] for go in goes]
     used = [[f"{go.peaks.seconds(role) / go.people:.2f}" for role in roles] for go in goes]

@@ -146,6 +146,6 @@ def program(
     ~/ros2course. `next` makes it if there is none. A course home that was made
     with --course remembers its course.
     """
-    ctx.obj = Options(home=home, course=course_named(course))
+    ctx.obj = Options(home=home, course=course_named(course), fork_server=ctx.obj)
     if ctx.invoked_subcommand is None:
         typer.echo(ctx.get_help())

@@ -9,6 +9,7 @@ import typer
 
 from course.cli.evidence import recorded, recording_file
 from course.cli.log import save_log
+from course.cli.options import options_of
 from course.cli.quiz import Asking, keep_first_answers, questions_of
 from course.cli.session import CourseSession, CurrentExercise, open_session
 from course.cli.signals import ended_cleanly
@@ -17,6 +18,7 @@ from course.content import Exercise, answers_file
 from course.errors import ExitCode, UsageError
 from course.grading.check import Request, check_exercise
 from course.grading.load import runs_programs
+from course.grading.supervisor import ForkServer
 from course.model.result import Doubt, Result, Verdict, to_json
 from course.report.activity import activity
 from course.report.console import error_console, open_console, put, put_prose, put_steps
@@ -70,7 +72,8 @@ def check(
     with open_session(ctx) as session:
         chosen = session.exercise(exercise)
         ask_questions(session, chosen, quiet=json, again=again)
-        result = _judged(session, chosen, quiet=json, namespaces=namespaces)
+        early = options_of(ctx).fork_server
+        result = _judged(session, chosen, early, quiet=json, namespaces=namespaces)
         previous = session.progress.last_result(chosen.id)
         if json:
             _print_json(result)
@@ -112,7 +115,14 @@ def _cannot_ask(exercise: Exercise) -> UsageError:
     return UsageError("Questions can only be asked in a terminal.", advice)
 
 
-def _judged(session: CourseSession, exercise: Exercise, *, quiet: bool, namespaces: bool) -> Result:
+def _judged(
+    session: CourseSession,
+    exercise: Exercise,
+    fork_server: ForkServer | None,
+    *,
+    quiet: bool,
+    namespaces: bool,
+) -> Result:
     console = error_console()
     certain: list[Result] = []
 
@@ -133,7 +143,7 @@ def _judged(session: CourseSession, exercise: Exercise, *, quiet: bool, namespac
                 seed=session.home.seed() if exercise.questions or exercise.play else None,
                 so_far=so_far,
             )
-            return check_exercise(request)
+            return check_exercise(request, fork_server)
     except KeyboardInterrupt:
         if certain:
             remember(session, exercise, certain[-1])

@@ -5,14 +5,15 @@ from __future__ import annotations
 import io
 import os
 import sys
-from collections.abc import Sequence
-from typing import NoReturn
+from collections.abc import Iterator, Sequence
+from contextlib import closing, contextmanager
+from typing import TYPE_CHECKING, NoReturn
 
-from typer.main import get_command
-
-from course.cli.app import app
 from course.cli.usage import PROGRAM, global_options_first
 from course.errors import ContentError, CourseError, ExitCode
+
+if TYPE_CHECKING:
+    from course.grading.supervisor import ForkServer
 
 DEBUG = "ROS2COURSE_DEBUG"
 
@@ -40,11 +41,29 @@ def main(words: Sequence[str]) -> int:
 
 
 def _dispatch(words: Sequence[str]) -> int:
-    try:
-        get_command(app).main(args=global_options_first(words), prog_name=PROGRAM)
-    except SystemExit as exit_:
-        return _code(exit_)
+    with _loading_early(words) as fork_server:
+        from typer.main import get_command
+
+        from course.cli.app import app
+
+        try:
+            get_command(app).main(args=global_options_first(words), prog_name=PROGRAM, obj=fork_server)
+        except SystemExit as exit_:
+            return _code(exit_)
     return ExitCode.PASSED
+
+
+@contextmanager
+def _loading_early(words: Sequence[str]) -> Iterator[ForkServer | None]:
+    """`check` waits for this process to load, so it starts before this one loads what it needs itself."""
+    if "check" not in words or "--help" in words or "-h" in words:
+        yield None
+        return
+    from course.grading.supervisor import ForkServer
+
+    with closing(ForkServer()) as fork_server:
+        fork_server.start_early()
+        yield fork_server
 
 
 def _code(exit_: SystemExit) -> int:

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
+
+if TYPE_CHECKING:
+    from course.grading.supervisor import ForkServer
 
 
 @dataclass(frozen=True)
 class Options:
-    """`home` and `course` (its folder) as given on the command line, or None."""
+    """`home` and `course` (its folder) as given on the command line, or None. fork_server: of `check`."""
 
     home: Path | None = None
     course: Path | None = None
+    fork_server: ForkServer | None = None
 
 
 def options_of(ctx: typer.Context) -> Options:

@@ -80,23 +80,28 @@ class Request:
 
 
 class Helpers:
-    """Processes that serve one grading after another: one records, by forks of it, one judges. Close them."""
+    """Processes that serve one grading after another: one records, by forks of it, one judges. Close them.
 
-    def __init__(self) -> None:
-        self.fork_server = ForkServer()
+    fork_server: one that somebody else closes.
+    """
+
+    def __init__(self, fork_server: ForkServer | None = None) -> None:
+        self._shared = fork_server is not None
+        self.fork_server = fork_server or ForkServer()
         self.judge = Judge()
 
     def close(self) -> None:
         self.judge.close()
-        self.fork_server.close()
+        if not self._shared:
+            self.fork_server.close()
 
 
-def check_exercise(request: Request) -> Result:
+def check_exercise(request: Request, fork_server: ForkServer | None = None) -> Result:
     """Grade an exercise as it stands, again where there is doubt: see `attempts`.
 
-    Raises what `attempt_exercise` does.
+    fork_server: one that is used again. Raises what `attempt_exercise` does.
     """
-    with contextlib.closing(Helpers()) as helpers:
+    with contextlib.closing(Helpers(fork_server)) as helpers:
         attempt, result = 1, attempt_exercise(request, helpers)
         while deserves_another(result, attempt):
             request.on_progress("watching your program once more")

@@ -22,7 +22,7 @@ from typing import IO
 
 from course import isolation
 from course.child import own_path
-from course.errors import DamagedData, OurFault, StorageError
+from course.errors import CourseError, DamagedData, OurFault, StorageError
 from course.files import wipe
 from course.grading.protocol import Fork, RecordingOutcome, RecordingTask, read_message
 from course.isolation import Level
@@ -33,6 +33,7 @@ from course.isolation.none import end, nothing_left
 from course.model import codec
 from course.model.feedback import Feedback
 from course.model.result import Doubt
+from course.rosenv import find_ros, node_environment, prepare
 
 _CLOSE_GRACE = 3.0
 _START_TIME = 30.0
@@ -66,6 +67,12 @@ class ForkServer:
                     start_new_session=True,
                 )
             self._started = process, ours
+
+    def start_early(self) -> None:
+        """Start it before it is known whether there is a ROS; if there is none, a grading says so."""
+        with contextlib.suppress(CourseError):
+            prepare(ros := find_ros())
+            self.start(node_environment(ros))
 
     @contextlib.contextmanager
     def forked(self, fork: Fork, descriptors: Sequence[int]) -> Iterator[None]:

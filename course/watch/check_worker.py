@@ -5,6 +5,7 @@ It has loaded everything before it gets its first task. Told to end, it ends a c
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import os
 import signal
@@ -13,6 +14,7 @@ from pathlib import Path
 from course.child import Tell, answer_tasks
 from course.content import open_course
 from course.errors import CourseError
+from course.grading.supervisor import ForkServer
 from course.home import CourseHome
 from course.model.result import Result, Verdict
 from course.rosenv import cache_dir, find_ros
@@ -20,15 +22,19 @@ from course.watch.updates import Checked, CheckTask, Message, Said, SoFar, Stuck
 
 
 def main() -> int:
-    importlib.import_module("course.grading.check")
-    answer_tasks(CheckTask, checked, at_parents_end=signal.SIGTERM)
+    with contextlib.closing(ForkServer()) as fork_server:
+        fork_server.start_early()
+        importlib.import_module("course.grading.check")
+        answer_tasks(
+            CheckTask, lambda task, tell: checked(task, tell, fork_server), at_parents_end=signal.SIGTERM
+        )
     return 0
 
 
-def checked(task: CheckTask, tell: Tell) -> Message:
+def checked(task: CheckTask, tell: Tell, fork_server: ForkServer) -> Message:
     """The check's result; whatever goes wrong is told of, too. KeyboardInterrupt passes through."""
     try:
-        return Checked(task.number, _result(task, tell))
+        return Checked(task.number, _result(task, tell, fork_server))
     except CourseError as error:
         return Stuck(task.number, error.what, error.next_step or "")
     except Exception as error:  # noqa: BLE001 - shown and kept; the next save is checked all the same
@@ -37,7 +43,7 @@ def checked(task: CheckTask, tell: Tell) -> Message:
         return Checked(task.number, Result(task.exercise, Verdict.OUR_ERROR, fault=our_error(error)))
 
 
-def _result(task: CheckTask, tell: Tell) -> Result:
+def _result(task: CheckTask, tell: Tell, fork_server: ForkServer) -> Result:
     from course.grading.check import Request, check_exercise
     from course.grading.load import runs_programs
 
@@ -53,7 +59,7 @@ def _result(task: CheckTask, tell: Tell) -> Result:
         seed=home.seed() if exercise.questions or exercise.play else None,
         so_far=lambda result: tell(SoFar(task.number, result)),
     )
-    return check_exercise(request)
+    return check_exercise(request, fork_server)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ import pytest
 
 from course.cli.main import main
 from course.grading.check import Request
+from course.grading.supervisor import ForkServer
 from course.model.result import CheckResult, Feedback, Outcome, Result, Verdict
 
 REPO = Path(__file__).parents[2]
@@ -85,7 +86,7 @@ class Checker:
     def calls(self) -> list[tuple[str, Path]]:
         return [(request.exercise.id, request.home) for request in self.requests]
 
-    def check_exercise(self, request: Request) -> Result:
+    def check_exercise(self, request: Request, fork_server: ForkServer) -> Result:
         self.requests.append(request)
         for text in self.says:
             request.on_progress(text)
@@ -100,5 +101,6 @@ class Checker:
 def checker(monkeypatch: pytest.MonkeyPatch) -> Checker:
     stand_in = Checker()
     monkeypatch.setattr("course.cli.check.check_exercise", stand_in.check_exercise)
+    monkeypatch.setattr(ForkServer, "start_early", lambda self: None)
     monkeypatch.setattr("course.cli.check.find_ros", lambda: None)
     return stand_in

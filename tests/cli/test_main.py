@@ -198,3 +198,14 @@ def test_a_quick_command_loads_only_what_it_needs(
         check=False,
     )
     assert unneeded & set(done.stderr.split()) == set()
+
+
+@pytest.mark.parametrize(("command", "said"), [("check", "False"), ("list", "")])
+def test_what_check_waits_for_is_started_before_all_else(command: str, said: str, home: Path) -> None:
+    code = (
+        "import sys, course.cli.main as m; from course.grading.supervisor import ForkServer;"
+        "ForkServer.start_early = lambda self: print('typer' in sys.modules); m.main(sys.argv[1:])"
+    )
+    words = [sys.executable, "-c", code, command, "--nonsense"]
+    done = subprocess.run(words, capture_output=True, env=environment(home), text=True, check=False)
+    assert done.stdout.strip() == said

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from course.grading.check import Request
+from course.grading.supervisor import ForkServer
 from course.model import replace
 from course.model.result import Result
 from tests.cli import conftest
@@ -63,7 +64,7 @@ def do(
     """Run one line; return its output."""
     answer = conftest.PASSED
 
-    def check(request: Request) -> Result:
+    def check(request: Request, fork_server: ForkServer) -> Result:
         for text in ("building lanterns", "building lanterns", "watching"):
             request.on_progress(text)
         return replace(answer, exercise=request.exercise.id)
@@ -103,6 +104,7 @@ def do(
         )
 
     monkeypatch.setattr("course.cli.check.check_exercise", check)
+    monkeypatch.setattr(ForkServer, "start_early", lambda self: None)
     monkeypatch.setattr("course.cli.check.find_ros", lambda: None)
     return do
 

@@ -25,7 +25,7 @@ import course.grading.check
 import course.rosenv
 from course.model.result import CheckResult, Outcome, Result, Verdict
 
-def check_exercise(request):
+def check_exercise(request, fork_server):
     try:
         request.on_progress("building lanterns")
         if os.environ["CHECK"] == "waits":
@@ -35,6 +35,7 @@ def check_exercise(request):
     return Result(request.exercise.id, Verdict.PASSED, (CheckResult("a", "It shines", 1, Outcome.PASSED),))
 
 course.grading.check.check_exercise = check_exercise
+course.grading.supervisor.ForkServer.start_early = lambda self: None
 course.rosenv.find_ros = lambda: None
 course.rosenv.prepare = lambda ros: None
 course.rosenv.setup_script = lambda ros: Path(os.environ["SETUP"])

@@ -13,6 +13,7 @@ from pathlib import Path
 from course.errors import MissingHere
 from course.grading import check
 from course.grading.check import Request
+from course.grading.supervisor import ForkServer
 from course.model.feedback import Feedback
 from course.model.result import CheckResult, Outcome, Result, Verdict
 from course.watch import check_worker
@@ -21,7 +22,7 @@ LIGHT = "ros2_tutorial_workspace/src/lanterns/lanterns/light.py"
 FLOOD = 100
 
 
-def check_exercise(request: Request) -> Result:
+def check_exercise(request: Request, fork_server: ForkServer) -> Result:
     home = request.home
     told = (home / LIGHT).read_text().strip() if (home / LIGHT).is_file() else "dark"
     try:  # whatever tells a test that it has begun is within
@@ -70,5 +71,6 @@ def note(home: Path, text: str) -> None:
 
 if __name__ == "__main__":
     check.check_exercise = check_exercise
+    check_worker.ForkServer.start_early = lambda self: None  # type: ignore[method-assign]
     check_worker.find_ros = lambda: None  # type: ignore[assignment, return-value]
     raise SystemExit(check_worker.main())
