@@ -23,8 +23,9 @@ LIMITS = {
     # by 224 for the fork server of recording processes;
     # by 76 for actions in graders, comments for equal code, and packages without their folders;
     # by 174 and 1 for C++ builds that compile only what changed;
-    # by 304 for errors of Python, CMake and C++ that were only repeated before, each with its proof.
-    "lines": 47_760,
+    # by 304 for errors of Python, CMake and C++ that were only repeated before, each with its proof;
+    # by 52 for a fork server that `check` starts first and `watch` keeps.
+    "lines": 47_812,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,
