@@ -6,7 +6,6 @@ import os
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -16,12 +15,7 @@ from course.cli.usage import typed
 from course.content import Course, Exercise, Lesson, open_course
 from course.errors import CourseError, UsageError
 from course.files import cache_dir
-from course.home import (
-    CourseHome,
-    find_home,
-    remembered_course,
-    starter_files,
-)
+from course.home import CourseHome, find_home, remembered_course, starter_files
 from course.progress import Progress
 from course.report.console import error_console
 from course.report.problem import render_notice
@@ -64,16 +58,7 @@ def course_of_home(options: Options, home: CourseHome) -> Course:
 
 
 def home_of(options: Options) -> CourseHome:
-    return find_home(options.home, os.environ, _here())
-
-
-def _here() -> Path:
-    try:
-        return Path.cwd()
-    except FileNotFoundError:
-        raise UsageError(
-            "The folder you are in does not exist any more.", "Go to another one: `cd`"
-        ) from None
+    return find_home(options.home)
 
 
 @contextmanager

@@ -26,10 +26,8 @@ from course.files import write_pieces
 from course.report.activity import Tally, progress
 from course.report.console import error_console, open_console
 from course.report.validation import (
-    Count,
     Note,
     ProofCase,
-    ProofRow,
     annotated,
     as_junit,
     render_end,
@@ -37,8 +35,8 @@ from course.report.validation import (
     render_table,
 )
 from course.spelling import did_you_mean
-from course.validate.proof_results import Counts, ProofResults, Summary
-from course.validate.proofs import Proof, ProofKind, gradable, proofs
+from course.validate.proof_results import ProofResults
+from course.validate.proofs import Proof, gradable, proofs
 from course.validate.schedule import run
 from course.validate.static.rules import findings
 
@@ -136,7 +134,7 @@ def _run(
 
 
 def _shown(seen: Seen, asked: ProofRequest, *, stopped: bool = False) -> ExitCode:
-    console, rows = open_console(), _rows(seen.account)
+    console, rows = open_console(), seen.account.rows() if seen.account else []
     findings = seen.findings
     if rows:
         render_table(console, rows, again=seen.account.again if seen.account else 0)
@@ -164,30 +162,6 @@ def _note(finding: Finding, base: Path) -> Note:
     inside = finding.file.is_relative_to(base)
     file = finding.file.relative_to(base) if inside else finding.file
     return Note(str(file), finding.line, finding.what, finding.next_step, finding.exercise)
-
-
-def _rows(account: ProofResults | None) -> list[ProofRow]:
-    return [_row(summary) for summary in account.summaries()] if account else []
-
-
-def _row(summary: Summary) -> ProofRow:
-    kinds = {kind: _count(counts) for kind, counts in summary.kinds.items()}
-    return ProofRow(
-        summary.exercise,
-        kinds[ProofKind.SOLUTION],
-        kinds[ProofKind.ALTERNATIVE],
-        kinds[ProofKind.STARTER],
-        kinds[ProofKind.MISTAKE],
-        summary.covered,
-        summary.checks,
-        summary.points,
-        summary.seconds,
-        summary.missing,
-    )
-
-
-def _count(counts: Counts) -> Count:
-    return Count(counts.held, counts.done, counts.total)
 
 
 def _cases(seen: Seen, repository: Path) -> list[ProofCase]:

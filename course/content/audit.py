@@ -7,7 +7,7 @@ and through what only several of them together can tell.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,10 +16,15 @@ from course.content.chapter import read_text
 from course.content.document import Document, Place
 from course.content.entries import Edit, Mistake
 from course.content.layout import ADDED_TO
-from course.content.lesson import LessonReading, read_lesson
+from course.content.lesson import read_lesson
 from course.content.mistakes import read_alternatives, read_mistakes
+from course.content.schema_errors import Reading
 from course.errors import ContentError
 from course.spelling import did_you_mean
+
+Data = dict[str, Any]
+Graph = Mapping[str, Sequence[str]]
+Ids = tuple[str, ...]
 
 
 def audit(root: Path) -> tuple[ContentError, ...]:
@@ -28,12 +33,13 @@ def audit(root: Path) -> tuple[ContentError, ...]:
     readings = {folder: read_lesson(folder) for folder in folders}
     found = [problem for reading in readings.values() for problem in reading.problems]
     found += _same_number(folders)
-    found += requires_problems(readings.values())
+    found += _requires_problems(readings.values())
     for folder, reading in readings.items():
-        if reading.data is not None:
-            ids = tuple(exercise["id"] for exercise in reading.data["exercises"])
-            found += [*_text_problems(folder, reading), *_strays(folder, ids)]
-            found += [*_grader_and_solution(folder, reading), *proof_problems(folder, ids)]
+        if reading.value is not None and reading.document is not None:
+            data, document = reading.value, reading.document
+            ids = tuple(exercise["id"] for exercise in data["exercises"])
+            found += [*_text_problems(folder, document, data), *_strays(folder, ids)]
+            found += [*_grader_and_solution(folder, document, data), *_proof_problems(folder, ids)]
     return tuple(sorted(found, key=lambda problem: (str(problem.file), problem.line or 0)))
 
 
@@ -46,9 +52,7 @@ def _same_number(folders: tuple[Path, ...]) -> Iterator[ContentError]:
             yield ContentError(what, "give each chapter a number of its own", file=folder)
 
 
-def _text_problems(folder: Path, reading: LessonReading) -> Iterator[ContentError]:
-    assert reading.data is not None and reading.document is not None
-    data = reading.data
+def _text_problems(folder: Path, document: Document, data: Data) -> Iterator[ContentError]:
     files = [folder / layout.LESSON_TEXT]
     for exercise in data["exercises"]:
         files.append(layout.exercise_text(folder, exercise["id"]))
@@ -61,10 +65,10 @@ def _text_problems(folder: Path, reading: LessonReading) -> Iterator[ContentErro
             yield error
             continue
         if file.name == layout.LESSON_TEXT:
-            yield from _step_problems(reading.document, data, text)
+            yield from _step_problems(document, data, text)
 
 
-def _step_problems(document: Document, data: dict[str, Any], text: str) -> Iterator[ContentError]:
+def _step_problems(document: Document, data: Data, text: str) -> Iterator[ContentError]:
     lines = text.splitlines()
     for index, exercise in enumerate(data["exercises"]):
         heading = f"## {exercise['step']}"
@@ -86,28 +90,27 @@ def _strays(folder: Path, ids: tuple[str, ...]) -> Iterator[ContentError]:
             yield ContentError(what, f"allowed: {', '.join(ids)}", file=path)
 
 
-def _grader_and_solution(folder: Path, reading: LessonReading) -> Iterator[ContentError]:
-    assert reading.data is not None and reading.document is not None
-    exercises = reading.data["exercises"]
+def _grader_and_solution(folder: Path, document: Document, data: Data) -> Iterator[ContentError]:
+    exercises = data["exercises"]
     grader, solution = layout.grader_file(folder), layout.solution_folder(folder)
     if not all(_is_quiz(folder, exercise) for exercise in exercises) and not grader.is_file():
         yield ContentError("the grader of this chapter is missing", f"create {grader.name}", file=grader)
     for index, exercise in enumerate(exercises):
-        yield from _computed_by_nobody(folder, reading.document, exercise, index)
+        yield from _computed_by_nobody(folder, document, exercise, index)
         for number, file in enumerate(exercise["files"]):
             if not (solution / file).is_file():
                 what = f"`{file}` is not in the reference solution ({solution.name})"
                 place = ("exercises", index, "files", number)
-                yield reading.document.error(what, "add it there, or correct the path", place=place)
+                yield document.error(what, "add it there, or correct the path", place=place)
 
 
-def _is_quiz(folder: Path, exercise: dict[str, Any]) -> bool:
+def _is_quiz(folder: Path, exercise: Data) -> bool:
     """Whether only its questions are judged; then it needs no grader."""
     return bool(exercise["questions"]) and layout.play_file(folder, exercise["id"]) is None
 
 
 def _computed_by_nobody(
-    folder: Path, document: Document, exercise: dict[str, Any], index: int
+    folder: Path, document: Document, exercise: Data, index: int
 ) -> Iterator[ContentError]:
     if layout.play_file(folder, exercise["id"]) is None:
         for number, item in enumerate(exercise["questions"]):
@@ -117,51 +120,30 @@ def _computed_by_nobody(
                 yield document.error(what, f"create play/{exercise['id']}.py", place=place)
 
 
-Graph = dict[str, tuple[str, ...]]
+def _requires_problems(readings: Iterable[Reading[Data]]) -> Iterator[ContentError]:
+    usable = [(one.document, one.value["exercises"]) for one in readings if one.value and one.document]
+    graph = {exercise["id"]: exercise["requires"] for _, exercises in usable for exercise in exercises}
+    for document, exercises in usable:
+        for index, exercise in enumerate(exercises):
+            for number, required in enumerate(exercise["requires"]):
+                problem = _requires_problem(graph, exercise["id"], required)
+                if problem:
+                    yield document.error(*problem, place=("exercises", index, "requires", number))
 
 
-def requires_problems(readings: Iterable[LessonReading]) -> Iterator[ContentError]:
-    usable = [reading for reading in readings if reading.data is not None]
-    graph: Graph = {}
-    for reading in usable:
-        graph.update(_edges(reading))
-    for reading in usable:
-        yield from _unknown_requires(reading, graph)
-        yield from _cycles(reading, graph)
+def _requires_problem(graph: Graph, exercise: str, required: str) -> tuple[str, str] | None:
+    if required not in graph:
+        what = f"there is no exercise `{required}`{did_you_mean(required, graph)}"
+        return what, "allowed: the id of an exercise of this course"
+    way = way_between(graph, required, exercise)
+    if way and exercise == min(way):  # said once, not by each member of the circle
+        what = f"`{exercise}` requires itself: {' -> '.join((exercise, *way))}"
+        return what, "take one of them out of `requires`"
+    return None
 
 
-def _edges(reading: LessonReading) -> Graph:
-    assert reading.data is not None
-    return {exercise["id"]: tuple(exercise["requires"]) for exercise in reading.data["exercises"]}
-
-
-def _places(reading: LessonReading) -> Iterator[tuple[Document, str, int, int, str]]:
-    """Document, exercise id, its index, and each thing that it requires with its index."""
-    assert reading.data is not None and reading.document is not None
-    for index, exercise in enumerate(reading.data["exercises"]):
-        for number, required in enumerate(exercise["requires"]):
-            yield reading.document, exercise["id"], index, number, required
-
-
-def _unknown_requires(reading: LessonReading, graph: Graph) -> Iterator[ContentError]:
-    for document, _id, index, number, required in _places(reading):
-        if required not in graph:
-            what = f"there is no exercise `{required}`{did_you_mean(required, graph)}"
-            place = ("exercises", index, "requires", number)
-            yield document.error(what, "allowed: the id of an exercise of this course", place=place)
-
-
-def _cycles(reading: LessonReading, graph: Graph) -> Iterator[ContentError]:
-    for document, exercise, index, number, required in _places(reading):
-        way = _way(graph, required, exercise)
-        if way and exercise == min(way):  # said once, not by each member of the circle
-            what = f"`{exercise}` requires itself: {' -> '.join((exercise, *way))}"
-            place = ("exercises", index, "requires", number)
-            yield document.error(what, "take one of them out of `requires`", place=place)
-
-
-def _way(graph: Graph, start: str, goal: str) -> tuple[str, ...]:
-    """The exercises from `start` to `goal` along `requires`, or nothing."""
+def way_between(graph: Graph, start: str, goal: str) -> tuple[str, ...]:
+    """The names from `start` to `goal`, each with those that it leads to in the graph; or nothing."""
     ways: list[tuple[str, ...]] = [(start,)]
     seen = {start}
     for way in ways:  # grows while it is walked: breadth first
@@ -173,8 +155,6 @@ def _way(graph: Graph, start: str, goal: str) -> tuple[str, ...]:
     return ()
 
 
-Ids = tuple[str, ...]
-
 # The right answers to questions, and the acts in a mystery, are computed where no file of them is stored;
 # and a workspace that is built in the trial home is in none. (What is installed there: see `_is_made`.)
 _MADE = re.compile(r"answers/|\.ros2course/acts/|[^/]+_workspace/(build|install|log|src$)")
@@ -184,20 +164,20 @@ _MADE = re.compile(r"answers/|\.ros2course/acts/|[^/]+_workspace/(build|install|
 _INSTALLED = re.compile(r"-DCMAKE_INSTALL_PREFIX=~/(\S+)")
 
 
-def proof_problems(chapter: Path, ids: Ids) -> Iterator[ContentError]:
+def _proof_problems(chapter: Path, ids: Ids) -> Iterator[ContentError]:
     solution = layout.solution_folder(chapter)
     yield from _mistakes_problems(chapter, ids, solution)
     for reading in read_alternatives(solution):
         yield from reading.problems
-        if reading.alternative and reading.document:
-            yield from _unknown_exercises(reading.document, reading.alternative.exercises, ids)
-            yield from _missing_deletes(reading.document, reading.alternative.deletes, solution)
+        if reading.value and reading.document:
+            yield from _unknown_exercises(reading.document, reading.value.exercises, ids)
+            yield from _missing_deletes(reading.document, reading.value.deletes, solution)
 
 
 def _mistakes_problems(chapter: Path, ids: Ids, solution: Path) -> Iterator[ContentError]:
     reading = read_mistakes(chapter)
     yield from reading.problems
-    for index, mistake in enumerate(reading.mistakes):
+    for index, mistake in enumerate(reading.value or ()):
         assert reading.document is not None
         if mistake.exercise not in ids:
             yield _no_exercise(reading.document, mistake.exercise, ids, ("mistakes", index, "exercise"))

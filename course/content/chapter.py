@@ -110,7 +110,7 @@ class Chapter:
 
 
 LessonData = dict[str, Any]
-_RULES = ("schema.py", "schema_types.py", "schema_errors.py", "lesson.py")
+_RULES = ("document.py", "schema.py", "schema_types.py", "schema_errors.py", "lesson.py")
 
 
 @dataclass(frozen=True)
@@ -219,37 +219,27 @@ def _lesson(folder: Path) -> dict[str, Any]:
     from course.content.lesson import read_lesson  # imports YAML and pydantic, see cache.py
 
     reading = read_lesson(folder)
-    if reading.data is None:
+    if reading.value is None:
         raise reading.problems[0]
-    return reading.data
+    return reading.value
 
 
 def _exercise(folder: Path, ref: ChapterRef, data: dict[str, Any]) -> Exercise:
-    return Exercise(
-        id=data["id"],
-        title=data["title"],
-        summary=data["summary"],
-        chapter=ref,
-        step=data["step"],
-        text=read_text(layout.exercise_text(folder, data["id"])),
-        hints=tuple(data["hints"]),
-        after=data["after"],
-        files=_files(data),
-        packages=tuple(data["packages"]),
-        workspace=data["workspace"],
-        grader_packages=tuple(data["grader_packages"]),
-        requires=tuple(data["requires"]),
-        time_limit=float(data["time_limit"]),
-        grader=layout.grader_file(folder),
-        starter=layout.starter_folder(folder, data["id"]),
-        solution=layout.solution_folder(folder),
-        folder=folder,
-        questions=tuple(_question(folder, item) for item in data["questions"]),
-        play=layout.play_file(folder, data["id"]),
-        looks_at=tuple(data["looks_at"]),
-        bonus=data["bonus"],
-        local_only=data["local_only"],
-    )
+    made: dict[str, Any] = {
+        "chapter": ref,
+        "text": read_text(layout.exercise_text(folder, data["id"])),
+        "files": _files(data),
+        "grader": layout.grader_file(folder),
+        "starter": layout.starter_folder(folder, data["id"]),
+        "solution": layout.solution_folder(folder),
+        "folder": folder,
+        "questions": tuple(_question(folder, item) for item in data["questions"]),
+        "play": layout.play_file(folder, data["id"]),
+    }
+    plain: dict[str, Any] = {
+        key: tuple(value) if isinstance(value, list) else value for key, value in data.items()
+    }
+    return Exercise(**(plain | made))
 
 
 def _question(folder: Path, data: dict[str, Any]) -> Question:

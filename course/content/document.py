@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -46,6 +46,16 @@ class Document:
         """Return an error about this place in the file, to be raised: what is wrong, and the next step."""
         key = key_text(place) or None
         return ContentError(what, next_step, file=self.file, line=self.line(place), key=key)
+
+    def used_twice(self, kind: str, ids: Iterable[str], place: Place) -> Iterator[ContentError]:
+        """The ids that two entries of the list at `place` have. kind: of the entries."""
+        first: dict[str, int] = {}
+        for index, name in enumerate(ids):
+            here = (*place, index, "id")
+            if name in first:
+                what = f"`{name}` is used twice; the first is in line {first[name]}"
+                yield self.error(what, f"give each {kind} an id of its own", place=here)
+            first.setdefault(name, self.line(here))
 
 
 def key_text(place: Place) -> str:

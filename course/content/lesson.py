@@ -4,35 +4,25 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from course.content.document import Document, Place, read_document
+from course.content.document import Document, Place
 from course.content.layout import CHAPTER_FOLDER, LESSON
 from course.content.schema import LessonSchema
-from course.content.schema_errors import check
+from course.content.schema_errors import Reading, read_checked
 from course.errors import ContentError
 
 
-@dataclass(frozen=True)
-class LessonReading:
-    """`data`: the file's content with defaults filled in; None when `problems` says why it is not usable."""
+def read_lesson(folder: Path) -> Reading[dict[str, Any]]:
+    """The content of the chapter's lesson.yaml, with defaults filled in."""
 
-    data: dict[str, Any] | None
-    problems: tuple[ContentError, ...]
-    document: Document | None = None
-
-
-def read_lesson(folder: Path) -> LessonReading:
-    try:
-        document = read_document(folder / LESSON)
-    except ContentError as error:
-        return LessonReading(None, (error,))
-    data, problems = check(document, LessonSchema)
-    if data is not None:
+    def agreeing(document: Document, lesson: LessonSchema) -> Reading[dict[str, Any]]:
+        data = lesson.model_dump()
         problems = tuple(_disagreements(document, data, folder.name))
-    return LessonReading(None if problems else data, problems, document)
+        return Reading(None if problems else data, problems, document)
+
+    return read_checked(folder / LESSON, LessonSchema, agreeing)
 
 
 def _disagreements(document: Document, data: dict[str, Any], folder: str) -> Iterator[ContentError]:
@@ -48,17 +38,13 @@ def _disagreements(document: Document, data: dict[str, Any], folder: str) -> Ite
 
 
 def _bad_ids(document: Document, data: dict[str, Any]) -> Iterator[ContentError]:
-    prefix = f"{data['chapter']:02d}-"
-    first: dict[str, int] = {}
-    for index, exercise in enumerate(data["exercises"]):
-        place = ("exercises", index, "id")
-        if not exercise["id"].startswith(prefix):
-            what = f"`{exercise['id']}` must begin with `{prefix}`, the number of its chapter"
-            yield document.error(what, f"allowed: `{prefix}` and a name", place=place)
-        if exercise["id"] in first:
-            what = f"`{exercise['id']}` is used twice; the first is in line {first[exercise['id']]}"
-            yield document.error(what, "give each exercise an id of its own", place=place)
-        first.setdefault(exercise["id"], document.line(place))
+    prefix, ids = f"{data['chapter']:02d}-", [exercise["id"] for exercise in data["exercises"]]
+    for index, name in enumerate(ids):
+        if not name.startswith(prefix):
+            what = f"`{name}` must begin with `{prefix}`, the number of its chapter"
+            step = f"allowed: `{prefix}` and a name"
+            yield document.error(what, step, place=("exercises", index, "id"))
+    yield from document.used_twice("exercise", ids, ("exercises",))
 
 
 FORMS = ("choices", "text", "all_of", "number", "computed")
@@ -78,15 +64,10 @@ FEWEST_CHOICES = 2
 def question_problems(document: Document, data: dict[str, Any]) -> Iterator[ContentError]:
     """What is wrong with the questions of a lesson beyond the form of each key."""
     for index, exercise in enumerate(data["exercises"]):
-        first: dict[str, int] = {}
-        for number, item in enumerate(exercise["questions"]):
-            place: Place = ("exercises", index, "questions", number)
-            line = document.line((*place, "id"))
-            if item["id"] in first:
-                what = f"`{item['id']}` is used twice; the first is in line {first[item['id']]}"
-                yield document.error(what, "give each question an id of its own", place=(*place, "id"))
-            first.setdefault(item["id"], line)
-            yield from _question_problems(document, item, place)
+        place, questions = ("exercises", index, "questions"), exercise["questions"]
+        yield from document.used_twice("question", [item["id"] for item in questions], place)
+        for number, item in enumerate(questions):
+            yield from _question_problems(document, item, (*place, number))
 
 
 def _question_problems(document: Document, item: dict[str, Any], place: Place) -> Iterator[ContentError]:

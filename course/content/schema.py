@@ -28,6 +28,7 @@ from typing_extensions import Self
 from course.content.layout import WORKSPACE
 from course.content.schema_types import (
     ExerciseId,
+    Form,
     HomePath,
     Line,
     Mode,
@@ -43,17 +44,13 @@ from course.content.schema_types import (
     wrong,
 )
 
-_SCRIPT = r"^[a-z0-9_]+\.(cpp|py|sh)$"
 _SHARE = r"^\d+(\.\d+)?\s?%$"
 
 
-def _script(text: str) -> str:
-    if not re.fullmatch(_SCRIPT, text):
-        raise wrong(f"must be the name of a script, like `count.py`, `count.sh` or `count.cpp`, not `{text}`")
-    return text
-
-
-Script = Annotated[str, AfterValidator(_script), WithJsonSchema({"type": "string", "pattern": _SCRIPT})]
+Script = Annotated[
+    str,
+    Form(r"[a-z0-9_]+\.(cpp|py|sh)", "be the name of a script, like `count.py`, `count.sh` or `count.cpp`"),
+]
 
 
 def _tolerance(value: Any) -> Any:

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, TypeVar, get_args
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Generic, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
-from course.content.document import Document, Place, key_text
+from course.content.document import Document, Place, key_text, read_document
 from course.errors import ContentError
 from course.spelling import close_names, did_you_mean
 
 S = TypeVar("S", bound=BaseModel)
-Checked = tuple[dict[str, Any] | None, tuple[ContentError, ...]]
+T = TypeVar("T")
 
 _WANTED = {
     "string_type": "a text",
@@ -27,14 +29,31 @@ _WANTED = {
 }
 
 
-def check(document: Document, schema: type[BaseModel]) -> Checked:
-    """The document's data with defaults filled in, or None; and everything that is wrong with it."""
-    found, errors = validated(document, schema)
-    return (None if found is None else found.model_dump(by_alias=True)), errors
+@dataclass(frozen=True)
+class Reading(Generic[T]):
+    """What a file says; None when `problems` says why it is not usable."""
+
+    value: T | None
+    problems: tuple[ContentError, ...] = ()
+    document: Document | None = None
+
+    def line(self, place: Place) -> int | None:
+        """The line of a place in the file; None if there is no such file."""
+        return self.document.line(place) if self.document else None
+
+
+def read_checked(file: Path, schema: type[S], convert: Callable[[Document, S], Reading[T]]) -> Reading[T]:
+    """What `convert` makes of a file that fits the schema."""
+    try:
+        document = read_document(file)
+    except ContentError as error:
+        return Reading(None, (error,))
+    found, problems = validated(document, schema)
+    return Reading(None, problems, document) if found is None else convert(document, found)
 
 
 def validated(document: Document, schema: type[S]) -> tuple[S | None, tuple[ContentError, ...]]:
-    """As `check`, with the model itself."""
+    """The document with defaults filled in, or None; and everything that is wrong with it."""
     try:
         found = schema.model_validate(document.data)
     except ValidationError as error:

@@ -4,19 +4,13 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import dataclass
 from pathlib import PurePosixPath
-from typing import Annotated
+from typing import Annotated, Any
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, WithJsonSchema
-from pydantic_core import PydanticCustomError
-
-# As patterns, for Python and for the JSON Schema that editors check with.
-_EXERCISE_ID = r"\d\d-[a-z0-9]+(-[a-z0-9]+)*"
-_SLUG = r"[a-z0-9]+([-_][a-z0-9]+)*"
-_PACKAGE = r"[a-z][a-z0-9_-]*"
-_WORKSPACE = r"[a-z][a-z0-9_]*_workspace"
-_OCTAL = r"0?[0-7]{3}"
-_URL = r"https://[^\s/]+/\S*"
+from pydantic import AfterValidator, BaseModel, ConfigDict, GetCoreSchemaHandler, WithJsonSchema
+from pydantic_core import CoreSchema, PydanticCustomError
+from pydantic_core.core_schema import no_info_after_validator_function
 
 
 def wrong(message: str) -> PydanticCustomError:
@@ -37,48 +31,12 @@ def _one_line(text: str) -> str:
     return text.strip()
 
 
-def _exercise_id(text: str) -> str:
-    if not re.fullmatch(_EXERCISE_ID, text):
-        raise wrong(f"must look like `18-publisher`, not `{text}`")
-    return text
-
-
-def _slug(text: str) -> str:
-    if not re.fullmatch(_SLUG, text):
-        raise wrong(f"must be small letters, digits and dashes, not `{text}`")
-    return text
-
-
-def _package(text: str) -> str:
-    if not re.fullmatch(_PACKAGE, text):
-        raise wrong(f"must be the name of a ROS package (small letters, digits, underscores), not `{text}`")
-    return text
-
-
-def _workspace(text: str) -> str:
-    if not re.fullmatch(_WORKSPACE, text):
-        raise wrong(f"must be a folder whose name ends with `_workspace`, not `{text}`")
-    return text
-
-
 def _home_path(text: str) -> str:
     path = PurePosixPath(text)
     if not path.parts or path.is_absolute() or {"..", "~"} & set(path.parts) or "\\" in text:
         raise wrong(f"must be a file inside the course home, not `{text}`")
     if str(path) != text:
         raise wrong(f"must be written `{path}`, not `{text}`")
-    return text
-
-
-def _octal(text: str) -> str:
-    if not re.fullmatch(_OCTAL, text):
-        raise wrong(f"must be an octal mode in quotes, like `'755'`, not `{text}`")
-    return text
-
-
-def _url(text: str) -> str:
-    if not re.fullmatch(_URL, text):
-        raise wrong(f"must look like `https://docs.ros.org/en/jazzy/`, not `{text}`")
     return text
 
 
@@ -99,19 +57,43 @@ def unempty(items: list[str]) -> list[str]:
     return items
 
 
+@dataclass(frozen=True)
+class Form:
+    """What a text must look like, for Python and for the JSON Schema that editors check with.
+
+    must: completes the complaint `must ..., not ...`.
+    """
+
+    pattern: str
+    must: str
+
+    def __get_pydantic_core_schema__(self, kind: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return no_info_after_validator_function(self._matching, handler(kind))
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: Any) -> dict[str, str]:
+        return {"type": "string", "pattern": f"^{self.pattern}$"}
+
+    def _matching(self, text: str) -> str:
+        if not re.fullmatch(self.pattern, text):
+            raise wrong(f"must {self.must}, not `{text}`")
+        return text
+
+
 def _like(pattern: str) -> WithJsonSchema:
     return WithJsonSchema({"type": "string", "pattern": pattern})
 
 
 Text = Annotated[str, AfterValidator(_filled), _like(r"\S")]
 Line = Annotated[str, AfterValidator(_one_line), _like(r"^\s*\S[^\n]*\s*$")]
-ExerciseId = Annotated[str, AfterValidator(_exercise_id), _like(f"^{_EXERCISE_ID}$")]
-Slug = Annotated[str, AfterValidator(_slug), _like(f"^{_SLUG}$")]
-Package = Annotated[str, AfterValidator(_package), _like(f"^{_PACKAGE}$")]
-Workspace = Annotated[str, AfterValidator(_workspace), _like(f"^{_WORKSPACE}$")]
+ExerciseId = Annotated[str, Form(r"\d\d-[a-z0-9]+(-[a-z0-9]+)*", "look like `18-publisher`")]
+Slug = Annotated[str, Form(r"[a-z0-9]+([-_][a-z0-9]+)*", "be small letters, digits and dashes")]
+Package = Annotated[
+    str, Form("[a-z][a-z0-9_-]*", "be the name of a ROS package (small letters, digits, underscores)")
+]
+Workspace = Annotated[str, Form("[a-z][a-z0-9_]*_workspace", "be a folder whose name ends with `_workspace`")]
 HomePath = Annotated[str, AfterValidator(_home_path), _like(r"^(?!/|~|\./)[^\\]+$")]
-Mode = Annotated[str, AfterValidator(_octal), _like(f"^{_OCTAL}$")]
-Url = Annotated[str, AfterValidator(_url), _like(f"^{_URL}$")]
+Mode = Annotated[str, Form("0?[0-7]{3}", "be an octal mode in quotes, like `'755'`")]
+Url = Annotated[str, Form(r"https://[^\s/]+/\S*", "look like `https://docs.ros.org/en/jazzy/`")]
 Seconds = Annotated[
     float,
     AfterValidator(_seconds),

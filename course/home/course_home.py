@@ -104,7 +104,8 @@ def _here() -> Path:
     try:
         return Path.cwd()
     except FileNotFoundError:
-        raise UsageError("the folder you stand in was deleted", "go to another one: cd") from None
+        what = "The folder you are in does not exist any more."
+        raise UsageError(what, "Go to another one: `cd`") from None
 
 
 def _named(path: Path, by: str) -> CourseHome:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from course.content.layout import ALTERNATIVE, LESSON, MISTAKES
 from course.content.lesson import read_lesson
 from course.content.mistakes import read_alternatives, read_mistakes
 from course.model.result import Outcome, Result
+from course.report.validation import Count, ProofRow
 from course.validate import Finding
 from course.validate.claims import Claims, failed_by, fault_of_grader, is_missing
 from course.validate.proofs import Proof, ProofKind, ProofResult
@@ -24,32 +24,6 @@ _STEPS = {
 }
 _GRADER = "correct this line of the grader, then validate again"
 _STEADY = "let the check depend on nothing that changes by itself: timing, order, chance"
-
-
-@dataclass(frozen=True)
-class Counts:
-    """Of proofs of one kind: how many are done and held, how many are done, how many there are."""
-
-    held: int
-    done: int
-    total: int
-
-
-@dataclass(frozen=True)
-class Summary:
-    """One exercise. covered: how many of its `checks` a mistake failed. seconds: of all its gradings.
-
-    points: what can be had without bonus, None as long as that is not known. missing: what this machine
-    lacks to grade it, if it does.
-    """
-
-    exercise: str
-    kinds: dict[ProofKind, Counts]
-    covered: int
-    checks: int
-    points: float | None
-    seconds: float
-    missing: str | None = None
 
 
 class ProofResults:
@@ -101,8 +75,9 @@ class ProofResults:
         lack = next((_lack(one.result) for one in each if is_missing(one)), None)
         return lack if each else "It was stopped before."
 
-    def summaries(self) -> list[Summary]:
-        return [self._summary(exercise) for exercise in self._exercises]
+    def rows(self) -> list[ProofRow]:
+        """One for each exercise. points: None as long as they are not known. seconds: of all its gradings."""
+        return [self._row(exercise) for exercise in self._exercises]
 
     def _findings(self, proof: Proof) -> Iterator[Finding]:
         each = [one for one in self._proven[proof] if not is_missing(one)]
@@ -135,16 +110,22 @@ class ProofResults:
         file, line = self._places.of(self._exercises[proof.exercise], proof)
         return Finding(file, line, what, step, proof.exercise)
 
-    def _summary(self, exercise: str) -> Summary:
+    def _row(self, exercise: str) -> ProofRow:
         own = [proof for proof in self._proofs if proof.exercise == exercise]
         every = [one for proof in own for one in self._proven[proof]]
         checks = {check.id for one in every for check in one.result.checks}
         mistakes = [one for one in every if one.proof.kind is ProofKind.MISTAKE]
         covered = {name for one in mistakes for name in failed_by(one.result)}
         solved = next((one.result for one in every if one.proof.kind is ProofKind.SOLUTION), None)
-        return Summary(
+        solution, others, starter, known = (
+            self._count([proof for proof in own if proof.kind is kind]) for kind in ProofKind
+        )
+        return ProofRow(
             exercise,
-            {kind: self._counts([proof for proof in own if proof.kind is kind]) for kind in ProofKind},
+            solution,
+            others,
+            starter,
+            known,
             len(covered & checks),
             len(checks),
             solved.max_points if solved and solved.checks else None,
@@ -152,9 +133,9 @@ class ProofResults:
             next((_lack(one.result) for one in every if is_missing(one)), None),
         )
 
-    def _counts(self, proofs: Sequence[Proof]) -> Counts:
+    def _count(self, proofs: Sequence[Proof]) -> Count:
         done = [proof for proof in proofs if self._is_done(proof)]
-        return Counts(sum(not self.findings_of(proof) for proof in done), len(done), len(proofs))
+        return Count(sum(not self.findings_of(proof) for proof in done), len(done), len(proofs))
 
     def _is_done(self, proof: Proof) -> bool:
         """A proof that failed once is not repeated."""
@@ -208,20 +189,18 @@ class SourcePlaces:
 
     def _of_exercise(self, exercise: Exercise) -> Place:
         reading = self._lessons(exercise.folder)
-        ids = [one["id"] for one in reading.data["exercises"]] if reading.data else []
-        found = exercise.id in ids and reading.document is not None
-        place = ("exercises", ids.index(exercise.id), "id") if found else ()
-        return exercise.folder / LESSON, reading.document.line(place) if reading.document else None
+        ids = [one["id"] for one in reading.value["exercises"]] if reading.value else []
+        place = ("exercises", ids.index(exercise.id), "id") if exercise.id in ids else ()
+        return exercise.folder / LESSON, reading.line(place)
 
     def _of_mistake(self, exercise: Exercise, name: str) -> Place:
         reading = self._mistakes(exercise.folder)
-        ids = [mistake.id for mistake in reading.mistakes]
-        line = reading.document.line(("mistakes", ids.index(name), "id")) if reading.document else None
-        return exercise.folder / MISTAKES, line
+        ids = [mistake.id for mistake in reading.value or ()]
+        return exercise.folder / MISTAKES, reading.line(("mistakes", ids.index(name), "id"))
 
     def _of_alternative(self, exercise: Exercise, name: str) -> Place:
         for reading in self._alternatives(exercise.solution):
-            if reading.alternative and reading.document and reading.alternative.name == name:
-                place = ("exercises", reading.alternative.exercises.index(exercise.id))
-                return reading.document.file, reading.document.line(place)
+            if reading.value and reading.value.name == name:
+                place = ("exercises", reading.value.exercises.index(exercise.id))
+                return reading.value.tree / ALTERNATIVE, reading.line(place)
         return exercise.solution / "alternatives" / name / ALTERNATIVE, None

@@ -19,7 +19,10 @@ from course.validate.static.graders import read_graders
 
 
 class ProofKind(str, Enum):
-    """What is graded. The first two must earn all points, the third must not pass, the fourth be caught."""
+    """What is graded, in the order of `ProofRow`.
+
+    The first two must earn all points, the third must not pass, the fourth be caught.
+    """
 
     SOLUTION = "solution"
     ALTERNATIVE = "alternative"

@@ -6,7 +6,7 @@ import asyncio
 import contextlib
 import signal
 import time
-from collections.abc import Callable, Coroutine, Iterator
+from collections.abc import Callable, Coroutine, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -110,14 +110,19 @@ class _Watch:
     @contextlib.contextmanager
     def _signals(self) -> Iterator[None]:
         """Signals are noted and handled between two events, never while the terminal changes hands."""
-        loop = asyncio.get_running_loop()
-        for number in (*_ENDINGS, *_OTHERS):
-            loop.add_signal_handler(number, self._events.put_nowait, SignalCame(number))
+        self._hear((*_ENDINGS, *_OTHERS))
         try:
             yield
         finally:
-            for number in (*_ENDINGS, *_OTHERS):
-                loop.remove_signal_handler(number)
+            self._ignore((*_ENDINGS, *_OTHERS))
+
+    def _hear(self, numbers: Iterable[int]) -> None:
+        for number in numbers:
+            asyncio.get_running_loop().add_signal_handler(number, self._events.put_nowait, SignalCame(number))
+
+    def _ignore(self, numbers: Iterable[int]) -> None:
+        for number in numbers:
+            asyncio.get_running_loop().remove_signal_handler(number)
 
     # ----------------------------------------------------------------------------------- what signals do
 
@@ -130,27 +135,23 @@ class _Watch:
 
     def _pause(self) -> None:
         """Pause as any program does after Ctrl+Z, with the terminal restored. A check continues."""
-        loop = asyncio.get_running_loop()
         with self._terminal.lent():
-            loop.remove_signal_handler(signal.SIGTSTP)
+            self._ignore([signal.SIGTSTP])
             signal.raise_signal(signal.SIGTSTP)
-            loop.add_signal_handler(signal.SIGTSTP, self._events.put_nowait, SignalCame(signal.SIGTSTP))
+            self._hear([signal.SIGTSTP])
 
     def _ask(self, exercise: Exercise) -> bool:
         """Ask the questions on the restored terminal. False after Ctrl+C."""
-        loop = asyncio.get_running_loop()
         self._terminal.ignore_keys()
         with self._terminal.lent():
-            for number in (*_ENDINGS, signal.SIGTSTP):
-                loop.remove_signal_handler(number)
+            self._ignore((*_ENDINGS, signal.SIGTSTP))
             try:
                 self._learner.ask(exercise)
                 return True
             except KeyboardInterrupt:
                 return False
             finally:
-                for number in (*_ENDINGS, signal.SIGTSTP):
-                    loop.add_signal_handler(number, self._events.put_nowait, SignalCame(number))
+                self._hear((*_ENDINGS, signal.SIGTSTP))
                 self._terminal.on_keys(self._read_keys)
 
 

@@ -6,8 +6,9 @@ from course.content import open_course
 from course.model import replace
 from course.model.feedback import Feedback, Location
 from course.model.result import CheckResult, Outcome, Result, Timing, Verdict, verdict_of
+from course.report.validation import Count
 from course.validate.claims import Claims
-from course.validate.proof_results import Counts, ProofResults
+from course.validate.proof_results import ProofResults
 from course.validate.proofs import Proof, ProofKind, ProofResult
 from tests.conftest import FIXTURES
 from tests.validate.conftest import QUIZ
@@ -35,10 +36,10 @@ def account(*each: ProofResult, turns: int = 1) -> ProofResults:
 
 
 def test_what_is_not_done_yet_is_neither_held_nor_broken() -> None:
-    (row,) = account(proven(SOLUTION, RIGHT), proven(MISTAKE, WRONG)).summaries()
-    assert row.kinds[ProofKind.SOLUTION] == Counts(1, 1, 1)
-    assert row.kinds[ProofKind.MISTAKE] == Counts(1, 1, 2)
-    assert row.kinds[ProofKind.STARTER] == Counts(0, 0, 0)
+    (row,) = account(proven(SOLUTION, RIGHT), proven(MISTAKE, WRONG)).rows()
+    assert row.solution == Count(1, 1, 1)
+    assert row.mistakes == Count(1, 1, 2)
+    assert row.starter == Count(0, 0, 0)
     assert (row.covered, row.checks, row.points, row.seconds, row.missing) == (1, 2, 4, 3.0, None)
 
 
@@ -52,9 +53,9 @@ def test_a_finding_stands_where_it_is_claimed() -> None:
 
 def test_with_several_turns_a_proof_holds_when_it_held_in_all() -> None:
     once = account(proven(MISTAKE, WRONG), turns=2)
-    assert once.summaries()[0].kinds[ProofKind.MISTAKE] == Counts(0, 0, 2)
+    assert once.rows()[0].mistakes == Count(0, 0, 2)
     twice = account(proven(MISTAKE, WRONG), proven(MISTAKE, WRONG, 2), turns=2)
-    assert twice.summaries()[0].kinds[ProofKind.MISTAKE] == Counts(1, 1, 2)
+    assert twice.rows()[0].mistakes == Count(1, 1, 2)
     assert twice.findings() == []
 
 
@@ -77,7 +78,7 @@ def test_what_is_missing_here_is_no_finding() -> None:
     lacking = Result(QUIZ, Verdict.NOT_AVAILABLE, fault=Feedback("There is no ROS."))
     made = account(ProofResult(SOLUTION, 1, 1, lacking, 0.1))
     assert made.findings() == [] and made.lacking
-    assert made.summaries()[0].missing == "There is no ROS."
+    assert made.rows()[0].missing == "There is no ROS."
     assert made.why_not(MISTAKE) == "It was stopped before."
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from course.content import Exercise, Mistake, answers_file
+from course.content import Exercise, Mistake, answers_file, layout
 from course.content.document import Document, Place
 from course.spelling import did_you_mean
 from course.validate import Finding
@@ -14,7 +14,7 @@ from course.validate.static.subject import Subject
 
 def proof_findings(subject: Subject) -> Iterator[Finding]:
     for chapter, reading in subject.mistakes.items():
-        for index, mistake in enumerate(reading.mistakes):
+        for index, mistake in enumerate(reading.value or ()):
             exercise = subject.exercises.get(mistake.exercise)
             if exercise is not None and reading.document is not None and exercise.folder == chapter:
                 yield from _unknown_checks(subject, reading.document, index, mistake)
@@ -36,10 +36,10 @@ def checks_of(subject: Subject, exercise: Exercise) -> Mapping[str, tuple[Path, 
     for check in grader.checks if grader else ():
         assert graders is not None
         found[check] = (graders.file, graders.line_of(exercise.id, check))
-    document = subject.lessons[exercise.folder].document
+    lesson = subject.lessons[exercise.folder]
     index = subject.exercises_of(exercise.folder).index(exercise)
     for number, question in enumerate(exercise.questions):
-        line = document.line(("exercises", index, "questions", number, "id")) if document else None
+        line = lesson.line(("exercises", index, "questions", number, "id"))
         found.setdefault(question.id, (exercise.folder / "lesson.yaml", line))
     return found
 
@@ -77,16 +77,17 @@ def _unknown_questions(
 
 def _unknown_in_alternatives(subject: Subject) -> Iterator[Finding]:
     for reading in subject.alternatives:
-        if reading.alternative is None or reading.document is None:
+        other = reading.value
+        if other is None:
             continue
-        solved = [subject.exercises.get(one) for one in reading.alternative.exercises]
+        solved = [subject.exercises.get(one) for one in other.exercises]
         known = [question.id for exercise in solved if exercise for question in exercise.questions]
-        for name in reading.alternative.answers:
+        for name in other.answers:
             if name not in known and None not in solved:
-                what = f"`{reading.alternative.name}` answers `{name}`, which none of its exercises asks"
+                what = f"`{other.name}` answers `{name}`, which none of its exercises asks"
                 step = f"their questions: {', '.join(known) or 'none'}"
-                line = reading.document.line(("answers", name))
-                yield Finding(reading.document.file, line, what + did_you_mean(name, known), step)
+                line = reading.line(("answers", name))
+                yield Finding(other.tree / layout.ALTERNATIVE, line, what + did_you_mean(name, known), step)
 
 
 def _unproved(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
@@ -94,7 +95,7 @@ def _unproved(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
     reading = subject.mistakes[exercise.folder]
     if reading.problems:
         return  # which mistakes there are is not known
-    own = [mistake for mistake in reading.mistakes if mistake.exercise == exercise.id]
+    own = [mistake for mistake in reading.value or () if mistake.exercise == exercise.id]
     named = {name for mistake in own for name in (mistake.caught_by, *mistake.also_fails)}
     for check, (file, line) in (checks_of(subject, exercise) or {}).items():
         if check not in named and _can_fail(subject, exercise, check):

@@ -71,7 +71,7 @@ def early_terms(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding]:
     for chapter, reading in subject.lessons.items():
         own = [text for text in texts if text.file.is_relative_to(chapter)]
         lesson = _without_code(own[0].text) if own else ""
-        for place, term in enumerate(reading.data["terms"] if reading.data else ()):
+        for place, term in enumerate(reading.value["terms"] if reading.value else ()):
             words = r"\s+".join(map(re.escape, term.split())) + "s?"
             if bold := re.search(rf"\*\*{words}[.,]?\*\*", lesson, re.IGNORECASE):
                 what = f"`{term}` is used before {chapter.name} explains it"

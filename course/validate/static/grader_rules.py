@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from course.content import Exercise
+from course.content.audit import way_between
 from course.grading.author import BUILDS
 from course.spelling import did_you_mean
 from course.validate import Finding
@@ -54,7 +55,7 @@ def _need_problem(
     if need not in lines:
         what = f"check `{check.id}` needs `{need}`, which is not a check{did_you_mean(need, lines)}"
         return what, f"checks of this grader: {', '.join(lines)}"
-    circle = _way(needs, need, check.id)
+    circle = way_between(needs, need, check.id)
     if circle:
         if check.id != min(circle):  # said once, not by each member of the circle
             return None
@@ -64,17 +65,6 @@ def _need_problem(
         what = f"check `{check.id}` needs `{need}`, which is only in line {lines[need]}"
         return what, f"move `{need}` before it: checks are made in their order"
     return None
-
-
-def _way(needs: Needs, start: str, goal: str, seen: frozenset[str] = frozenset()) -> tuple[str, ...]:
-    """The checks from `start` to `goal` along `needs`, or nothing."""
-    if start == goal:
-        return (start,)
-    for need in needs.get(start, ()):
-        way = _way(needs, need, goal, seen | {start}) if need not in seen | {start} else ()
-        if way:
-            return (start, *way)
-    return ()
 
 
 def _strangers(subject: Subject, chapter: Path, graders: GraderModule) -> Iterator[Finding]:
@@ -104,8 +94,7 @@ def _lacking(subject: Subject, chapter: Path, graders: GraderModule) -> Iterator
     for index, exercise in enumerate(subject.exercises_of(chapter)):
         word = _lack(exercise, graders, mysteries)
         if word:
-            document = subject.lessons[chapter].document
-            line = document.line(("exercises", index, "id")) if document else None
+            line = subject.lessons[chapter].line(("exercises", index, "id"))
             what = f"{graders.file.name} has no `{word}` of {exercise.id}"
             step = f'add `{word}("{exercise.id}"...)` with its checks to {graders.file.name}'
             yield Finding(chapter / "lesson.yaml", line, what, step, exercise.id)

@@ -82,9 +82,9 @@ def _is_of(file: Path, chapter: Path) -> bool:
 def id_findings(subject: Subject) -> Iterator[Finding]:
     first: dict[str, tuple[Path, int]] = {}
     for chapter, reading in subject.lessons.items():
-        if reading.data is None or reading.document is None:
+        if reading.value is None or reading.document is None:
             continue
-        for index, exercise in enumerate(reading.data["exercises"]):
+        for index, exercise in enumerate(reading.value["exercises"]):
             name, line = exercise["id"], reading.document.line(("exercises", index, "id"))
             other, there = first.setdefault(name, (chapter, line))
             if other != chapter:

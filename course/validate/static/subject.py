@@ -12,10 +12,11 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from course.content import Course, Exercise, layout
+from course.content import Alternative, Course, Exercise, layout
 from course.content.document import Place
-from course.content.lesson import LessonReading, read_lesson
-from course.content.mistakes import AlternativeReading, MistakesReading, read_alternatives, read_mistakes
+from course.content.lesson import read_lesson
+from course.content.mistakes import Mistakes, read_alternatives, read_mistakes
+from course.content.schema_errors import Reading
 from course.validate.static.graders import GraderModule, read_graders
 
 _NOT_OURS = {"__pycache__", ".pytest_cache", ".ruff_cache", ".mypy_cache", ".DS_Store"}
@@ -39,19 +40,19 @@ class Subject:
 
     def is_read(self, chapter: Path) -> bool:
         """Whether its exercises are known. If not, a finding says why, and anything may belong to them."""
-        data = self.lessons[chapter].data
+        data = self.lessons[chapter].value
         return data is not None and len(data["exercises"]) == len(self.exercises_of(chapter))
 
     @cached_property
-    def lessons(self) -> Mapping[Path, LessonReading]:
+    def lessons(self) -> Mapping[Path, Reading[dict[str, Any]]]:
         return {chapter: read_lesson(chapter) for chapter in self.chapters}
 
     @cached_property
-    def mistakes(self) -> Mapping[Path, MistakesReading]:
+    def mistakes(self) -> Mapping[Path, Reading[Mistakes]]:
         return {chapter: read_mistakes(chapter) for chapter in self.chapters}
 
     @cached_property
-    def alternatives(self) -> tuple[AlternativeReading, ...]:
+    def alternatives(self) -> tuple[Reading[Alternative], ...]:
         folders = map(layout.solution_folder, self.chapters)
         return tuple(reading for folder in folders for reading in read_alternatives(folder))
 
