@@ -18,7 +18,7 @@ def render_problem(console: Console, what: str, next_step: str = "") -> None:
     """What happened, and the next step. Each paragraph of the next step is wrapped on its own."""
     put_prose(console, Text.assemble(("Error: ", "bold red"), with_code(console, _sentence(what))))
     for row, line in enumerate(line for line in next_step.splitlines() if line.strip()):
-        put_prose(console, with_code(console, sanitize.paragraph(line)), first="      " if row else "Next: ")
+        put_prose(console, with_code(console, _sentence(line)), first="      " if row else "Next: ")
 
 
 def render_bug(console: Console, what: str, log: Path | None) -> None:
@@ -44,10 +44,14 @@ def render_notice(console: Console, text: str) -> None:
 
 
 def _sentence(text: str) -> str:
+    """One voice for all: a capital and a period, but no period after what is to be typed or chosen."""
     clean = sanitize.paragraph(text)
     first = clean.split(" ")[0]
+    if first == "sudo":  # a command, to be copied
+        return clean
     is_file = "/" in first or "_" in first or "." in first[:-1]
-    return clean if is_file else clean[:1].upper() + clean[1:]
+    said = clean if is_file else clean[:1].upper() + clean[1:]
+    return said if ": " in said or said.endswith((".", "!", "?")) else f"{said}."
 
 
 class State(str, Enum):

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 def test_what_and_next_step(page: Page) -> None:
     render_problem(page.console, "no course home", "make one: `ros2course init`")
-    assert page.lines == ["Error: No course home", "Next: make one: `ros2course init`"]
+    assert page.lines == ["Error: No course home.", "Next: Make one: `ros2course init`"]
 
 
 def test_an_id_or_a_path_keeps_its_case(page: Page) -> None:
@@ -23,13 +23,18 @@ def test_an_id_or_a_path_keeps_its_case(page: Page) -> None:
     assert page.lines == [
         "Error: /tmp/x/lesson.yaml:3: wrong",
         "Error: chapters/x/lesson.yaml:3: wrong",
-        "Error: bad_roster.csv is no roster",
+        "Error: bad_roster.csv is no roster.",
     ]
+
+
+def test_a_command_can_be_copied(page: Page) -> None:
+    render_problem(page.console, "The C++ library Eigen 3 is not here", "sudo apt install libeigen3-dev")
+    assert page.lines[1] == "Next: sudo apt install libeigen3-dev"
 
 
 def test_steps_on_lines_of_their_own(page: Page) -> None:
     render_problem(page.console, "It broke.", "first\n\nsecond")
-    assert page.lines[1:] == ["Next: first", "      second"]
+    assert page.lines[1:] == ["Next: First.", "      Second."]
 
 
 def test_a_bug_names_its_log(page: Page) -> None:
