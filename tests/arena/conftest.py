@@ -15,6 +15,8 @@ from course.arena.process import Process
 from course.evidence.timeline import Timeline
 from course.model.events import Event, OutputLine, ProcessExited
 
+from .programs import Programs
+
 WAIT = 20.0  # for things that take milliseconds, on a busy machine
 _E = TypeVar("_E", bound=Event)
 
@@ -75,3 +77,10 @@ def stage(tmp_path: Path) -> Iterator[Stage]:
     stage = Stage(tmp_path)
     yield stage
     stage.close()
+
+
+@pytest.fixture
+def programs(tmp_path: Path) -> Iterator[Programs]:
+    programs = Programs(tmp_path)
+    yield programs
+    programs.close()

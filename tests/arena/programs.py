@@ -3,21 +3,31 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 from course.arena.home_programs import HomePrograms
 from course.evidence.recording import Recording
 from course.evidence.timeline import Timeline
+from course.model.events import OutputLine
 
 PLAIN = {"PATH": "/usr/bin:/bin", "KIND": "plain"}
 SOURCED = {"PATH": "/usr/bin:/bin", "KIND": "sourced", "ROS_DISTRO": "jazzy"}
 
 
 class Programs(HomePrograms):
-    """Starts programs in `folder`/home, which exists; ends them with `close`."""
+    """Starts programs in `folder`/home, which exists; what is ours lies beside it. `close` ends them."""
 
-    def __init__(self, folder: Path, learners_home: Path | None = None) -> None:
-        super().__init__(Timeline(), SOURCED, PLAIN, sys.executable, folder, learners_home)
+    def __init__(
+        self,
+        folder: Path,
+        learners_home: Path | None = None,
+        environment: Mapping[str, str] = SOURCED,
+        plain: Mapping[str, str] = PLAIN,
+    ) -> None:
+        self.ours = folder / "ours"
+        self.ours.mkdir()
+        super().__init__(Timeline(), environment, plain, sys.executable, folder, learners_home, self.ours)
 
     def write(self, name: str, text: str, mode: int = 0o644) -> None:
         file = self.home / name
@@ -28,6 +38,10 @@ class Programs(HomePrograms):
     @property
     def recording(self) -> Recording:
         return Recording("x", self.timeline.events())
+
+    @property
+    def lines(self) -> list[str]:
+        return [event.text for event in self.timeline.of(OutputLine)]
 
     def close(self) -> None:
         for process in self._processes:

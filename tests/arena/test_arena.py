@@ -75,7 +75,6 @@ def play(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Play]:
 def test_an_executable_is_run_as_ros2_run_would(play: Play) -> None:
     play.install("talker", "import sys\nprint('hello', *sys.argv[1:])\n")
     program = play.arena.run("talk", "talker", "--ros-args", "x")
-    assert program is not None
     assert program.wait(WAIT)
     assert [line.text for line in play.events(OutputLine)] == ["hello --ros-args x"]
     assert program.name == "talker"
@@ -123,7 +122,6 @@ def test_parameters_remaps_and_a_name_for_its_nodes(play: Play) -> None:
     program = play.arena.run(
         "talk", "talker", "more", params={"quote": "1"}, remaps={"a": "b"}, node_name="other"
     )
-    assert program is not None
     assert program.wait(WAIT)
     (line,) = play.events(OutputLine)
     assert line.text == 'more|--ros-args|-p|quote:="1"|-r|a:=b|-r|__node:=other'

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,51 +9,31 @@ import pytest
 
 from course.arena import toolchain
 from course.arena.cpp_programs import CppPrograms, compiling
-from course.arena.home_programs import HomePrograms
 from course.errors import MissingHere, OurFault
-from course.evidence.recording import Recording
-from course.evidence.timeline import Timeline
 from course.model.events import ProgramMissing
 
 from .conftest import WAIT
-from .programs import PLAIN
+from .programs import PLAIN, Programs
 
 HELLO = "#include <cstdio>\nint main(int, char** words) { std::puts(words[1]); }\n"
 DEEP = "project/deep.cpp"
 
 
-class Programs(HomePrograms):
-    """Compiles in `folder`/home; our own files are beside it."""
-
+class CppProjects(Programs):
     def __init__(self, folder: Path, path: str = PLAIN["PATH"]) -> None:
-        ours = folder / "ours"
-        ours.mkdir()
         plain = {**PLAIN, "PATH": path, "LC_MESSAGES": "de_DE.UTF-8", "GCC_COLORS": "error=01;31"}
-        super().__init__(Timeline(), plain, plain, sys.executable, folder, None, ours)
+        super().__init__(folder, environment=plain, plain=plain)
         self.cpp = CppPrograms(self)
-
-    def write(self, name: str, text: str) -> None:
-        file = self.home / name
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
-
-    @property
-    def recording(self) -> Recording:
-        return Recording("x", self.timeline.events())
-
-    def close(self) -> None:
-        for process in self._processes:
-            process.close()
 
 
 @pytest.fixture
-def programs(tmp_path: Path) -> Iterator[Programs]:
-    programs = Programs(tmp_path)
+def programs(tmp_path: Path) -> Iterator[CppProjects]:
+    programs = CppProjects(tmp_path)
     yield programs
     programs.close()
 
 
-def asked(programs: Programs, body: str, name: str = "asked") -> None:
+def asked(programs: CppProjects, body: str, name: str = "asked") -> None:
     """Ask questions about an existing header, with the body of a `main`."""
     programs.write(
         "ours.cpp", f'#include "ask.hpp"\n#include "project/theirs.hpp"\nint main() {{ {body} }}\n'
@@ -65,7 +44,7 @@ def asked(programs: Programs, body: str, name: str = "asked") -> None:
 
 
 @pytest.mark.slow
-def test_files_of_a_pattern_become_a_program(programs: Programs) -> None:
+def test_files_of_a_pattern_become_a_program(programs: CppProjects) -> None:
     programs.write(
         "project/main.cpp", "void say(const char*);\nint main(int, char** words) { say(words[1]); }\n"
     )
@@ -78,14 +57,14 @@ def test_files_of_a_pattern_become_a_program(programs: Programs) -> None:
 
 
 @pytest.mark.slow
-def test_errors_are_in_english_with_paths_of_the_home(programs: Programs) -> None:
+def test_errors_are_in_english_with_paths_of_the_home(programs: CppProjects) -> None:
     programs.write("project/main.cpp", "int main() { return 0 }\n")
     assert programs.cpp.compile("it", "project/*.cpp") is None
     said = programs.recording.process(compiling("it")).text
     assert "project/main.cpp:1:22: error: expected ';' before '}' token" in said
 
 
-def test_a_file_that_is_not_there_is_recorded(programs: Programs) -> None:
+def test_a_file_that_is_not_there_is_recorded(programs: CppProjects) -> None:
     assert programs.cpp.compile("it", "project/main.cpp") is None
     assert programs.cpp.run(None, name="run") is None
     programs.cpp.ask(None, name="asked")
@@ -94,13 +73,13 @@ def test_a_file_that_is_not_there_is_recorded(programs: Programs) -> None:
     ]
 
 
-def test_a_scenario_stays_in_the_home(programs: Programs) -> None:
+def test_a_scenario_stays_in_the_home(programs: CppProjects) -> None:
     with pytest.raises(OurFault, match="leaves the course home"):
         programs.cpp.compile("it", "../*.cpp")
 
 
 def test_a_missing_compiler_is_not_the_learners(tmp_path: Path) -> None:
-    programs = Programs(tmp_path, path=str(tmp_path))
+    programs = CppProjects(tmp_path, path=str(tmp_path))
     programs.write("main.cpp", HELLO)
     with pytest.raises(MissingHere) as caught:
         programs.cpp.compile("it", "main.cpp")
@@ -119,20 +98,20 @@ def test_a_compiler_without_sanitizers_is_not_the_learners(tmp_path: Path) -> No
     compiler = tmp_path / "g++"
     compiler.write_text(LACKING)
     compiler.chmod(0o755)
-    programs = Programs(tmp_path, path=f"{tmp_path}:/usr/bin:/bin")
+    programs = CppProjects(tmp_path, path=f"{tmp_path}:/usr/bin:/bin")
     programs.write("main.cpp", HELLO)
     with pytest.raises(MissingHere, match="no sanitizers"):
         programs.cpp.compile("it", "main.cpp")
 
 
 @pytest.mark.slow
-def test_a_file_that_says_so_is_not_believed(programs: Programs) -> None:
+def test_a_file_that_says_so_is_not_believed(programs: CppProjects) -> None:
     programs.write("main.cpp", "#error cannot find -lasan\n")
     assert programs.cpp.compile("it", "main.cpp") is None
 
 
 @pytest.mark.slow
-def test_the_sanitizers_are_heard(programs: Programs) -> None:
+def test_the_sanitizers_are_heard(programs: CppProjects) -> None:
     programs.write(
         "main.cpp",
         "#include <vector>\nint main(int n, char**) {\n  std::vector<int> v(3);\n  return v[n + 2];\n}\n",
@@ -144,7 +123,7 @@ def test_the_sanitizers_are_heard(programs: Programs) -> None:
 
 
 @pytest.mark.slow
-def test_questions_and_answers(programs: Programs) -> None:
+def test_questions_and_answers(programs: CppProjects) -> None:
     programs.write(
         "project/theirs.hpp",
         '#include <stdexcept>\n#include <cstdio>\ninline double half(int n) { std::puts("\\"done\\""); '
@@ -171,7 +150,7 @@ def test_questions_and_answers(programs: Programs) -> None:
 
 
 @pytest.mark.slow
-def test_a_program_that_ends_in_the_middle_is_not_finished(programs: Programs) -> None:
+def test_a_program_that_ends_in_the_middle_is_not_finished(programs: CppProjects) -> None:
     programs.write("project/theirs.hpp", "inline int bad() { std::exit(0); }\n")
     asked(programs, 'ask("first", [] { return 1; }); ask("bad", [] { return bad(); }); done();')
     found = programs.recording.probe("asked")
@@ -194,7 +173,7 @@ int main() {
 
 
 @pytest.mark.slow
-def test_what_is_never_freed_is_told_with_its_line(programs: Programs) -> None:
+def test_what_is_never_freed_is_told_with_its_line(programs: CppProjects) -> None:
     programs.write(DEEP, LEAKS)
     programs.cpp.ask(programs.cpp.compile("it", DEEP, heap=True), name="run")
     found = programs.recording.probe("run")

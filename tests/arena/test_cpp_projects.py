@@ -10,7 +10,7 @@ import pytest
 from course.arena.cpp_programs import compiling, configuring
 from course.errors import OurFault
 
-from .test_cpp_programs import Programs
+from .test_cpp_programs import CppProjects
 
 LISTS = """\
 cmake_minimum_required(VERSION 3.8)
@@ -23,7 +23,7 @@ USER = '#include "ask.hpp"\n#include "turn.hpp"\nint main() { ask("turn", [] { r
 SETUP = "export LD_LIBRARY_PATH=/sourced:$LD_LIBRARY_PATH\n"
 
 
-class Projects(Programs):
+class Projects(CppProjects):
     """With one package of the learner's, which consists of CMake files only."""
 
     def __init__(self, folder: Path) -> None:
@@ -63,7 +63,6 @@ def test_a_project_that_uses_a_package(projects: Projects, user: Path) -> None:
     program = projects.cpp.build_project("user", user)
     projects.cpp.ask(program, name="user")
     answer = projects.recording.probe("user").answer("turn")
-    assert answer is not None
     assert answer.value == 360
 
 

@@ -199,7 +199,6 @@ def test_nodes_end_when_their_parent_is_killed(
         stdout=subprocess.PIPE,
         text=True,
     )
-    assert parent.stdout is not None
     player = psutil.Process(int(parent.stdout.readline()))
     await_text(tmp_path / "acts.json", "stuck" if source is STUCK else "made")
     parent.kill()

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import os
-import sys
-from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import pytest
 
-from course.arena.home_programs import HomePrograms, memory_mark
+from course.arena.home_programs import memory_mark
 from course.errors import MissingHere
-from course.evidence.timeline import Timeline
 from course.isolation import Level
 from course.isolation.levels import obstacle_to
-from course.model.events import Marked, OutputLine
+from course.model.events import Marked
 
 from .conftest import WAIT
-from .programs import SOURCED
+from .programs import SOURCED, Programs
 
 TELLS = "import os, sys\nprint(__file__, os.environ['KIND'], os.environ['SET'], *sys.argv[1:])\n"
 LISTS = (
@@ -31,28 +28,6 @@ with open("/dev/shm/segment", "w+b") as file:
 print("up", flush=True)
 sys.stdin.read()
 """
-
-
-class Programs(HomePrograms):
-    def __init__(self, folder: Path, environment: Mapping[str, str] = SOURCED) -> None:
-        self.ours = folder / "ours"
-        self.ours.mkdir()
-        super().__init__(Timeline(), environment, {}, sys.executable, folder, None, self.ours)
-
-    @property
-    def lines(self) -> list[str]:
-        return [event.text for event in self.timeline.of(OutputLine)]
-
-    def close(self) -> None:
-        for process in self._processes:
-            process.close()
-
-
-@pytest.fixture
-def programs(tmp_path: Path) -> Iterator[Programs]:
-    programs = Programs(tmp_path)
-    yield programs
-    programs.close()
 
 
 @pytest.fixture
@@ -93,7 +68,7 @@ def test_what_it_has_in_its_own_memory_is_seen_and_recorded(programs: Programs, 
 
 def test_where_the_network_is_shared_memory_of_its_own_is_not_to_be_had(tmp_path: Path, write: Path) -> None:
     """There, ROS must stay on this machine, and uses shared memory whatever a profile says."""
-    programs = Programs(tmp_path, {**SOURCED, "ROS_DOMAIN_ID": "7"})
+    programs = Programs(tmp_path, environment={**SOURCED, "ROS_DOMAIN_ID": "7"})
     write.write_text("")
     with pytest.raises(MissingHere) as caught:
         programs.companion(write, name="c", own_memory=True)
@@ -104,4 +79,4 @@ def test_where_the_network_is_shared_memory_of_its_own_is_not_to_be_had(tmp_path
 def test_domains_are_those_of_the_network(programs: Programs, tmp_path: Path) -> None:
     assert programs.domain(1) == 1
     (tmp_path / "shared").mkdir()
-    assert Programs(tmp_path / "shared", {**SOURCED, "ROS_DOMAIN_ID": "7"}).domain(0) == 7
+    assert Programs(tmp_path / "shared", environment={**SOURCED, "ROS_DOMAIN_ID": "7"}).domain(0) == 7

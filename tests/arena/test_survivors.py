@@ -26,7 +26,6 @@ def test_a_child_that_outlives_its_parent() -> None:
     with subprocess.Popen(
         [sys.executable, "-S", "-c", PARENT], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     ) as parent:
-        assert parent.stdout is not None
         pid = int(parent.stdout.readline())
         below = started_by(parent.pid)
         assert [one.pid for one in below] == [pid]

@@ -84,7 +84,6 @@ def test_the_library_s_own_reader_reads_it(file: Path) -> None:
             for _, channel, message, data in reader.iter_decoded_messages(topics=["/talk"])
         ]
     assert header.profile == "ros2"
-    assert summary is not None
     names = {schema.name for schema in summary.schemas.values()}
     assert names == {STRING, NUMBER, "a/msg/Unused", "ros2course/msg/Event"}
     assert decoded == [("/talk", BEGAN + 300_000_000, "hello")] * 2
@@ -137,7 +136,6 @@ def test_a_recording_of_version_1_is_read(recording: Recording) -> None:
 def test_what_we_sent_is_a_channel_of_its_own(file: Path) -> None:
     with file.open("rb") as stream:
         summary = make_reader(stream).get_summary()
-    assert summary is not None
     found = sorted((c.topic, c.metadata.get("ros2course")) for c in summary.channels.values())
     assert found == [("/other", "seen"), (EVENTS, None), ("/talk", "seen"), ("/talk", "sent")]
 

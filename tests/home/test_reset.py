@@ -44,7 +44,6 @@ def test_the_work_is_in_the_backup_and_the_starter_in_its_place(worked: CourseHo
 def test_modes_are_kept_on_both_ways(worked: CourseHome, light: Exercise) -> None:
     (worked.path / FILL).chmod(0o700)
     report = reset(worked, light)
-    assert report.backup is not None
     assert stat.S_IMODE((report.backup / FILL).stat().st_mode) == 0o700
     assert stat.S_IMODE((worked.path / FILL).stat().st_mode) == 0o755
 
@@ -65,7 +64,6 @@ def test_what_the_starter_lacks_is_removed(home: CourseHome, small_course: Path)
     report = reset(home, light)
     assert report.removed == (f"{PACKAGE}/lanterns/alone.py",)
     assert not alone.exists()
-    assert report.backup is not None
     assert (report.backup / report.removed[0]).read_text() == "mine"
 
 
@@ -85,8 +83,6 @@ def test_two_in_one_second_do_not_collide(worked: CourseHome, light: Exercise) -
     first = reset(worked, light, now=NOON).backup
     (worked.path / LIGHT).write_text("more work")
     second = reset(worked, light, now=NOON).backup
-    assert first is not None
-    assert second is not None
     assert (first / LIGHT).read_text() == "my work"
     assert (second / LIGHT).read_text() == "more work"
     assert second.name == "2026-11-21T12-00-00-04-light-2"
@@ -138,7 +134,6 @@ def test_what_a_killed_command_left_is_not_taken_for_a_backup(worked: CourseHome
     left.mkdir(parents=True)
     (left / "stale.txt").write_text("stale")
     report = reset(worked, light)
-    assert report.backup is not None
     assert not (report.backup / PACKAGE / "stale.txt").exists()
     assert list((worked.state / "backups").iterdir()) == [report.backup]
 
@@ -151,7 +146,6 @@ def test_a_link_is_saved_as_a_link_and_what_it_leads_to_left_alone(
     (worked.path / LIGHT).unlink()
     (worked.path / LIGHT).symlink_to(outside)
     report = reset(worked, light)
-    assert report.backup is not None
     assert (report.backup / LIGHT).is_symlink()
     assert not (worked.path / LIGHT).is_symlink()
     assert outside.read_text() == "outside"
@@ -162,7 +156,6 @@ def test_a_folder_in_a_file_s_place_is_saved_too(worked: CourseHome, light: Exer
     (worked.path / LIGHT).mkdir()
     (worked.path / LIGHT / "inside.py").write_text("mine")
     report = reset(worked, light)
-    assert report.backup is not None
     assert (report.backup / LIGHT / "inside.py").read_text() == "mine"
     assert (worked.path / LIGHT).is_file()
 
@@ -191,6 +184,5 @@ def test_the_bashrc_is_saved_and_stays(worked: CourseHome, light: Exercise) -> N
     (worked.path / ".bashrc").write_text("mine\n")
     report = reset(worked, replace(light, files=(*light.files, ".bashrc")))
     assert (worked.path / ".bashrc").read_text() == "mine\n"
-    assert report.backup is not None
     assert (report.backup / ".bashrc").read_text() == "mine\n"
     assert ".bashrc" in report.kept

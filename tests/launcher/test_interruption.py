@@ -164,5 +164,4 @@ def again(machine: Machine, pips: int = 2) -> None:
 
 
 def said(process: subprocess.Popen[str]) -> str:
-    assert process.stderr is not None
     return process.stderr.readline()

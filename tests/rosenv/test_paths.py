@@ -43,7 +43,6 @@ def test_a_workspace_on_top_is_dropped_and_what_lies_beneath_is_kept(tmp_path: P
     installed(ros)
     top = workspace(tmp_path / "ws/install", "one", "two")
     sourced = sourced_prefixes(joined(*top, ros, below))
-    assert sourced is not None
     assert (sourced.rclpy, sourced.kept, sourced.dropped) == (ros, (ros, below), tuple(top))
 
 
@@ -51,7 +50,6 @@ def test_a_ros_built_from_source_is_kept_whole(tmp_path: Path) -> None:
     std, rclpy, rcl = workspace(tmp_path / "ros/install", "std_msgs", "rclpy", "rcl")
     (mine,) = workspace(tmp_path / "ws/install", "mine")
     sourced = sourced_prefixes(joined(mine, std, rclpy, rcl))
-    assert sourced is not None
     assert (sourced.rclpy, sourced.kept, sourced.dropped) == (rclpy, (std, rclpy, rcl), (mine,))
 
 

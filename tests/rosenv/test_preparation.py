@@ -146,7 +146,6 @@ def test_several_processes_at_once_leave_one_right_result(tmp_path: Path) -> Non
     ]
     # All wait for their input to end, and so begin together.
     for process in processes:
-        assert process.stdin is not None
         process.stdin.close()
     assert [process.wait(30) for process in processes] == [0, 0, 0]
     assert "/opt/python" not in export(ros.prefix, "geometry_msgs").read_text()

@@ -22,6 +22,7 @@ from tests.watch.pretended import LIGHT
 
 REPO = Path(__file__).parents[2]
 PATIENCE = 60.0
+KEYS = "q quit"  # in the screen's last line
 REAL = """
 from course.cli.main import run
 run()
@@ -54,6 +55,7 @@ class Seat:
         return shlex.join([sys.executable, "-c", self.script, "--course", str(self.course), "watch", *words])
 
     def sit_down(self, *words: str, environment: dict[str, str] | None = None) -> None:
+        """Run it, until it shows its keys."""
         script = f"""
 trap : INT HUP
 stty -g >before
@@ -62,6 +64,11 @@ echo $? >code
 stty -g >after
 """
         self.spawn(["/bin/sh", "-c", script], environment)
+        self.see(KEYS)
+
+    def quit(self) -> None:
+        self.child.send("q")
+        assert self.ended() == 0
 
     def spawn(self, command: list[str], environment: dict[str, str] | None = None) -> None:
         kept = {

@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING
 import pytest
 
 from course.progress import Progress
+from tests.watch.conftest import KEYS
 from tests.watch.pretended import LIGHT
 
 if TYPE_CHECKING:
     from tests.watch.conftest import Seat
 
 pytestmark = pytest.mark.slow
-KEYS = "q quit"
 
 
 def reached(condition: Callable[[], bool]) -> None:
@@ -34,7 +34,7 @@ def reached(condition: Callable[[], bool]) -> None:
 
 def test_from_the_lesson_over_saves_to_the_next_exercise(seat: Seat) -> None:
     seat.sit_down()
-    seat.see("Chapter 4: Lanterns", "brightness", KEYS)
+    seat.see("Chapter 4: Lanterns", "brightness")
     seat.child.send("t")
     seat.see("04-light: Light it", "Write full()")
     seat.save("dark")
@@ -45,8 +45,7 @@ def test_from_the_lesson_over_saves_to_the_next_exercise(seat: Seat) -> None:
     seat.see("Passed: 4 of 4", "It shines.", "Press n for the next exercise.")
     seat.child.send("n")
     seat.see("04-dim: Dim it")
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
     with Progress.open(seat.home / ".ros2course") as progress:
         assert progress.state("04-light") == "passed"
         assert progress.attempts("04-light") == 3, "starters that were laid are no saves"
@@ -56,7 +55,6 @@ def test_from_the_lesson_over_saves_to_the_next_exercise(seat: Seat) -> None:
 
 def test_every_key_does_what_the_last_line_says(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.child.send("h")
     seat.see("Hint 1 of 3", "A lantern that is lit is not dark.")
     seat.child.send("hh")
@@ -79,13 +77,11 @@ def test_every_key_does_what_the_last_line_says(seat: Seat) -> None:
     seat.child.send("c")
     seat.see("nothing has changed")
     assert len(seat.calls()) == 2
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
 
 
 def test_a_save_during_a_check_begins_it_anew(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.save("waits 1")
     seat.see("looking at the waits 1 lantern")
     seat.save("waits 2")
@@ -94,22 +90,19 @@ def test_a_save_during_a_check_begins_it_anew(seat: Seat) -> None:
     seat.see("Passed: 4 of 4")
     told = ["began waits 1", "ended waits 1", "began waits 2", "ended waits 2", "began bright"]
     assert seat.calls() == told, "each has ended before the next began"
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
     with Progress.open(seat.home / ".ros2course") as progress:
         assert progress.attempts("04-light") == 1
 
 
 def test_a_thousand_saves_are_few_checks(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     for _ in range(1000):
         seat.save("dark")
     seat.save("bright")
     seat.see("Passed: 4 of 4")
     assert len(seat.calls()) < 300
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
 
 
 @pytest.mark.parametrize(
@@ -118,7 +111,6 @@ def test_a_thousand_saves_are_few_checks(seat: Seat) -> None:
 @pytest.mark.parametrize("checking", [False, True])
 def test_a_signal_ends_it_in_order(seat: Seat, number: int, code: int, checking: bool) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     if checking:
         seat.save("waits")
         seat.see("looking at the waits lantern")
@@ -133,17 +125,14 @@ def test_a_signal_ends_it_in_order(seat: Seat, number: int, code: int, checking:
 
 def test_q_in_the_middle_of_a_check(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.save("waits")
     seat.see("looking at the waits lantern")
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
     assert seat.calls() == ["began waits", "ended waits"]
 
 
 def test_killed_it_leaves_no_check_behind(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.save("waits")
     seat.see("looking at the waits lantern")
     seat.program().kill()
@@ -152,7 +141,6 @@ def test_killed_it_leaves_no_check_behind(seat: Seat) -> None:
 
 def test_a_terminal_that_goes_away(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.save("waits")
     seat.see("looking at the waits lantern")
     program = seat.program()
@@ -183,17 +171,14 @@ def test_ctrl_z_and_back(seat: Seat) -> None:
 
 def test_ctrl_s_does_not_stop_it(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.child.send("\x13")
     seat.save("bright")
     seat.see("Passed: 4 of 4")
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
 
 
 def test_a_terminal_that_takes_nothing_holds_up_nothing(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     program = seat.program()
     seat.child.setwinsize(2000, 200)  # a screenful is more than a pseudo-terminal holds; nobody reads it
     seat.save("flood")
@@ -210,7 +195,7 @@ def test_a_quiz_is_asked_on_the_terminal(seat: Seat) -> None:
     seat.course = Path(__file__).parents[1] / "fixtures/quiz_course"
     (seat.home / "answers").mkdir()
     seat.sit_down("05-quiz")
-    seat.see("press c to answer its questions", KEYS)
+    seat.see("press c to answer its questions")
     seat.child.send("c")
     for number in range(1, 6):
         seat.see(f"Question {number} of 5")
@@ -220,26 +205,22 @@ def test_a_quiz_is_asked_on_the_terminal(seat: Seat) -> None:
     seat.save("written: in an editor", "answers/05-quiz.yaml")
     seat.see("nothing has changed")
     assert seat.calls() == ["began dark"] * 2
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
 
 
 def test_resizing_draws_anew(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.resize(30, 60)
     seat.wait(lambda: KEYS not in seat.screen.display[23] and "n next" in seat.screen.display[29], "30x60")
     seat.resize(6, 30)
     seat.wait(lambda: "n next" in seat.screen.display[5] and "04-light" in seat.screen.display[0], "6x30")
     seat.resize(24, 80)
     seat.wait(lambda: KEYS in seat.screen.display[23] and "Lanterns" in seat.screen.display[1], "24x80")
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
 
 
 def test_a_flood_is_cut_to_what_the_screen_holds(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.save("flood")
     seat.see("Not passed yet: 0 of 400", "more lines: space shows them", "check` shows all at once")
     first = seat.text()
@@ -247,13 +228,11 @@ def test_a_flood_is_cut_to_what_the_screen_holds(seat: Seat) -> None:
     seat.wait(lambda: seat.text() != first, "the next screenful")
     seat.child.send("h")
     seat.see("Hint 1 of 3")
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
 
 
 def test_what_has_no_verdict_is_told_and_the_next_save_is_checked(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.save("lacks")
     seat.see("Error: There is no lamp oil on this machine.", "Next: Buy some.")
     seat.save("breaks")
@@ -262,14 +241,12 @@ def test_what_has_no_verdict_is_told_and_the_next_save_is_checked(seat: Seat) ->
     seat.see("ended without a verdict", "out of oil")
     seat.save("half")
     seat.see("2 of 4 points")
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()
 
 
 @pytest.mark.parametrize("gone", ["", ".ros2course/home.json"], ids=["moved away", "no home any more"])
 def test_a_home_that_goes_away(seat: Seat, gone: str) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.save("waits")
     seat.see("looking at the waits lantern")
     (seat.home / gone).rename(seat.folder / "elsewhere")
@@ -314,7 +291,6 @@ def test_off_a_terminal(seat: Seat) -> None:
 
 def test_all_passed(seat: Seat) -> None:
     seat.sit_down()
-    seat.see(KEYS)
     seat.save("bright")
     seat.see("Passed: 4 of 4")
     seat.child.send("n")
@@ -323,5 +299,4 @@ def test_all_passed(seat: Seat) -> None:
     seat.see("Passed: 4 of 4")
     seat.child.send("n")
     seat.see("You have passed every exercise")
-    seat.child.send("q")
-    assert seat.ended() == 0
+    seat.quit()

@@ -144,7 +144,6 @@ def sources(text: str) -> Sources:
 
 
 def at(cause: Cause | None) -> list[str]:
-    assert cause is not None
     return [str(place).removeprefix("talker.py:") for place in cause.where]
 
 

@@ -47,13 +47,11 @@ def where(feedback: Feedback) -> list[str]:
 )  # fmt: skip
 def test_fields(text: str, fields: list[tuple[str, str, int]]) -> None:
     file = interface_file(Sources({MSG: text}), PACKAGE, "msg", "Quote")
-    assert file is not None
     assert [(field.type, field.name, field.line) for field in file.sections[0]] == fields
 
 
 def test_sections_of_a_service() -> None:
     file = interface_file(Sources({SRV: "int32 a\n ---  # then\nint32 b"}), PACKAGE, "srv", "Point")
-    assert file is not None
     assert [[field.name for field in section] for section in file.sections] == [["a"], ["b"]]
 
 
