@@ -20,6 +20,7 @@ _DEATH_TIME = 1.0
 # After this a worker is thought to hang: no exercise with its build may take as long.
 TIME_LIMIT = 1800.0
 
+Say = Callable[[str], None]
 Task = TypeVar("Task")
 Answer = TypeVar("Answer")
 
@@ -42,10 +43,18 @@ class Pool(Generic[Task, Answer]):
     """`jobs` workers, each of which asks for its next task by itself.
 
     next_task: called from several threads, one at a time; None when there is nothing (more) to do.
+    say: gets what workers do at the moment, from several threads.
     """
 
-    def __init__(self, work: Work[Task, Answer], jobs: int, next_task: Callable[[], Task | None]) -> None:
+    def __init__(
+        self,
+        work: Work[Task, Answer],
+        jobs: int,
+        next_task: Callable[[], Task | None],
+        say: Say = lambda text: None,
+    ) -> None:
         self._work = work
+        self._say = say
         self._next_task = next_task
         self._one_at_a_time = threading.Lock()
         self._done: queue.Queue[tuple[Answer] | BaseException | None] = queue.Queue()
@@ -82,7 +91,7 @@ class Pool(Generic[Task, Answer]):
     def _look_after(self) -> None:
         """One thread per worker. The kernel ends the worker when its thread ends."""
         try:
-            with contextlib.closing(Worker(self._work)) as worker:
+            with contextlib.closing(Worker(self._work, self._say)) as worker:
                 self._workers.append(worker)
                 while (task := self._take()) is not None:
                     self._done.put((worker.do(task),))
@@ -98,15 +107,18 @@ class Pool(Generic[Task, Answer]):
 class Worker(Generic[Task, Answer]):
     """A process that is started when it is needed, and again when it died."""
 
-    def __init__(self, work: Work[Task, Answer]) -> None:
+    def __init__(self, work: Work[Task, Answer], say: Say = lambda text: None) -> None:
         self._work = work
+        self._say = say
         self._child: Child | None = None
 
     def do(self, task: Task) -> Answer:
         self._child = self._child or Child(self._work.worker)
         self._child.tell(task)
         try:
-            answer = codec.from_json(self._child.readline(TIME_LIMIT) or b"", self._work.answer, "this line")
+            while (line := self._child.readline(TIME_LIMIT) or b"").startswith(b'"'):
+                self._say(codec.from_json(line, str, "this line"))
+            answer = codec.from_json(line, self._work.answer, "this line")
         except TimeoutError:
             return self._fell(task, f"did not finish within {TIME_LIMIT:.0f} s")
         except DamagedData:

@@ -17,6 +17,7 @@ from course.arena.mystery_module import log_file
 from course.batch.batch_plan import BatchPlan, submission_of
 from course.batch.gradings import Graded, GradingPool, GradingTask, NextTask, Unit
 from course.batch.intake import Found, lay_out
+from course.batch.pool import Say
 from course.batch.repair import repair
 from course.batch.results import Results
 from course.content import Exercise, answers_file
@@ -156,7 +157,7 @@ def run(
 ) -> None:
     """Grade what has not been graded yet; each result is in `results` before `on_progress` hears of it.
 
-    rounds: what does the gradings; None for `batch.jobs` workers on this machine.
+    rounds: what does the gradings; None for `batch.jobs` workers on this machine, which say nothing.
     Ctrl+C ends the gradings at once, in order; what was graded stays.
     """
     held = [person.id for person in batch.planned.held]
@@ -169,16 +170,18 @@ def run(
     work = batch.out / WORK / "homes"
     try:
         homes = Homes(work, batch.out / ANSWERS, batch.planned.found)
-        for graded in _Schedule(batch, homes, todo, rounds or _local(batch.jobs)).graded():
+        for graded in _Schedule(batch, homes, todo, rounds or local_rounds(batch.jobs)).graded():
             results.record(graded, course.__version__, _evidence_of(batch, graded.unit))
             on_progress(progress, graded)
     finally:
         wipe(work)
 
 
-def _local(jobs: int) -> Rounds:
+def local_rounds(jobs: int, say: Say = lambda text: None) -> Rounds:
+    """Workers of this machine. say: gets what they do at the moment, from several threads."""
+
     def rounds(next_task: NextTask, *, waiting: int, alone: bool) -> Generator[Graded, None, None]:
-        return GradingPool(1 if alone else min(jobs, max(1, waiting)), next_task).results()
+        return GradingPool(1 if alone else min(jobs, max(1, waiting)), next_task, say).results()
 
     return rounds
 

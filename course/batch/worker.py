@@ -16,19 +16,20 @@ from course.child import answer_tasks
 from course.content import open_course
 from course.errors import CourseError
 from course.grading.attempts import concluded
-from course.grading.check import Helpers, Request, attempt_exercise, solution_passes
+from course.grading.check import Helpers, Progress, Request, attempt_exercise, solution_passes
 from course.grading.load import runs_programs
 from course.grading.outcomes import our_error
 from course.home.course_home import is_home, read_marker
+from course.model import replace
 from course.model.feedback import Feedback
 from course.model.result import Result, Verdict
 from course.rosenv import cache_dir, find_ros
 
 
-def grade(task: GradingTask, home: Path, helpers: Helpers) -> Result:
+def grade(task: GradingTask, home: Path, helpers: Helpers, say: Progress = lambda text: None) -> Result:
     """The verdict of this attempt; of the last one, what counts."""
     try:
-        request = _request(task, home)
+        request = replace(_request(task, home), on_progress=say)
         result = attempt_exercise(request, helpers)
         result = concluded(
             result, task.unit.attempt, request.exercise, lambda: solution_passes(request, helpers)
@@ -72,13 +73,13 @@ def _fault(task: GradingTask, fault: Feedback) -> Result:
 
 def main() -> int:
     with contextlib.closing(Helpers()) as helpers:
-        answer_tasks(GradingTask, lambda task, _: _timed(task, helpers))
+        answer_tasks(GradingTask, lambda task, tell: _timed(task, helpers, tell))
     return 0
 
 
-def _timed(task: GradingTask, helpers: Helpers) -> Graded:
+def _timed(task: GradingTask, helpers: Helpers, say: Progress) -> Graded:
     began = time.monotonic()
-    result = grade(task, Path(task.home), helpers)
+    result = grade(task, Path(task.home), helpers, say)
     return Graded(task.unit, result, round(time.monotonic() - began, 3))
 
 

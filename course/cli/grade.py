@@ -29,7 +29,17 @@ from course.batch.results import (
     people_of,
     settings_of,
 )
-from course.batch.run import EVIDENCE, WORK, Batch, BatchProgress, Rounds, default_jobs, results_folder, run
+from course.batch.run import (
+    EVIDENCE,
+    WORK,
+    Batch,
+    BatchProgress,
+    Rounds,
+    default_jobs,
+    local_rounds,
+    results_folder,
+    run,
+)
 from course.cli import github
 from course.cli.extras import extra
 from course.cli.options import options_of
@@ -41,7 +51,7 @@ from course.files import wipe, write_pieces
 from course.isolation import Level
 from course.isolation.levels import obstacle_to
 from course.report import sanitize
-from course.report.activity import progress
+from course.report.activity import Show, progress
 from course.report.batch import GradingTally, SubmissionRow, line_of, render_end, render_plan
 from course.report.console import error_console, open_console, put, put_prose
 from course.report.gradebook.class_files import write_reports
@@ -182,7 +192,8 @@ def _grade_found(
         batch = Batch(asked.out, planned, graders.jobs or default_jobs(), asked.course, graders.contained)
         console = error_console()
         with progress(console) as show, _rounds(graders, asked, console, again) as rounds:
-            run(batch, results, _Teller(show, again), rounds)
+            teller = _Teller(show, again)
+            run(batch, results, teller, rounds or local_rounds(batch.jobs, teller.doing))
     finally:
         wipe(asked.out / WORK)
     book, clean = _book(results, planned.exercises, settings_of(results), asked.out)
@@ -246,13 +257,21 @@ def _say(console: Console, text: str) -> None:
     put_prose(console, sanitize.paragraph(text))
 
 
+_SHARED = ("Building ", "Waiting for ")
+
+
 class _Teller:
     """Shows progress on the terminal. show: from `activity.progress`. again: see `signals`."""
 
-    def __init__(self, show: Callable[[GradingTally, str | None], None], again: Callable[[], None]) -> None:
+    def __init__(self, show: Show, again: Callable[[], None]) -> None:
         self._show = show
         self._again = again
         self._tally: GradingTally
+
+    def doing(self, text: str) -> None:
+        """Only what takes minutes, and is done for all: a build. From any thread."""
+        if text.startswith(_SHARED):
+            self._show(self._tally, None, text[0].lower() + text[1:])
 
     def __call__(self, state: BatchProgress, graded: Graded | None) -> None:
         if graded is None:

@@ -9,6 +9,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Protocol
 
 from rich.console import Console
 from rich.text import Text
@@ -77,6 +78,12 @@ def _plain(console: Console) -> Callable[[str], None]:
     return say
 
 
+class Show(Protocol):
+    """done: the text of what is done now. doing: of what goes on, for a terminal."""
+
+    def __call__(self, tally: Tally, done: str | None, doing: str = "") -> None: ...
+
+
 class Tally:
     """What has been done up to now, and how fast. before: how much of it an earlier run had done."""
 
@@ -107,10 +114,10 @@ class Tally:
 
 
 @contextmanager
-def progress(console: Console) -> Iterator[Callable[[Tally, str | None], None]]:
+def progress(console: Console) -> Iterator[Show]:
     """Yields what shows a tally: a bar on a terminal; elsewhere a plain line for each text."""
     if not console.is_terminal or console.is_dumb_terminal:
-        yield lambda tally, done: put(console, f"{done}  ({tally.line()})") if done else None
+        yield lambda tally, done, doing="": put(console, f"{done}  ({tally.line()})") if done else None
         return
     from rich.progress import BarColumn, Progress, TextColumn
 
@@ -118,7 +125,8 @@ def progress(console: Console) -> Iterator[Callable[[Tally, str | None], None]]:
     with Progress(*columns, console=console, transient=True) as shown:
         task = shown.add_task("", total=None)
 
-        def show(tally: Tally, done: str | None) -> None:
-            shown.update(task, total=tally.total, completed=tally.done, description=tally.line())
+        def show(tally: Tally, done: str | None, doing: str = "") -> None:
+            told = ", ".join(filter(None, (tally.line(), sanitize.one_line(doing))))
+            shown.update(task, total=tally.total, completed=tally.done, description=told)
 
         yield show
