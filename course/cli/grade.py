@@ -257,9 +257,6 @@ def _say(console: Console, text: str) -> None:
     put_prose(console, sanitize.paragraph(text))
 
 
-_SHARED = ("Building ", "Waiting for ")
-
-
 class _Teller:
     """Shows progress on the terminal. show: from `activity.progress`. again: see `signals`."""
 
@@ -269,8 +266,8 @@ class _Teller:
         self._tally: GradingTally
 
     def doing(self, text: str) -> None:
-        """Only what takes minutes, and is done for all: a build. From any thread."""
-        if text.startswith(_SHARED):
+        """Show only builds, which may take minutes. From any thread."""
+        if text.startswith("Building "):
             self._show(self._tally, None, text[0].lower() + text[1:])
 
     def __call__(self, state: BatchProgress, graded: Graded | None) -> None:

@@ -22,6 +22,8 @@ def behave(task: GradingTask) -> str:
     match task.unit.exercise:
         case "killed":
             os.kill(os.getpid(), signal.SIGKILL)
+        case "talks":
+            return f'"Building a"\n"Building b"\n{answer(task)}'
         case "leaves":
             raise SystemExit(7)
         case "rubbish":

@@ -47,6 +47,14 @@ def test_a_worker_grades_one_after_another() -> None:
     assert len({each.result.containment for each in graded(tasks("fine", "fine", "fine"))}) == 1
 
 
+def test_what_a_worker_says_is_no_answer() -> None:
+    said: list[str] = []
+    waiting = iter(tasks("talks", "fine"))
+    found = list(Pool(ODD, 1, lambda: next(waiting, None), said.append).results())
+    assert [each.result.verdict for each in found] == [Verdict.PASSED, Verdict.PASSED]
+    assert said == ["Building a", "Building b"]
+
+
 def test_without_work_no_process_is_started(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(child.subprocess, "Popen", None)
     assert graded([], jobs=2) == []

@@ -48,7 +48,7 @@ class Workers:
         self.tasks: list[GradingTask] = []
         self._answer = answer
 
-    def __call__(self, jobs: int, next_task: Callable[[], GradingTask | None]) -> Workers:
+    def __call__(self, jobs: int, next_task: Callable[[], GradingTask | None], say: object) -> Workers:
         self.jobs.append(jobs)
         self._next_task = next_task
         return self

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from course.report.activity import activity
+from course.report.activity import Tally, activity, progress
 from course.report.console import open_console
 
 if TYPE_CHECKING:
@@ -46,3 +46,17 @@ def test_the_cursor_comes_back_after_an_interrupt(monkeypatch: pytest.MonkeyPatc
     with pytest.raises(KeyboardInterrupt), activity(open_console(stream, width=80), "checking"):
         raise KeyboardInterrupt
     assert stream.getvalue().rstrip().endswith("\x1b[?25h") or "\x1b[?25h" in stream.getvalue()[-20:]
+
+
+def test_a_tally_says_what_goes_on_until_the_next_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    stream = io.StringIO()
+    with progress(open_console(stream, width=80)) as show:
+        tally = Tally(3)
+        show(tally, None, "building \x1b[31mfoo")
+    assert "0 of 3, building foo" in stream.getvalue()
+    with progress(open_console(stream, width=80)) as show:
+        tally.count("passed")
+        show(tally, "ada")
+    assert "1 passed" in stream.getvalue().split("building")[-1]

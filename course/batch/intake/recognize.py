@@ -175,8 +175,8 @@ _PACKAGE = re.compile(r"[A-Za-z0-9][\w-]{0,99}", re.ASCII)
 LARGEST_MANIFEST = 100_000  # bytes
 _MOST_PACKAGES = 1000
 
-OTHERS = "It holds more than one course home: {} was taken, the others were left out."
-TWICE = "It contains a package more than once: {} was taken, the others were left out."
+OTHERS = "It contains more than one course home. Taken: {}. The others were left out."
+TWICE = "It contains a package more than once. Taken: {}. The others were left out."
 FLAT = "Its files were handed in without their folders, and were put where they belong."
 UNCLEAR = "Files that could belong to several packages were left out."
 
