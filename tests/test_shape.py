@@ -24,8 +24,9 @@ LIMITS = {
     # by 76 for actions in graders, comments for equal code, and packages without their folders;
     # by 174 and 1 for C++ builds that compile only what changed;
     # by 304 for errors of Python, CMake and C++ that were only repeated before, each with its proof;
-    # by 52 for a fork server that `check` starts first and `watch` keeps.
-    "lines": 47_812,
+    # by 52 for a fork server that `check` starts first and `watch` keeps;
+    # by 40 to say what is being built while a class waits for it.
+    "lines": 47_852,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,
