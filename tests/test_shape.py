@@ -26,7 +26,8 @@ LIMITS = {
     # by 304 for errors of Python, CMake and C++ that were only repeated before, each with its proof;
     # by 52 for a fork server that `check` starts first and `watch` keeps;
     # by 40 to say what is being built while a class waits for it.
-    "lines": 47_852,
+    # Lowered by 158: one reading for all files of a course, and one row for the proofs of an exercise.
+    "lines": 47_694,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,
