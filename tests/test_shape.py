@@ -22,12 +22,12 @@ LIMITS = {
     # by 107 for submitted code with its findings, and the comparison with an earlier run;
     # by 224 for the fork server of recording processes;
     # by 76 for actions in graders, comments for equal code, and packages without their folders;
-    # by 174 and 1 for C++ builds that compile only what changed;
+    # by 178 and 1 for C++ builds that compile only what changed;
     # by 304 for errors of Python, CMake and C++ that were only repeated before, each with its proof;
     # by 52 for a fork server that `check` starts first and `watch` keeps;
     # by 40 to say what is being built while a class waits for it.
     # Lowered by 158: one reading for all files of a course, and one row for the proofs of an exercise.
-    "lines": 47_694,
+    "lines": 47_698,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,

@@ -24,12 +24,17 @@ from course.explain.cmake import LISTS, commands_in
 
 _SOURCES = frozenset({".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".py", ".yaml", ".md"})
 _COMMANDS = frozenset(
-    "cmake_minimum_required project if elseif else endif foreach endforeach set unset message find_package "
-    "add_compile_options add_compile_definitions add_definitions include_directories add_executable "
-    "add_library target_link_libraries target_include_directories target_compile_features "
-    "target_compile_options target_compile_definitions target_sources set_target_properties install "
-    "ament_target_dependencies ament_export_targets ament_export_dependencies ament_export_libraries "
-    "ament_export_include_directories ament_lint_auto_find_test_dependencies ament_package".split()
+    " ".join(
+        (
+            "cmake_minimum_required project if elseif else endif foreach endforeach set unset message",
+            "find_package add_compile_options add_compile_definitions add_definitions include_directories",
+            "add_executable add_library target_link_libraries target_include_directories",
+            "target_compile_features target_compile_options target_compile_definitions target_sources",
+            "set_target_properties install ament_target_dependencies ament_export_targets",
+            "ament_export_dependencies ament_export_libraries ament_export_include_directories",
+            "ament_lint_auto_find_test_dependencies ament_package",
+        )
+    ).split()
 )
 _INSTALLS = frozenset({"TARGETS", "DIRECTORY", "FILES", "PROGRAMS", "EXPORT"})
 _VARIABLES = re.compile(r"CMAKE_(C|CXX)_(STANDARD|STANDARD_REQUIRED|EXTENSIONS)|(?!CMAKE_)\w+")

@@ -37,9 +37,12 @@ _MAP = Path("/proc/self/uid_map")
 @contextlib.contextmanager
 def control_groups(limits: ResourceLimits, root: Path = ROOT) -> Iterator[tuple[Path, ...]]:
     """Folders of new groups with these limits, whose processes are killed at the end; () if impossible."""
-    made = _make(limits, root)
+    made: list[Path] = []  # what is made counts even if a signal ends the making
     try:
-        yield made
+        if not _make(made, limits, root):
+            _remove(made)
+            made.clear()
+        yield tuple(made)
     finally:
         _remove(made)
 
@@ -75,19 +78,17 @@ def cpu_seconds(groups: Sequence[Path]) -> float:
     return nanoseconds / 1e9 + sum(_counter(group / "cpu.stat", "usage_usec") for group in groups) / 1e6
 
 
-def _make(limits: ResourceLimits, root: Path) -> tuple[Path, ...]:
-    made: list[Path] = []
+def _make(made: list[Path], limits: ResourceLimits, root: Path) -> bool:
     name = f"ros2course-{os.getpid()}-{next(_NUMBERS)}"
     try:
         for parent in _parents(root):
             _sweep(parent)
-            (parent / name).mkdir()
             made.append(parent / name)
-            _limit(parent / name, limits)
+            made[-1].mkdir()
+            _limit(made[-1], limits)
     except OSError:  # not ours to change: the limits of each program and the watchdog remain
-        _remove(made)
-        return ()
-    return tuple(made)
+        return False
+    return True
 
 
 def _parents(root: Path) -> tuple[Path, ...]:

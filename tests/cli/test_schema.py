@@ -72,6 +72,10 @@ MISTAKES = yaml.safe_load(
 Breaking = Callable[[Any], object]
 
 
+def _publisher(lesson: Any) -> Any:
+    return next(each for each in lesson["exercises"] if each["id"] == "18-publisher")
+
+
 @pytest.mark.parametrize(
     ("kind", "right", "breaking"),
     [
@@ -79,12 +83,12 @@ Breaking = Callable[[Any], object]
         (Kind.LESSON, LESSON, lambda d: d.update(titel="x")),
         (Kind.LESSON, LESSON, lambda d: d.update(chapter="18")),
         (Kind.LESSON, LESSON, lambda d: d.update(title=" ")),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(id="Publisher")),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(hints=["one", "two"])),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].pop("hints")),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(files=["/etc/passwd"])),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(packages=["Big Package"])),
-        (Kind.LESSON, LESSON, lambda d: d["exercises"][1].update(time_limit=0)),
+        (Kind.LESSON, LESSON, lambda d: _publisher(d).update(id="Publisher")),
+        (Kind.LESSON, LESSON, lambda d: _publisher(d).update(hints=["one", "two"])),
+        (Kind.LESSON, LESSON, lambda d: _publisher(d).pop("hints")),
+        (Kind.LESSON, LESSON, lambda d: _publisher(d).update(files=["/etc/passwd"])),
+        (Kind.LESSON, LESSON, lambda d: _publisher(d).update(packages=["Big Package"])),
+        (Kind.LESSON, LESSON, lambda d: _publisher(d).update(time_limit=0)),
         (Kind.LESSON, QUIZ, lambda d: d["exercises"][0]["questions"][0].update(text=["both"])),
         (Kind.LESSON, QUIZ, lambda d: d["exercises"][0]["questions"][0].pop("choices")),
         (Kind.LESSON, QUIZ, lambda d: d["exercises"][0]["questions"][1].update(tolerance="a lot")),
