@@ -113,10 +113,9 @@ class PackageBuild:
         if content_key(entry.kept, entry.kept, self.needed, self.ros.identity) != self.key:
             raise SourcesChanged
         identity = (self.needed, self.ros.identity)
-        like = likeness(entry.kept, package.build_type, *identity)
-        cmake = like is not None and uses_cmake(package)
-        if cmake and not self.workspace.is_trusted:
-            like, cmake = None, False  # nothing that one submission built reaches another one
+        like, cmake = None, uses_cmake(package)
+        if not cmake or self.workspace.is_trusted:  # nothing that one submission built reaches another one
+            like = likeness(entry.kept, package.build_type, *identity)
         again = like is None or cmake or not reused(self.store, like, self.key, *identity)
         if again and (failure := self._run_undisturbed(like if cmake else None)):
             entry.give_up()

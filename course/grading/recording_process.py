@@ -87,19 +87,10 @@ def main() -> int:
             if pid == 0:
                 link.close()
                 _guard(codec.from_json(data, Fork, "the request"), descriptors)
-            for descriptor in descriptors:
+            watched = os.pidfd_open(pid)
+            socket.send_fds(link, [b"forked"], [watched])
+            for descriptor in (*descriptors, watched):
                 os.close(descriptor)
-            with opened_process(pid) as watched:
-                socket.send_fds(link, [b"forked"], [watched])
-
-
-@contextlib.contextmanager
-def opened_process(pid: int) -> Iterator[int]:
-    descriptor = os.pidfd_open(pid)
-    try:
-        yield descriptor
-    finally:
-        os.close(descriptor)
 
 
 def _guard(fork: Fork, descriptors: Sequence[int]) -> NoReturn:
