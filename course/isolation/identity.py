@@ -24,7 +24,7 @@ from course.isolation.isolation_plan import ResourceLimits
 
 ROOT = Path("/sys/fs/cgroup")
 _NEEDED = ("memory", "pids")
-_LEFT = re.compile(r"ros2course-(\d+)-\d+")
+_LEFT = re.compile(r"ros2course-(\d+)-(\d+)-\d+")
 _NUMBERS = itertools.count()
 _REMOVAL = 5.0
 # If CPU is short, all of a submission's programs together get as much as one program outside.
@@ -79,7 +79,7 @@ def cpu_seconds(groups: Sequence[Path]) -> float:
 
 
 def _make(made: list[Path], limits: ResourceLimits, root: Path) -> bool:
-    name = f"ros2course-{os.getpid()}-{next(_NUMBERS)}"
+    name = f"ros2course-{os.getpid()}-{_started(os.getpid())}-{next(_NUMBERS)}"
     try:
         for parent in _parents(root):
             _sweep(parent)
@@ -149,9 +149,18 @@ def _sweep(parent: Path) -> None:
     """Remove the groups of processes that were killed before they could do it."""
     for group in parent.glob("ros2course-*"):
         found = _LEFT.fullmatch(group.name)
-        if found and not Path("/proc", found[1]).exists():
+        # Another process may have the number of one that was killed.
+        if found and _started(int(found[1])) != int(found[2]):
             with contextlib.suppress(OSError):
                 group.rmdir()
+
+
+def _started(pid: int) -> int:
+    """When the process began, in ticks of the clock since the machine did; 0 if it has ended."""
+    with contextlib.suppress(OSError):
+        fields = Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()
+        return int(fields[19]) if fields[0] not in (b"Z", b"X") else 0
+    return 0
 
 
 def _remove(groups: Sequence[Path]) -> None:

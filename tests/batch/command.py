@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -77,6 +77,7 @@ def below(process: subprocess.Popen[str]) -> list[psutil.Process]:
     """The process itself, and all that it has started."""
     try:
         top = psutil.Process(process.pid)
+        top.create_time()  # psutil keeps it; once the process has ended, it cannot be asked
         return [top, *top.children(recursive=True)]
     except psutil.NoSuchProcess:
         return []
@@ -90,12 +91,16 @@ def outliving(processes: list[psutil.Process]) -> list[str]:
     return [str(process) for process in there if process.status() != psutil.STATUS_ZOMBIE]
 
 
-def groups_of(processes: list[int], since: float = 0.0) -> list[str]:
-    """Control groups that these process ids have made since this time (seconds of the epoch)."""
-    names = tuple(f"ros2course-{pid}-" for pid in processes)
+def groups_of(processes: Iterable[psutil.Process]) -> list[str]:
+    """Control groups that these processes have made. Others may have the numbers of those that have ended."""
+    ticks = os.sysconf("SC_CLK_TCK")
+    names = tuple(
+        f"ros2course-{each.pid}-{round((each.create_time() - psutil.boot_time()) * ticks)}-"
+        for each in processes
+    )
     # Not `glob`: others' groups come and go meanwhile.
     found = [Path(path) for path, *_ in os.walk(_GROUPS) if Path(path).name.startswith(names)]
-    return [str(path) for path in found if path.exists() and path.stat().st_ctime >= since]
+    return [str(path) for path in found if path.exists()]
 
 
 def verdicts(out: Path) -> Verdicts:

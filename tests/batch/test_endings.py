@@ -89,13 +89,13 @@ def until(said: str, process: subprocess.Popen[str]) -> None:
 
 def test_killed_ten_times_it_comes_to_the_same(command: Command, tmp_path: Path) -> None:
     moments = random.Random(6)
-    pids: set[int] = set()
+    all_started: list[psutil.Process] = []
     before = gradings(command.out)
     progress = []
     for _ in range(KILLS):
         started = killed(command, moments.uniform(0.3, 6.0))
         assert outliving(started) == []
-        pids.update(process.pid for process in started)
+        all_started += started
         now = gradings(command.out)
         assert {key: now.get(key) for key in before} == before, "graded twice, or lost"
         before = now
@@ -110,7 +110,7 @@ def test_killed_ten_times_it_comes_to_the_same(command: Command, tmp_path: Path)
     assert len(last) == len(verdicts(calm.out)) > max(progress[0], 10), progress
     for report in ("results.csv", "junit.xml"):
         assert _lines(command.out / report) == _lines(calm.out / report)
-    assert groups_of(list(pids)) == []
+    assert groups_of(all_started) == []
     assert list(command.temporary.iterdir()) == []
 
 
@@ -130,7 +130,7 @@ def test_stopped_it_ends_in_order_and_goes_on(command: Command, number: signal.S
     assert process.returncode == code, said
     assert ("goes on from here" in said) is (number is signal.SIGINT)
     assert outliving(started) == []
-    assert groups_of([each.pid for each in started]) == []
+    assert groups_of(started) == []
     assert list(half_written(command.out)) == []
     assert not (command.out / "work").exists()
     before = gradings(command.out)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from course.isolation.identity import (
 )
 from course.isolation.isolation_plan import ResourceLimits
 
+NOBODY = int(Path("/proc/sys/kernel/pid_max").read_text()) + 1
 LIMITS = ResourceLimits(memory=1000, processes=7)
 FILES_1 = {
     "memory": ("memory.limit_in_bytes", "memory.kmem.tcp.limit_in_bytes"),
@@ -134,13 +136,22 @@ def test_a_tree_that_lacks_what_is_needed(version_1: Path) -> None:
 @pytest.mark.usefixtures("kernel")
 def test_what_a_killed_grading_left_is_swept(version_2: Path) -> None:
     """And nothing of a grading that is still running."""
-    nobody = int(Path("/proc/sys/kernel/pid_max").read_text()) + 1
-    left, kept = version_2 / f"ros2course-{nobody}-0", version_2 / f"ros2course-{os.getpid()}-999999"
-    left.mkdir()
-    kept.mkdir()
-    with control_groups(LIMITS, version_2):
-        assert not left.exists()
-        assert kept.exists()
+    with subprocess.Popen(["sleep", "60"]) as running, subprocess.Popen(["true"]) as ended:
+        os.waitid(os.P_PID, ended.pid, os.WEXITED | os.WNOWAIT)  # nobody has asked how it ended
+        mine = module._started(running.pid)
+        kept = version_2 / f"ros2course-{running.pid}-{mine}-999999"
+        left = [
+            version_2 / f"ros2course-{NOBODY}-{mine}-0",
+            version_2 / f"ros2course-{running.pid}-{mine - 1}-0",  # of an earlier process of that number
+            version_2 / f"ros2course-{ended.pid}-{mine}-0",
+        ]
+        for group in (kept, *left):
+            group.mkdir()
+        with control_groups(LIMITS, version_2) as made:
+            assert [group for group in left if group.exists()] == []
+            assert kept.exists()
+            assert [module._LEFT.fullmatch(group.name) is not None for group in made] == [True]
+        running.kill()
 
 
 def test_what_the_kernel_noted(tmp_path: Path) -> None:
