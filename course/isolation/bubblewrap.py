@@ -73,7 +73,8 @@ _TELLING = 'exec 3>&2 2>/dev/null; "$@" 2>&3 3>&- {0}>&-; code=$?; echo "$code" 
 # The first process of an arena's namespaces, so no signal from inside ends it. It ignores SIGCHLD, so it
 # need not reap orphans. It ends when our end of its input closes.
 _IGNORING = "env --ignore-signal=CHLD"
-_HOLDING = f"echo ready; {_IGNORING} true 2>/dev/null && exec {_IGNORING} cat; exec cat"
+# Only ready when it starts no more processes: the ids of a program's own would tell a busy machine.
+_HOLDING = f"{_IGNORING} true 2>/dev/null; no=$?; echo ready; [ $no = 0 ] && exec {_IGNORING} cat; exec cat"
 
 
 def program() -> str:
