@@ -69,8 +69,7 @@ def build_environment(ros: Ros, entry: StoreEntry, overlays: Sequence[Path]) -> 
         "HOME": str(temporary),
         "TMPDIR": str(temporary),
         "COLCON_HOME": str(temporary),
-        # Of a resumed build: CMake takes files whose times differ by less than a second for the same.
-        "CMAKE_INSTALL_ALWAYS": "1",
+        "CMAKE_INSTALL_ALWAYS": "1",  # when a build resumes, times in seconds tell CMake too little
         "PYTHONUNBUFFERED": "1",  # so that lines of several programs stand in their order
     }
 

@@ -149,14 +149,13 @@ def _sweep(parent: Path) -> None:
     """Remove the groups of processes that were killed before they could do it."""
     for group in parent.glob("ros2course-*"):
         found = _LEFT.fullmatch(group.name)
-        # Another process may have the number of one that was killed.
         if found and _started(int(found[1])) != int(found[2]):
             with contextlib.suppress(OSError):
                 group.rmdir()
 
 
 def _started(pid: int) -> int:
-    """When the process began, in ticks of the clock since the machine did; 0 if it has ended."""
+    """When the process began, in ticks since the machine did; 0 if it has ended. Numbers are used again."""
     with contextlib.suppress(OSError):
         fields = Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()
         return int(fields[19]) if fields[0] not in (b"Z", b"X") else 0
