@@ -70,7 +70,7 @@ def topic(recording: Recording) -> None:
     remedy = (
         "The launch file sets it; the node must pass its parameter `topic_name` to `create_publisher`."
         if given
-        else f"In the launch file: `'topic_name': '{name}'` among the `parameters`."
+        else f"Add `'topic_name': '{name}'` to `parameters` in the launch file."
     )
     expect_endpoint(recording, "publisher", TOPIC, remedy=remedy)
     expect_type(recording, "publisher", TOPIC, QUOTE)
@@ -79,8 +79,8 @@ def topic(recording: Recording) -> None:
 @launch.check("rate", "it publishes four times per second", points=2, needs="topic")
 def rate(recording: Recording) -> None:
     advice = (
-        "In the launch file: `'period': 0.25` among the `parameters`, and only one `Node`. In "
-        "the node: pass the parameter's value to `create_timer`."
+        "The launch file should set `'period': 0.25` in its `parameters` and start only one `Node`. "
+        "The node should pass the parameter's value to `create_timer`."
     )
     try:
         expect_period(recording.topic(TOPIC), PERIOD, advice=advice)

@@ -728,7 +728,7 @@ def launched_limits(recording: Recording) -> None:
 @launch.check("launched_rate", "the joint stream has 500 Hz", points=2, needs="node_name")
 def launched_rate(recording: Recording) -> None:
     where = named(launch_file(recording, LAUNCH_FILE), "thread_sampling_time_sec")
-    advice = "500 times per second is `'thread_sampling_time_sec': 0.002` among the `parameters`."
+    advice = "For 500 times per second, set `'thread_sampling_time_sec': 0.002` in the `parameters`."
     states = states_of(recording, MYROBOT)
     expect_rate(recording, states, 1 / MYROBOT.period, advice=advice, where=where)
 

@@ -306,8 +306,8 @@ INTERFACES: tuple[Known[Build], ...] = (
     Known(kind="field-name",
           pattern=_PROCESSING + r".*?'(?P<name>[^\s']+)' is an invalid field name.*?Traceback",
           cause="A field cannot be called `{name}`, as {use} has it.",
-          remedy=("Names of fields are in lower case, with underscores between words: `{right}`.",
-                  "Names of fields are in lower case, with underscores between words, and begin with a "
+          remedy=("Write field names in lower case, with underscores between words: `{right}`.",
+                  "Write field names in lower case, with underscores between words. They begin with a "
                   "letter."), proof=_field_name, example=_processing("int32 theId", f"'theId' {_BAD_NAME}"),
           given={"msg/Quote.msg": "int32 theId\n"}),
     Known(kind="field-type",
@@ -400,7 +400,7 @@ TYPES: tuple[Known[Build], ...] = (
 RESERVED: tuple[Known[Build], ...] = (
     Known(kind="field-name",
           pattern=r"^Member name '(?P<name>\w+)' in the \w+ '\w+' is a reserved keyword in Python",
-          cause="A field cannot be called `{name}`: that is a word of Python's own.",
+          cause="A field cannot be called `{name}`: that is a keyword of Python.",
           remedy="Give it another name.", proof=_reserved,
           example="Member name 'from' in the message 'Quote' is a reserved keyword in Python and is not",
           given={"msg/Quote.msg": "string from\n"}),

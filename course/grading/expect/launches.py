@@ -94,7 +94,7 @@ def expect_launched_node(recording: Recording, file: str, name: str) -> None:
             where=given[:1] or tuple(call.where for call in calls(own, "Node"))[:1],
             advice="Its name is right, but it has a namespace before it: remove `namespace`."
             if spaced
-            else f"The launch file names it: `name='{plain}'` among the arguments of `Node`.",
+            else f"The launch file sets its name: pass `name='{plain}'` to `Node`.",
         )
     )
 
@@ -204,7 +204,7 @@ def _setting(recording: Recording, file: str, name: str) -> tuple[Location, ...]
 
 
 def _to_set(name: str, value: str) -> str:
-    return f"Set it in the launch file, among the `parameters`: `'{name}': {value}`."
+    return f"Add it to `parameters` in the launch file: `'{name}': {value}`."
 
 
 def _view(recording: Recording, file: str) -> LaunchView:
