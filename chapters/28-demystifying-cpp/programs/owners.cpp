@@ -1,16 +1,16 @@
 #include <iostream>
 #include <memory>
 
-struct Door
+struct Wheel
 {
-  ~Door() { std::cout << "deleted" << std::endl; }
+  ~Wheel() { std::cout << "deleted" << std::endl; }
 };
 
 int main()
 {
-  auto first = std::make_shared<Door>();
+  auto first = std::make_shared<Wheel>();
   auto second = first;
-  std::weak_ptr<Door> note = first;
+  std::weak_ptr<Wheel> note = first;
 
   first = nullptr;
   std::cout << "one" << std::endl;

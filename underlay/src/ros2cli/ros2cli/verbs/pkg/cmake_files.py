@@ -54,9 +54,9 @@ install(TARGETS {node}
 _TESTING = """\
 if(BUILD_TESTING)
   find_package(ament_lint_auto REQUIRED)
-  # Take the next line away once your source files begin with a copyright notice.
+  # Remove the next line when your source files begin with a copyright notice.
   set(ament_cmake_copyright_FOUND TRUE)
-  # Take the next line away once the package is in a git repository and has copyright notices.
+  # Remove the next line when the package is in a git repository and has copyright notices.
   set(ament_cmake_cpplint_FOUND TRUE)
   ament_lint_auto_find_test_dependencies()
 endif()
@@ -133,7 +133,7 @@ def _parts(plan: Plan) -> Iterator[str]:
 def _finds(plan: Plan) -> str:
     tool = ["ament_cmake"] if plan.build_type == "ament_cmake" else []
     finds = "".join(f"find_package({name} REQUIRED)\n" for name in [*tool, *plan.dependencies])
-    return "# What this package stands on\n" + finds if finds else ""
+    return "# The packages that this one uses\n" + finds if finds else ""
 
 
 def _library(plan: Plan) -> str:
