@@ -96,8 +96,8 @@ def show(
 ) -> None:
     """Draw what happened when an exercise was checked last.
 
-    Programs, nodes, messages, calls and logs on one time line, with what was
-    expected beside it; numbers in messages and the time between them; who
+    Programs, nodes, messages, calls and logs on one time line, next to what was
+    expected; numbers in messages and the time between them; who
     publishes and who listens.
     """
     found, result = _of_file(Path(what)) if what and what.endswith(_FILE) else _of_exercise(ctx, what)

@@ -43,7 +43,7 @@ def watch(
 ) -> None:
     """Check at every save, and show the results.
 
-    Leave it open in a terminal beside your editor. A save during a check
+    Leave it open in a terminal next to your editor. A save during a check
     starts it again. Keys: n goes to the next exercise when this one is passed,
     h gives a hint, t shows the task or the lesson, r the last result, l lists
     all exercises, c checks now, q leaves. Your files are only read.

@@ -138,6 +138,6 @@ def render_exported(console: Console, exercise: str, target: Path, size: int) ->
         put_prose(console, f"{program}: {how}", first="  ", rest="    ")
     put_prose(
         console,
-        "Beside the messages it holds a topic of its own, /ros2course/events: programs, signals, services "
-        "and the graph, each as JSON in a text; and your files, as attachments.",
+        "In addition to the messages, it contains a topic /ros2course/events: programs, signals, services "
+        "and the graph, each as JSON in a string. Your files are attachments.",
     )
