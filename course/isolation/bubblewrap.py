@@ -33,7 +33,8 @@ from course.isolation.isolation_plan import (
 from course.isolation.system_calls import refusing
 from course.isolation.view import SYSTEM
 
-_PROBE_TIMEOUT = 10.0
+_PROBE_TIMEOUT = 30.0
+_BUSY = 2.0  # programs that want each processor, from which on they slow down a start
 _START_TIME = 20.0
 _END_TIMEOUT = 30.0
 _READY = b"ready\n"
@@ -89,13 +90,10 @@ def obstacle(level: Level) -> str | None:
     if level is Level.NAMESPACES:
         return _namespace_obstacle()
     inner = [program(), *arguments(_someone()), "--", "/bin/true"]
-    try:
-        done = _tried([program(), *_APART, *_READABLE, *inner])
-    except (OSError, subprocess.TimeoutExpired):
-        return _namespace_obstacle() or "bubblewrap does not start here"
-    if done.returncode == 0:
-        return None
-    return _namespace_obstacle() or f"this system allows no sandbox within namespaces ({_complaint(done)})"
+    found = _tried(
+        [program(), *_APART, *_READABLE, *inner], "this system allows no sandbox within namespaces"
+    )
+    return found and (_namespace_obstacle() or found)
 
 
 def build_obstacle() -> str | None:
@@ -107,28 +105,37 @@ def build_obstacle() -> str | None:
         with start(_someone(own_network=True), ["/bin/true"], stderr=subprocess.PIPE, **options) as started:
             _, said = started.process.communicate(timeout=_PROBE_TIMEOUT)
     except (OSError, subprocess.TimeoutExpired) as error:
-        return f"bubblewrap does not start here: {error}"
+        return _why(error)
     return said.decode(errors="replace").strip() or "it failed" if started.process.returncode else None
 
 
 def _namespace_obstacle() -> str | None:
     if shutil.which("bwrap") is None:
         return "bubblewrap is not installed: `sudo apt install bubblewrap`"
+    command = [*prefix(IsolationPlan(machine="write")), "true"]
+    return _tried(command, "this system does not allow namespaces")
+
+
+def _tried(command: Sequence[str], refused: str) -> str | None:
+    """Why this command cannot be run; None if it can. refused: what it means if it fails."""
     try:
-        done = _tried([*prefix(IsolationPlan(machine="write")), "true"])
-    except subprocess.TimeoutExpired:
-        return f"bubblewrap does not start here: it hung for {_PROBE_TIMEOUT:.0f} s"
-    except OSError as error:
+        done = subprocess.run(command, capture_output=True, timeout=_PROBE_TIMEOUT, check=False)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        return _why(error)
+    return f"{refused} ({_complaint(done)})" if done.returncode else None
+
+
+def _why(error: OSError | subprocess.TimeoutExpired) -> str:
+    load = os.getloadavg()[0]
+    if isinstance(error, OSError):
         return f"bubblewrap does not start here: {error}"
-    return f"this system does not allow namespaces ({_complaint(done)})" if done.returncode else None
+    if load > _BUSY * (os.cpu_count() or 1):
+        return f"it is too busy to test bubblewrap (load {load:.0f}), so try again when less else runs"
+    return f"bubblewrap does not start here: it hung for {_PROBE_TIMEOUT:.0f} s"
 
 
 def _someone(own_network: bool = False) -> IsolationPlan:
     return IsolationPlan(0 if os.geteuid() == 0 else None, own_network=own_network)
-
-
-def _tried(command: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
-    return subprocess.run(command, capture_output=True, timeout=_PROBE_TIMEOUT, check=False)
 
 
 def _complaint(done: subprocess.CompletedProcess[bytes]) -> str:

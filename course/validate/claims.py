@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 
 from course.content import Exercise, Mistake
@@ -9,7 +10,7 @@ from course.grading.attempts import ATTEMPTS, MOST_LAG, deserves_another
 from course.grading.author import BUILDS
 from course.model.feedback import Feedback, Location
 from course.model.result import CheckResult, Outcome, Result, Verdict
-from course.validate.proofs import ProofKind, ProofResult, starter_builds
+from course.validate.proofs import Proof, ProofKind, ProofResult, starter_builds
 
 
 class Claims:
@@ -19,7 +20,8 @@ class Claims:
         self._exercises = {exercise.id: exercise for exercise in exercises}
         every = (mistake for exercise in self._exercises.values() for mistake in exercise.mistakes())
         self._mistakes = {(mistake.exercise, mistake.id): mistake for mistake in every}
-        self._faulty: set[tuple[str, Location]] = set()  # places in graders
+        # Which proofs failed at a place in a grader.
+        self._faulty: defaultdict[tuple[str, Location], set[tuple[Proof, int, int]]] = defaultdict(set)
 
     def faults(self, proven: ProofResult) -> list[str]:
         """What is otherwise than claimed, in words; see `judge`. Nothing where this machine cannot tell."""
@@ -33,14 +35,17 @@ class Claims:
         return earns_all(result)
 
     def deserves_another(self, proven: ProofResult) -> bool:
-        """Whether something is wrong that the machine, or a fault of the engine, may be to blame for."""
+        """Whether something is wrong that the machine, or a fault of the engine, may be to blame for.
+
+        Ask again before the proof is repeated: others may have failed at the same line of the grader.
+        """
         # On a busy machine, a mistake may slip through, too.
         busy = proven.result.timing.lag > MOST_LAG and proven.attempt < ATTEMPTS
         if fault := fault_of_grader(proven.result):
-            place = (proven.proof.exercise, fault.where[0])
-            if not busy or place in self._faulty:
+            failed_here = self._faulty[proven.proof.exercise, fault.where[0]]
+            failed_here.add((proven.proof, proven.turn, proven.attempt))
+            if not busy or len(failed_here) > 1:
                 return False  # it would fail at the same line again
-            self._faulty.add(place)
         doubtful = proven.laid and (busy or deserves_another(proven.result, proven.attempt))
         return doubtful and bool(self.faults(proven))
 

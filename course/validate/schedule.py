@@ -52,20 +52,29 @@ class _Schedule:
         self._claims = claims
         self._waiting = deque(tasks)
         self._sent: dict[tuple[Proof, int], ProofTask] = {}
-        self._later: list[ProofTask] = []
+        self._doubtful: list[tuple[ProofTask, ProofResult]] = []
 
     def proven(self, jobs: int) -> Iterator[ProofResult]:
         # A second look with less beside it, and a third with nothing.
         for at_once in (jobs, max(1, jobs // ATTEMPTS), 1):
             yield from self._round(min(at_once, len(self._waiting)))
-            self._waiting, self._later = deque(self._later), []
+            yield from self._certain()
+
+    def _certain(self) -> Iterator[ProofResult]:
+        """What is certain after a round that was doubtful within it. The others wait for the next one."""
+        doubtful, self._doubtful = self._doubtful, []
+        for task, proven in doubtful:
+            if self._claims.deserves_another(proven):
+                self._waiting.append(replace(task, attempt=task.attempt + 1))
+            else:
+                yield proven
 
     def _round(self, at_once: int) -> Iterator[ProofResult]:
         with contextlib.closing(Pool(PROOFS, at_once, self._next).results()) as results:
             for proven in results:
                 task = self._sent.pop((proven.proof, proven.turn))
                 if self._claims.deserves_another(proven):
-                    self._later.append(replace(task, attempt=task.attempt + 1))
+                    self._doubtful.append((task, proven))
                 else:
                     yield proven
 

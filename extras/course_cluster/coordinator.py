@@ -42,7 +42,7 @@ MOST_BYTES = 64_000_000
 _LOOK = 1.0
 _FETCH = 30.0
 _BEFORE_GRADINGS = 10
-_WAITING = "No worker is there: waiting for one. Ctrl+C stops; the same command goes on where it was stopped."
+_WAITING = "No worker that may grade is there: waiting for one. Ctrl+C stops; the same command goes on."
 _RESUME = "When it is there again, the same command goes on where it was."
 _NOT_INSTALLED = Unfit(
     "has no ros2course, or one of another version",
@@ -248,9 +248,8 @@ class Cluster:
     def _tell_if_waiting(self) -> None:
         if self._roster.fit:
             self._waits = False
-        elif error := self._roster.all_unfit:
-            if not self._sent:
-                raise error
+        elif (error := self._roster.all_unfit) and not self._sent:
+            raise error
         elif not self._waits and not self._roster.looking:
             self._waits = True
             self._say(_WAITING)

@@ -172,10 +172,21 @@ def test_the_obstacle_is_told_in_one_line(
     assert obstacle_to(Level.NAMESPACES) == words
 
 
-def test_a_bubblewrap_that_hangs_is_an_obstacle(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("load", "words"),
+    [
+        (0.5, "bubblewrap does not start here: it hung for 0 s"),
+        (4000.4, "it is too busy to test bubblewrap (load 4000), so try again when less else runs"),
+    ],
+)
+@pytest.mark.parametrize("level", [Level.NAMESPACES, Level.CONTAINED])
+def test_a_bubblewrap_that_hangs_is_told_from_a_busy_machine(
+    level: Level, load: float, words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     fake_bwrap(tmp_path, "exec /bin/sleep 100", monkeypatch)
     monkeypatch.setattr(bubblewrap, "_PROBE_TIMEOUT", 0.2)
-    assert obstacle_to(Level.NAMESPACES) == "bubblewrap does not start here: it hung for 0 s"
+    monkeypatch.setattr(os, "getloadavg", lambda: (load, 0.0, 0.0))
+    assert obstacle_to(level) == words
 
 
 def test_a_bubblewrap_that_cannot_be_run_is_an_obstacle(

@@ -93,4 +93,8 @@ def test_a_fault_of_the_grader_is_one_finding_at_its_own_line() -> None:
     assert not any(claims.deserves_another(one) for one in every)
     assert claims.deserves_another(replace(every[0], result=replace(broken, fault=Feedback("It broke."))))
     busy = [replace(one, result=replace(broken, timing=Timing(lag=9.0))) for one in every]
-    assert [claims.deserves_another(one) for one in busy] == [True, False, False]
+    alone = Claims([EXERCISE])
+    assert [alone.deserves_another(one) for one in (busy[0], busy[0], *busy[1:], busy[0])] == [
+        *(True, True),
+        *(False, False, False),
+    ]

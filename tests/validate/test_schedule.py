@@ -39,6 +39,8 @@ def ways(monkeypatch: pytest.MonkeyPatch) -> pytest.MonkeyPatch:
         ("slips-busy slips-busy slips-busy caught", 3, False),
         ("ours caught", 2, True),
         ("ours", 3, False),
+        ("grader", 1, False),
+        ("grader-busy", 2, False),  # it is the only one that fails at this line
         ("dies caught", 2, True),
         ("unlaid", 1, False),
         ("missing", 1, None),
@@ -54,6 +56,15 @@ def test_what_is_doubtful_is_done_again(
     assert account.again == attempts - 1
     assert len(account.findings()) == (held is False)
     assert (account.why_not(MISTAKE) == "There is no ROS.") is (held is None)
+
+
+@pytest.mark.slow
+def test_what_several_proofs_say_of_the_grader_is_not_done_again(ways: pytest.MonkeyPatch) -> None:
+    ways.setenv("WAYS", "grader-busy")
+    planned = proofs([EXERCISE])
+    ran = list(run(COURSE.root, [EXERCISE], planned, jobs=2))
+    assert sorted((one.proof for one in ran), key=str) == sorted(planned, key=str)
+    assert {one.attempt for one in ran} == {1}
 
 
 @pytest.mark.slow
