@@ -267,10 +267,11 @@ class _Recognizing:
                     for folder, name in names.items()
                     if name in self._sources
                 ]
-        self._add(folder for root in self._roots if root not in whole for folder in self._packages_in(root))
-        homes = [root for root in self._roots if root.kind is SubmissionKind.HOME]
+        homes = [root.path for root in self._roots if root.kind is SubmissionKind.HOME]
+        others = [folder for root in self._roots if root not in whole for folder in self._packages_in(root)]
+        self._add(others, told={*homes[1:]})
         if len(homes) > 1:
-            taken, *others = (visible(home.path or ".") for home in homes[:4])
+            taken, *others = (visible(home or ".") for home in homes[:4])
             self._findings.append(Remark(OTHERS.format(f"`{taken}`"), where=", ".join(others)))
         packages = tuple(sorted(self._packages))
         written = self._unfolded() if best.kind is SubmissionKind.PACKAGES else ()
@@ -331,7 +332,8 @@ class _Recognizing:
         sources = (WORKSPACE, *sorted(set(self._sources.values())))
         return [folder for source in sources for folder in self._found.below(_join(root.path, source))]
 
-    def _add(self, folders: Iterable[str]) -> None:
+    def _add(self, folders: Iterable[str], told: set[str]) -> None:
+        """told: homes of which a remark says that they were left out."""
         twice: dict[str, str] = {}
         for folder in folders:
             name = _package_name(self._tree, folder)
@@ -344,6 +346,7 @@ class _Recognizing:
                 self._places.append(Placement(before, None))
             self._packages[name] = folder
             self._places.append(Placement(folder, f"{self._sources.get(name, SRC)}/{name}"))
+        twice = {folder: name for folder, name in twice.items() if told.isdisjoint(and_above(folder))}
         if twice:
             where = ", ".join(map(visible, list(twice)[:3]))
             taken = dict.fromkeys(f"`{visible(self._packages[name])}`" for name in list(twice.values())[:3])

@@ -155,7 +155,7 @@ def test_a_home_is_known_by_what_the_course_keeps_in_it(tmp_path: Path, looked: 
 def test_two_homes(tmp_path: Path, looked: Looked) -> None:
     found = looked(lay(tmp_path / "in", *package("a", f"new/{SRC}/"), *package("a", f"old/{SRC}/")))
     assert found.places == (Placement("new", ""),)
-    assert [finding.where for finding in found.findings] == [f"old/{SRC}/a", "old"]
+    assert [finding.where for finding in found.findings] == ["old"]
 
 
 def test_a_package_beside_a_workspace_is_added(tmp_path: Path, looked: Looked) -> None:
@@ -342,8 +342,8 @@ def test_of_two_archives_of_one_person_the_newest_is_graded(
     found = look(liwei, tmp_path / "opened", exercises)
     lay_out(found, tmp_path / "home")
     assert (tmp_path / f"home/{SRC}/a/node.py").read_text() == "new"
-    told = " ".join(f"{finding.what} {finding.where}" for finding in found.findings)
-    assert "`homework-2" in told and "homework-1" in told
+    (told,) = found.findings
+    assert "`homework-2" in told.what and str(told.where).startswith("homework-1")
 
 
 def test_a_newer_package_takes_the_place_of_the_one_in_an_older_home(

@@ -117,19 +117,21 @@ def test_recordings_are_kept_where_they_belong(of: Callable[[int], Class], tmp_p
     assert (tmp_path / "s000.mcap").read_bytes() == b"mcap"
 
 
-def test_without_workers_it_waits_and_says_so_once(of: Callable[[int], Class]) -> None:
-    asked = 0
+@pytest.mark.parametrize(
+    ("before", "told"), [([{}] * 5, 1), ([{"good": 1}, {"good": 1}, *[{"bad": 1}] * 5], 2)]
+)
+def test_without_workers_it_waits_and_says_so_once(
+    of: Callable[[int], Class], before: list[dict[str, int]], told: int
+) -> None:
+    def look(future: Future) -> None:
+        future.finish(("host", ("has no ROS", "Install it.") if future.workers == ["bad"] else None))
 
-    def threads() -> dict[str, int]:
-        nonlocal asked
-        asked += 1
-        return {"a": 1} if asked > 5 else {}
-
-    group = of(1)
-    client = Client({}, Future.pass_)
-    client.nthreads = threads  # type: ignore[method-assign]
-    assert people(group.round(client)) == group.names
-    assert len(group.told) == 1 and "waiting for one" in group.told[0] and "Ctrl+C" in group.told[0]
+    group, there, looks = of(1), deque(before), iter(range(50))
+    client = Client({}, lambda future: None if there else future.pass_())
+    client.look = look
+    client.nthreads = lambda: there.popleft() if there else {"new": 1}  # type: ignore[method-assign]
+    assert people(group.round(client, on_look=lambda: next(looks))) == group.names
+    assert len(group.told) == told and "waiting for one" in group.told[-1] and "Ctrl+C" in group.told[-1]
 
 
 def test_unfit_workers_are_named_and_left_alone(of: Callable[[int], Class]) -> None:
