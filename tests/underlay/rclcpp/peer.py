@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import sys
+from time import sleep
 from typing import Any
 
 import rclpy
+from example_interfaces.action import Fibonacci
 from rcl_interfaces.msg import Log, ParameterEvent
+from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from rclpy.task import Future
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
@@ -78,6 +84,46 @@ def rosout(node: Node) -> None:
     say("listening")
 
 
+def act(node: Node) -> None:
+    def work(goal: Any) -> Any:
+        feedback = Fibonacci.Feedback(sequence=[4, 2])
+        while goal.request.order < 0 and not goal.is_cancel_requested:
+            goal.publish_feedback(feedback)
+            sleep(0.01)
+        (goal.canceled if goal.is_cancel_requested else goal.succeed)()
+        return Fibonacci.Result(sequence=[goal.request.order])
+
+    node.server = ActionServer(  # kept with the node
+        node, Fibonacci, "fibonacci", work,
+        goal_callback=lambda goal: GoalResponse.REJECT if goal.order > 100 else GoalResponse.ACCEPT,
+        cancel_callback=lambda goal: CancelResponse.ACCEPT, callback_group=ReentrantCallbackGroup(),
+    )  # fmt: skip
+
+
+def ask(node: Node, *orders: str) -> None:
+    """Send a goal of each order; those below zero are canceled at the first feedback."""
+    client = ActionClient(node, Fibonacci, "fibonacci")
+    client.wait_for_server()
+    for order in orders:
+        fed: Future[Any] = Future()
+        sent = client.send_goal_async(Fibonacci.Goal(order=int(order)), feedback_callback=fed.set_result)
+        goal = finished(node, sent)
+        if not goal.accepted:
+            say(f"{order} rejected")
+            continue
+        if int(order) < 0:
+            said = finished(node, fed).feedback.sequence.tolist()
+            canceled = finished(node, goal.cancel_goal_async())
+            say(f"{order} {said} canceling {len(canceled.goals_canceling)}")
+        result = finished(node, goal.get_result_async())
+        say(f"{order} {result.status} {result.result.sequence.tolist()}")
+
+
+def finished(node: Node, future: Future[Any]) -> Any:
+    rclpy.spin_until_future_complete(node, future)
+    return future.result()
+
+
 def main() -> None:
     what, *words = sys.argv[1:]
     rclpy.init(args=[])
@@ -85,9 +131,10 @@ def main() -> None:
     {
         "hear": hear, "say": talk, "serve": serve, "call": call, "events": events, "clock": clock,
         "log": log, "rosout": rosout,
+        "act": act, "ask": ask,
     }[what](node, *words)  # fmt: skip
     if what != "log":
-        rclpy.spin(node)
+        rclpy.spin(node, MultiThreadedExecutor() if what == "act" else None)
 
 
 if __name__ == "__main__":

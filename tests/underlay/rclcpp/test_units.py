@@ -1,4 +1,4 @@
-"""What needs no other node is checked in C++, case by case: see probes/src/units.cpp."""
+"""What needs no other node is checked in C++, case by case: see probes/src."""
 
 from __future__ import annotations
 
@@ -14,22 +14,13 @@ def cases(program: str) -> list[str]:
     return re.findall(r'^    \{"(\w+)", ', (PROBES / "src" / f"{program}.cpp").read_text(), re.MULTILINE)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("case", cases("units"))
-def test_unit(case: str, room: Room) -> None:
-    ended = room.run("units", case)
-    assert ended.code == 0, ended.text
+PROGRAMS = ("units", "executors", "further", "actions")
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("case", cases("executors"))
-def test_executors(case: str, room: Room) -> None:
-    ended = room.run("executors", case)
-    assert ended.code == 0, ended.text
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("case", cases("further"))
-def test_further(case: str, room: Room) -> None:
-    ended = room.run("further", case)
+@pytest.mark.parametrize(
+    ("program", "case"), [(program, case) for program in PROGRAMS for case in cases(program)]
+)
+def test_unit(program: str, case: str, room: Room) -> None:
+    ended = room.run(program, case)
     assert ended.code == 0, ended.text

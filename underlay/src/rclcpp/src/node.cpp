@@ -79,6 +79,7 @@ Node::Node(
   services_interface_(std::make_shared<node_interfaces::NodeServicesInterface>(base_)),
   timers_(std::make_shared<node_interfaces::NodeTimersInterface>(base_)),
   topics_(std::make_shared<node_interfaces::NodeTopicsInterface>(base_, timers_)),
+  waitables_(std::make_shared<node_interfaces::NodeWaitablesInterface>(base_)),
   services_(std::make_shared<Services>()),
   effective_namespace_(base_->get_namespace())
 {
@@ -118,6 +119,7 @@ Node::Node(const Node & other, const std::string & sub_namespace)
 : options_(other.options_), base_(other.base_), graph_(other.graph_), clock_(other.clock_),
   clock_interface_(other.clock_interface_), logging_(other.logging_),
   services_interface_(other.services_interface_), timers_(other.timers_), topics_(other.topics_),
+  waitables_(other.waitables_),
   parameters_(other.parameters_), services_(other.services_),
   sub_namespace_(
     other.sub_namespace_.empty() ? sub_namespace : other.sub_namespace_ + "/" + sub_namespace)

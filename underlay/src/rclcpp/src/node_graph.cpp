@@ -2,6 +2,7 @@
 #include <functional>
 #include <utility>
 
+#include "graph_wait.hpp"
 #include "rcl/graph.h"
 #include "rclcpp/detail/check.hpp"
 #include "rclcpp/node_interfaces/node_graph_interface.hpp"
@@ -169,6 +170,12 @@ std::vector<std::pair<std::string, std::string>> NodeGraphInterface::get_node_na
     throw std::runtime_error("could not destroy node names");
   }
   return found;
+}
+
+bool NodeGraphInterface::wait_until(
+  const std::function<bool()> & holds, std::chrono::nanoseconds timeout) const
+{
+  return detail::wait_for_graph(node_->get_shared_rcl_node_handle(), node_->get_context(), holds, timeout);
 }
 
 std::size_t NodeGraphInterface::count_publishers(const std::string & topic_name) const

@@ -31,6 +31,7 @@
 #include "rclcpp/node_interfaces/node_services_interface.hpp"
 #include "rclcpp/node_interfaces/node_timers_interface.hpp"
 #include "rclcpp/node_interfaces/node_topics_interface.hpp"
+#include "rclcpp/node_interfaces/node_waitables_interface.hpp"
 #include "rclcpp/node_options.hpp"
 #include "rclcpp/publisher.hpp"
 #include "rclcpp/qos.hpp"
@@ -374,6 +375,7 @@ public:
   }
   node_interfaces::NodeTimersInterface::SharedPtr get_node_timers_interface() {return timers_;}
   node_interfaces::NodeTopicsInterface::SharedPtr get_node_topics_interface() {return topics_;}
+  node_interfaces::NodeWaitablesInterface::SharedPtr get_node_waitables_interface() {return waitables_;}
 
 protected:
   Node(const Node & other, const std::string & sub_namespace);
@@ -394,6 +396,7 @@ private:
   node_interfaces::NodeServicesInterface::SharedPtr services_interface_;
   node_interfaces::NodeTimersInterface::SharedPtr timers_;
   node_interfaces::NodeTopicsInterface::SharedPtr topics_;
+  node_interfaces::NodeWaitablesInterface::SharedPtr waitables_;
   node_interfaces::NodeParametersInterface::SharedPtr parameters_;
   // What serves in the background; it uses all that stands above.
   std::shared_ptr<Services> services_;

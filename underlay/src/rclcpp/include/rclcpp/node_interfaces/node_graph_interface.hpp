@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -83,6 +84,10 @@ public:
     const std::string & topic_name, bool no_mangle = false) const;
   std::vector<TopicEndpointInfo> get_subscriptions_info_by_topic(
     const std::string & topic_name, bool no_mangle = false) const;
+
+  /// Waits until `holds`, looking whenever nodes, topics or services come or go; a negative time waits for
+  /// ever. Whether it holds; the end of the context ends the waiting.
+  bool wait_until(const std::function<bool()> & holds, std::chrono::nanoseconds timeout) const;
 
 private:
   NodeBaseInterface::SharedPtr node_;
