@@ -13,6 +13,7 @@ from course.grading import trial
 from tests.batch.samples import QUIZ
 from tests.conftest import FIXTURES
 
+MESSAGES = "python_package_that_uses_the_messages"
 COURSE = FIXTURES / "quiz_course"
 FIRST = (
     *("Ada", "Bao", "Carla", "Dilara", "Emre", "Fatou", "Gita", "Hugo", "Ines", "Jun", "Kofi", "Lena"),
@@ -68,6 +69,30 @@ def lay_moodle(term: Path) -> Path:
             folder.mkdir(parents=True)
             (folder / upload).write_bytes(archive.read(file))
     return term
+
+
+def lay_renamed(folder: Path) -> None:
+    """Three right publishers: in a package of another name, as a program of another name, and both."""
+    course = open_course()
+    for person, package, program in (
+        ("ada", "quotes", ""),
+        ("bao", "", "talker"),
+        ("cleo", "quotes", "talker"),
+    ):
+        trial.lay_solution(course, course.exercise("18-publisher"), folder / person)
+        src = folder / person / "ros2_tutorial_workspace/src"
+        if program:
+            _replace(src / MESSAGES / "setup.py", "'amazing_quote_publisher_node = '", f"'{program} = '")
+        if package:
+            for file in ("setup.py", "setup.cfg", "package.xml"):
+                _replace(src / MESSAGES / file, MESSAGES, package)
+            for inside in (MESSAGES, f"resource/{MESSAGES}", ""):
+                path = src / MESSAGES / inside
+                path.rename(path.with_name(package))
+
+
+def _replace(file: Path, old: str, new: str) -> None:
+    file.write_text(file.read_text(encoding="utf-8").replace(old, new), encoding="utf-8")
 
 
 def _hand_in(place: int, home: Path, made: Path) -> None:
