@@ -30,7 +30,8 @@ def busy(sanitizer: str, folder: Path, store: Store) -> Path:
     package = f"rclcpp_{sanitizer}"
     sources = folder / "src" / package
     shutil.copytree(_PROJECT, sources)
-    shutil.copytree(SOURCES, sources / "rclcpp")
+    for underlay in (SOURCES, SOURCES.with_name("rclcpp_action")):
+        shutil.copytree(underlay, sources / underlay.name)
     (sources / "package.xml").write_text(_MANIFEST.format(package=package))
     chosen = f"set(PACKAGE {package})\nset(SANITIZE {SANITIZERS[sanitizer]})\n"
     (sources / "sanitizer.cmake").write_text(chosen)

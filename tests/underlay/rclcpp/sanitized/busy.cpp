@@ -1,4 +1,4 @@
-// busy [leak | race | undefined]: publishes, hears, serves, calls, sets parameters and times, in several
+// busy [leak | race | undefined]: publishes, hears, serves, calls, acts, sets parameters and times, in several
 // threads, until it is interrupted; in between nodes come and go. With a word it does something wrong instead.
 
 #include <dlfcn.h>
@@ -11,11 +11,14 @@
 #include <string>
 #include <thread>
 
+#include "example_interfaces/action/fibonacci.hpp"
 #include "rclcpp/rclcpp.hpp"
+#include "rclcpp_action/rclcpp_action.hpp"
 #include "std_msgs/msg/string.hpp"
 #include "std_srvs/srv/trigger.hpp"
 
 using namespace std::chrono_literals;
+using example_interfaces::action::Fibonacci;
 using std_msgs::msg::String;
 using std_srvs::srv::Trigger;
 
@@ -38,16 +41,18 @@ public:
         response->message = "gone";
       }, rclcpp::ServicesQoS(), group_);
     client_ = create_client<Trigger>("go", rclcpp::ServicesQoS(), group_);
+    act();
     fast_ = create_wall_timer(2ms, [this]() {publish();}, group_);
     slow_ = create_timer(10ms, [this]() {call();});
     passing_ = create_wall_timer(200ms, [this]() {let_one_pass();}, group_);
+    goals_ = create_wall_timer(10ms, [this]() {send_goal();}, group_);
   }
 
   void report() const
   {
     std::printf(
-      "characters %d answers %d changes %d passed %d\n", characters_ > 0, answers_ > 0, changes_ > 0,
-      passed_ > 0);
+      "characters %d answers %d changes %d passed %d results %d\n", characters_ > 0, answers_ > 0,
+      changes_ > 0, passed_ > 0, results_ > 0);
   }
 
 private:
@@ -75,6 +80,53 @@ private:
     }
   }
 
+  /// Goals of even orders are let go, which cancels them.
+  void act()
+  {
+    using Handle = std::shared_ptr<rclcpp_action::ServerGoalHandle<Fibonacci>>;
+    auto options = rcl_action_server_get_default_options();
+    options.result_timeout.nanoseconds = RCL_MS_TO_NS(100);
+    action_server_ = rclcpp_action::create_server<Fibonacci>(
+      this, "fibonacci", [](const auto &, auto) {return rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;},
+      [](const auto &) {return rclcpp_action::CancelResponse::ACCEPT;},
+      [](const Handle & handle) {
+        handle->publish_feedback(std::make_shared<Fibonacci::Feedback>());
+        if (handle->get_goal()->order % 2 == 1) {
+          std::thread([handle]() {end(*handle);}).join();
+        }
+      }, options, group_);
+    action_client_ = rclcpp_action::create_client<Fibonacci>(this, "fibonacci", group_);
+  }
+
+  /// The context may have ended.
+  static void end(rclcpp_action::ServerGoalHandle<Fibonacci> & handle)
+  {
+    try {
+      handle.succeed(std::make_shared<Fibonacci::Result>());
+    } catch (const rclcpp::exceptions::RCLError &) {
+      if (rclcpp::ok()) {
+        throw;
+      }
+    }
+  }
+
+  void send_goal()
+  {
+    if (!action_client_->action_server_is_ready()) {
+      return;
+    }
+    using Client = rclcpp_action::Client<Fibonacci>;
+    Client::SendGoalOptions options;
+    options.feedback_callback = [](auto, auto) {};
+    options.result_callback = [this](const Client::WrappedResult &) {++results_;};
+    Fibonacci::Goal goal;
+    goal.order = ++sent_goals_;
+    action_client_->async_send_goal(goal, options);
+    if (goal.order % 10 == 0) {
+      action_client_->async_cancel_all_goals();
+    }
+  }
+
   void let_one_pass()
   {
     try {
@@ -96,7 +148,7 @@ private:
   }
 
   std::atomic<std::size_t> characters_{0};
-  std::atomic_int answers_{0}, changes_{0}, passed_{0}, names_{0};
+  std::atomic_int answers_{0}, changes_{0}, passed_{0}, names_{0}, results_{0}, sent_goals_{0};
   int calls_ = 0;
   rclcpp::CallbackGroup::SharedPtr group_;
   PostSetParametersCallbackHandle::SharedPtr told_;
@@ -104,7 +156,9 @@ private:
   rclcpp::Subscription<String>::SharedPtr subscription_;
   rclcpp::Service<Trigger>::SharedPtr service_;
   rclcpp::Client<Trigger>::SharedPtr client_;
-  rclcpp::TimerBase::SharedPtr fast_, slow_, passing_;
+  rclcpp::TimerBase::SharedPtr fast_, slow_, passing_, goals_;
+  rclcpp_action::Server<Fibonacci>::SharedPtr action_server_;
+  rclcpp_action::Client<Fibonacci>::SharedPtr action_client_;
 };
 
 /// Where the rclcpp lies that this program uses.

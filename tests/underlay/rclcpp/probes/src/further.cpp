@@ -41,6 +41,8 @@ void what_comes_along()
   std::condition_variable condition;
   std::this_thread::sleep_for(1ns);
   assert(map.empty() && queue.empty() && deque.empty() && set.empty());
+  const std::array<int, 2> numbers{1, 2};
+  EXPECT(std::accumulate(numbers.begin(), numbers.end(), 0) == 3);
   EXPECT(std::abs(std::sin(M_PI)) < std::numeric_limits<float>::epsilon());
   EXPECT(std::strcmp(PRId64, "") != 0);
 }

@@ -11,6 +11,7 @@
 #include <deque>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <queue>
 #include <set>
 #include <shared_mutex>
