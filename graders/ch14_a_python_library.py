@@ -126,10 +126,12 @@ def folder(recording: Recording) -> str:
 def place_of_error(recording: Recording, question: str) -> tuple[Location, ...]:
     """The learner's line that led to the exception, from the frames that the probe saw."""
     frames = recording.probe().answer(f"{question} places")
-    for file, line in reversed(frames.value if frames and isinstance(frames.value, list) else []):
-        own = learners_file(str(file), recording.packages, recording.sources)
-        if own:
-            return (Location(own, line),)
+    for frame in reversed(frames.value if frames and isinstance(frames.value, list) else []):
+        match frame:  # the learner's code runs where this answer comes from
+            case [str(file), int(line)]:
+                own = learners_file(file, recording.packages, recording.sources)
+                if own:
+                    return (Location(own, line),)
     return ()
 
 
@@ -246,7 +248,7 @@ def class_(recording: Recording) -> None:
         )
     elif seen == [None, None]:
         summary, advice = "`get_name()` returns nothing.", "It must `return self._name`, not just print it."
-    elif "bound method" in str(seen[0]):
+    elif "bound method" in str(seen[:1]):
         summary, advice = (
             "`get_name()` returns the method itself, not the name.",
             ("The method and the attribute need different names: store the name in `self._name`."),

@@ -9,9 +9,8 @@ from __future__ import annotations
 import pytest
 
 from course.arena.lateness import Lateness
-from course.grading.attempts import MOST_LAG
-from course.model.result import Doubt, Verdict
-from tests.hostile.world import NODE, Grade, Graded, with_attack
+from course.model.result import Verdict
+from tests.hostile.world import NODE, Grade, judged, with_attack
 
 pytestmark = pytest.mark.slow
 GUARANTEE = "a wrong program cannot choose to be the grader's fault"
@@ -32,16 +31,9 @@ def wrong(text: str) -> str:
     return text.replace("message.id = self.next_id", "message.id = 7")
 
 
-def judged(graded: Graded, machine: Lateness) -> Verdict:
-    """The verdict. A machine that is too busy with other work judges nobody."""
-    if graded.result.doubt is Doubt.BUSY and machine.update() > MOST_LAG:
-        pytest.skip(f"not exercised here: {GUARANTEE} (the machine let a program wait {machine.worst:.1f} s)")
-    return graded.result.verdict
-
-
 def test_words_of_the_library(grade: Grade, machine: Lateness) -> None:
     graded = grade({NODE: with_attack("fake_shutdown")}, guarantee=GUARANTEE)
-    assert judged(graded, machine) is Verdict.NOT_PASSED, graded.result
+    assert judged(graded, machine, GUARANTEE) is Verdict.NOT_PASSED, graded.result
     assert graded.failed == ("interrupt",)
     assert "rclpy failed in its own shutdown" in graded.words("interrupt")
 
@@ -49,10 +41,10 @@ def test_words_of_the_library(grade: Grade, machine: Lateness) -> None:
 @pytest.mark.parametrize(("attack", "settings"), ATTACKS, ids=NAMES)
 def test_a_wrong_node(grade: Grade, machine: Lateness, attack: str, settings: dict[str, int]) -> None:
     graded = grade({NODE: wrong(with_attack(attack, **settings))}, guarantee=GUARANTEE)
-    assert judged(graded, machine) is Verdict.NOT_PASSED, graded.result
+    assert judged(graded, machine, GUARANTEE) is Verdict.NOT_PASSED, graded.result
 
 
 @pytest.mark.parametrize(("attack", "settings"), ATTACKS, ids=NAMES)
 def test_a_right_node(grade: Grade, machine: Lateness, attack: str, settings: dict[str, int]) -> None:
     graded = grade({NODE: with_attack(attack, **settings)}, guarantee=GUARANTEE)
-    assert judged(graded, machine) in (Verdict.PASSED, Verdict.NOT_PASSED), graded.result
+    assert judged(graded, machine, GUARANTEE) in (Verdict.PASSED, Verdict.NOT_PASSED), graded.result

@@ -25,12 +25,13 @@ from pathlib import Path
 import psutil
 import pytest
 
+from course.arena.lateness import Lateness
 from course.build import Store
 from course.content import open_course
 from course.evidence.mcap_file import load
 from course.evidence.recording import Recording
 from course.grading import trial
-from course.grading.attempts import ATTEMPTS
+from course.grading.attempts import ATTEMPTS, MOST_LAG
 from course.grading.check import Request, check_exercise
 from course.grading.trial_answers import SEED
 from course.home import create_home
@@ -39,7 +40,7 @@ from course.isolation.identity import new_identity
 from course.isolation.isolation_plan import ResourceLimits
 from course.isolation.levels import obstacle_to
 from course.model.events import OutputLine
-from course.model.result import CheckResult, Outcome, Result
+from course.model.result import CheckResult, Doubt, Outcome, Result, Verdict
 from course.rosenv import find_ros
 from tests.processes import GRADING
 
@@ -154,6 +155,13 @@ class Graded:
         """Names of the attempts that were made, and failed."""
         found = (line.removeprefix("HELD ") for line in self.printed if line.startswith("HELD "))
         return frozenset(line.partition(":")[0] for line in found)
+
+
+def judged(graded: Graded, machine: Lateness, guarantee: str) -> Verdict:
+    """The verdict. A machine that is too busy with other work judges nobody."""
+    if graded.result.doubt is Doubt.BUSY and machine.update() > MOST_LAG:
+        pytest.skip(f"not exercised here: {guarantee} (the machine let a program wait {machine.worst:.1f} s)")
+    return graded.result.verdict
 
 
 @dataclass
