@@ -199,7 +199,8 @@ def exports(recording: Recording) -> None:
 
 
 def not_offered(recording: Recording, name: str, kind: str, *, is_module: bool) -> Feedback:
-    offered = answer(recording, "offered").value or []
+    told = answer(recording, "offered").value
+    offered = [other for other in told if isinstance(other, str)] if isinstance(told, list) else []
     near = nearest(name, [other for other in offered if other != name and not other.startswith("_")])
     init = f"{folder(recording)}/{PACKAGE}/{LIBRARY}/__init__.py"
     return Feedback(

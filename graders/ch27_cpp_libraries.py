@@ -93,9 +93,9 @@ def compiles(recording: Recording) -> None:
         raise Failure(not_compiled(view.text, package(recording), recording.sources))
 
 
-def answer(recording: Recording, question: str, what: str) -> Any:
+def answer(recording: Recording, question: str, what: str, shape: Any) -> Any:
     """The class's answer in the grader's own program; it must not throw."""
-    seen = native_answer(recording, question, what, CONSUMER, where=CODE)
+    seen = native_answer(recording, question, what, CONSUMER, where=CODE, shape=shape)
     if seen.error is None:
         return seen.value
     raise Failure(
@@ -115,11 +115,15 @@ def defined(recording: Recording, name: str) -> tuple[Location, ...]:
 
 @cpp_library.check("shared", "the library is shared, and has the package's name", needs="compiles")
 def shared(recording: Recording) -> None:
-    loaded = [Path(name).name for name in answer(recording, "loaded", "SampleClass")]
+    loaded = [Path(name).name for name in answer(recording, "loaded", "SampleClass", list[str])]
     if any(name.startswith(LIBRARY) for name in loaded):
         return
     prefix = package(recording).prefix
-    own = [Path(name).name for name in answer(recording, "loaded", "SampleClass") if name.startswith(prefix)]
+    own = [
+        Path(name).name
+        for name in answer(recording, "loaded", "SampleClass", list[str])
+        if name.startswith(prefix)
+    ]
     raise Failure(
         Feedback(
             summary=f"A program that uses your library does not load `{LIBRARY}`.",
@@ -144,7 +148,7 @@ def at_start(recording: Recording) -> None:
 
 @cpp_library.check("inside", "it uses Eigen 3 and Qt 5 Core inside", needs="shared")
 def inside(recording: Recording) -> None:
-    loaded = [Path(name).name for name in answer(recording, "loaded", "SampleClass")]
+    loaded = [Path(name).name for name in answer(recording, "loaded", "SampleClass", list[str])]
     if not any(name.startswith("libQt5Core") for name in loaded):
         raise Failure(
             Feedback(
@@ -168,7 +172,7 @@ def inside(recording: Recording) -> None:
 
 @cpp_library.check("member", "the private member can be set and read", needs="compiles")
 def member(recording: Recording) -> None:
-    seen = answer(recording, "members", "get_a_private_member()")
+    seen = answer(recording, "members", "get_a_private_member()", list[int])
     if seen != list(VALUES):
         raise Failure(
             Feedback(
@@ -183,7 +187,7 @@ def member(recording: Recording) -> None:
 
 def texts_of(recording: Recording) -> list[str]:
     """What `to_string` returns for each of VALUES."""
-    return [str(text) for text in answer(recording, "texts", "to_string()")]
+    return list(answer(recording, "texts", "to_string()", tuple[str, str]))
 
 
 @cpp_library.check("to_string", "the text of `to_string` contains the private member", needs="compiles")
@@ -208,7 +212,7 @@ def shown(text: str) -> str:
 @cpp_library.check("streams", "`<<` writes the same text", needs="to_string")
 def streams(recording: Recording) -> None:
     wanted = [f"{text}|" for text in texts_of(recording)]
-    seen = answer(recording, "streamed", "stream << sample")
+    seen = answer(recording, "streamed", "stream << sample", tuple[str, str])
     if seen != wanted:
         raise Failure(
             Feedback(
@@ -224,7 +228,7 @@ def streams(recording: Recording) -> None:
 @cpp_library.check("sum", "`sum_of_squares` follows the formula", points=2, needs="compiles")
 def sum_of_squares(recording: Recording) -> None:
     wanted = {"2, 3": 25.0, "0.5, -1.25": 0.5625, "-4, 1": 9.0}
-    seen = answer(recording, "sums", "SampleClass::sum_of_squares(2, 3)")
+    seen = answer(recording, "sums", "SampleClass::sum_of_squares(2, 3)", tuple[float, float, float])
     for (arguments, value), given in zip(wanted.items(), seen, strict=True):
         if not isclose(given, value, abs_tol=1e-9):
             raise Failure(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 from course.api import (
     Arena,
@@ -106,9 +107,9 @@ def throws(recording: Recording) -> None:
 
 @bounds.check("angle", "`angle_of` throws for an angle that does not exist", points=2, needs="compiles")
 def angle(recording: Recording) -> None:
-    seen = native_answer(recording, "angles", "angle_of(0.5)", "angles", where=Location(JOINTS))
-    counted = seen.error is None and len(seen.value) == len(ANGLES)  # the program may print others
-    near = counted and all(abs(a - b) < 1e-4 for a, b in zip(seen.value, ANGLES, strict=True))
+    where, four = Location(JOINTS), tuple[Any, Any, Any, Any]
+    seen = native_answer(recording, "angles", "angle_of(0.5)", "angles", where=where, shape=four)
+    near = seen.error is None and all(map(is_near, seen.value, ANGLES))
     if not near:
         raise Failure(
             Feedback(
@@ -192,6 +193,18 @@ def printing_advice(wanted: str, printed: str) -> str:
     if wanted.endswith(("out of range", "not a number")):
         return f"Print `{wanted}` where you catch the exception, and let the program continue after it."
     return "The text must be exactly that of the task: compare it letter by letter."
+
+
+def is_near(seen: object, wanted: float) -> bool:
+    return isinstance(seen, int | float) and abs(seen - wanted) < 1e-4
+
+
+def told_by(recording: Recording, question: str, what: str, process: str, where: Location, shape: Any) -> Any:
+    """The answer of a program that must not throw."""
+    answer = native_answer(recording, question, what, process, where=where, shape=shape)
+    if answer.error is not None:
+        raise Failure(Feedback(summary=f"`{what}` throws: {answer.error[:80]}", where=(where,)))
+    return answer.value
 
 
 def numbers(values: object) -> str:
@@ -358,12 +371,13 @@ def members(recording: Recording, name: str) -> tuple[Location, ...]:
 
 @pointers.check("leak_free", "the program deletes everything it made", points=3, needs="runs")
 def leak_free(recording: Recording) -> None:
-    answer = native_answer(recording, "never freed", "./arm", "arm", where=Location(f"{ARM}/main.cpp"))
-    count, blocks = answer.value
+    where, shape = Location(f"{ARM}/main.cpp"), tuple[int, list[tuple[Any, str | None]]]
+    count, blocks = told_by(recording, "never freed", "./arm", "arm", where, shape)
     if not count:
         return
     made = dict.fromkeys(place for _, place in blocks if place)
-    places = [Location(file, int(line)) for file, _, line in (place.rpartition(":") for place in made)]
+    found = (re.fullmatch(r"(.+):(\d{1,6})", place) for place in made)
+    places = [Location(place[1], int(place[2])) for place in found if place]
     link = any(place.file == LINK for place in places)
     raise Failure(
         Feedback(
@@ -491,9 +505,12 @@ def total_counts(recording: Recording) -> None:
     )
 
 
+# Of things: made, copied and moved.
+COUNTS = tuple[int, int, int]
+
+
 def expect_counts(recording: Recording, question: str, *, made: int, summary: str, advice: str) -> None:
-    answer = native_answer(recording, question, question, question, where=Location(THINGS))
-    count, copied, moved = answer.value
+    count, copied, moved = told_by(recording, question, question, question, Location(THINGS), COUNTS)
     if (count, copied, moved) == (made, 0, 0):
         return
     more = [f"makes {count - made} too many"] if count > made else []
@@ -526,7 +543,7 @@ def function_place(recording: Recording, name: str) -> tuple[Location, ...]:
 @forwarding.check("forwards", "`make` forwards its arguments unchanged", points=2, needs="values")
 def forwards(recording: Recording) -> None:
     what = "make<Whole>(Part(7.0))"
-    _, copied, _ = native_answer(recording, "temporary", what, "forward", where=Location(THINGS)).value
+    _, copied, _ = told_by(recording, "temporary", what, "forward", Location(THINGS), COUNTS)
     if copied:
         raise Failure(
             Feedback(

@@ -167,7 +167,7 @@ def works(recording: Recording) -> None:
             )
         )
     for question, wanted in SOLUTIONS.items():
-        answer = native_answer(recording, question, "tinyqp::solve(...)", "check")
+        answer = native_answer(recording, question, "tinyqp::solve(...)", "check", shape=list[float])
         if answer.error is None and near(answer.value, wanted):
             continue
         raise Failure(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+from typing import Any
 
 from course.arena.cpp_programs import compiling
 from course.errors import OurFault
@@ -10,6 +11,7 @@ from course.evidence.process_view import ProbeAnswer, ProcessView
 from course.evidence.recording import Recording
 from course.explain.cpp_crashes import Trouble, cpp_crash, trouble
 from course.explain.cpp_errors import not_made, warned
+from course.grading.expect.probes import of_shape
 from course.grading.expect.text_files import expect_file
 from course.model import replace
 from course.model.feedback import Failure, Feedback, Location
@@ -61,16 +63,22 @@ def expect_sound(recording: Recording, process: str, *, code: int = 0) -> Proces
 
 
 def native_answer(
-    recording: Recording, question: str, what: str, process: str, *, where: Location | None = None
+    recording: Recording,
+    question: str,
+    what: str,
+    process: str,
+    *,
+    where: Location | None = None,
+    shape: Any = Any,
 ) -> ProbeAnswer:
     """Return a program's answer to a question of `ask.hpp`, which may be an exception in the learner's code.
 
     what: the call as a beginner types it, for the feedback. where: the place to name if nothing points to a
-    better one.
+    better one. shape: see `answered`.
     """
     answer = recording.probe(process).answer(question)
     if answer is not None:
-        return answer
+        return of_shape(answer, what, shape, where)
     view = recording.process(process)
     found = trouble(view.text, recording.sources)
     if found:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
+import msgspec
+
 from course.errors import OurFault
 from course.evidence.process_view import ProbeAnswer
 from course.evidence.recording import Recording
@@ -41,12 +43,19 @@ def expect_importable(recording: Recording, what: str, name: str = "probe") -> N
 
 
 def answered(
-    recording: Recording, question: str, what: str, name: str = "probe", *, where: Location | None = None
+    recording: Recording,
+    question: str,
+    what: str,
+    name: str = "probe",
+    *,
+    where: Location | None = None,
+    shape: Any = Any,
 ) -> ProbeAnswer:
     """Return the answer to a question. Raises Failure if it is an exception.
 
     what: the call as a beginner types it (`Lamp()`), for the feedback. where: the place to name if the
-    exception names none of the learner's lines.
+    exception names none of the learner's lines. shape: the type of the answer's value, as
+    `tuple[float, list[str]]`: the learner's code can send anything, so a value of another type is a Failure.
     """
     probe = recording.probe(name)
     answer = probe.answer(question)
@@ -56,6 +65,22 @@ def answered(
         raise Failure(_hangs(recording, what, name))
     if answer.error is not None:
         raise Failure(trouble(answer, f"`{what}` fails", where))
+    return of_shape(answer, what, shape, where)
+
+
+def of_shape(answer: ProbeAnswer, what: str, shape: Any, where: Location | None = None) -> ProbeAnswer:
+    """Return the answer. Raises Failure if its value has another type than `shape`; see `answered`."""
+    try:
+        msgspec.convert(answer.value, Any if answer.error else shape)
+    except msgspec.ValidationError:
+        raise Failure(
+            Feedback(
+                summary=f"The program that tries `{what}` sends something else than asked.",
+                seen=_shown(answer)[:120],
+                where=(where,) if where else (),
+                advice="Functions and classes should not change the program that uses them, or its files.",
+            )
+        ) from None
     return answer
 
 

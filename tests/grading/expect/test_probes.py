@@ -80,3 +80,19 @@ def test_a_folder_that_is_not_there() -> None:
 def test_a_probe_that_never_ran_is_our_fault() -> None:
     with pytest.raises(OurFault):
         expect_importable(Recording("x"), WHAT)
+
+
+@pytest.mark.parametrize("value", [None, ["a", None], [1.5], {"a": 1.5}, "ab", [1.5, "b", 2]])
+def test_an_answer_that_our_own_program_would_never_send(value: object) -> None:
+    recording = probed({"question": "sum", "value": value, "type": "x"})
+    place = Location("p/a.py", 3)
+    failure = told(answered, recording, "sum", "f(1, 2)", shape=tuple[float, str], where=place)
+    assert "`f(1, 2)` sends something else than asked" in failure.summary
+    assert failure.where == (place,)
+
+
+def test_an_answer_of_the_asked_shape_and_an_exception_instead_of_it() -> None:
+    right = probed({"question": "sum", "value": [1, "b"], "type": "x"})
+    assert said(answered, right, "sum", "f()", shape=tuple[float, str]) is None
+    failed = probed(error("sum", "ValueError: no"))
+    assert "`f()` fails" in told(answered, failed, "sum", "f()", shape=tuple[float, str]).summary

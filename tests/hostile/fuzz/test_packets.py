@@ -13,11 +13,12 @@ import pytest
 from course.arena.lateness import Lateness
 from course.model.result import Verdict
 from tests.hostile.fuzz.conftest import CORPUS
-from tests.hostile.test_blame import judged, wrong
-from tests.hostile.world import NODE, Grade, with_attack
+from tests.hostile.test_blame import wrong
+from tests.hostile.world import NODE, Grade, judged, with_attack
 
 pytestmark = pytest.mark.slow
 RATE = 2000
+GUARANTEE = "odd packets are no fault of the grader"
 # The seeds that once found something, and others.
 SEEDS = [
     *CORPUS.get("test_packets", []),
@@ -30,6 +31,6 @@ def test_packets(grade: Grade, machine: Lateness, request: pytest.FixtureRequest
     drawn = random.Random(f"packets {request.config.getoption('hypothesis_seed')} {number}").getrandbits(32)
     seed = drawn if SEEDS[number] is None else SEEDS[number]
     text = wrong(with_attack("odd_packets", SEED=seed, RATE=RATE))
-    graded = grade({NODE: text}, guarantee="odd packets are no fault of the grader")
-    assert judged(graded, machine) is Verdict.NOT_PASSED, (seed, graded.result)
+    graded = grade({NODE: text}, guarantee=GUARANTEE)
+    assert judged(graded, machine, GUARANTEE) is Verdict.NOT_PASSED, (seed, graded.result)
     assert "500 packets were sent" in graded.printed, (seed, graded.all_words)
