@@ -11,6 +11,7 @@ after explanations were improved.
 from __future__ import annotations
 
 import argparse
+import sys
 import tempfile
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -21,6 +22,7 @@ import yaml
 from table import show
 
 from course.content import Course, Edit, Exercise, Mistake, open_course
+from course.errors import ContentError
 from course.grading import trial
 from course.grading.check import Request, check_exercise
 from course.grading.load import runs_programs
@@ -33,6 +35,10 @@ MISTAKES = Path(__file__).parent / "mistakes"
 JUDGMENTS = MISTAKES / "judgments.yaml"
 FRESH = "fresh"
 Entry = dict[str, Any]
+
+
+class DoesNotFit(Exception):
+    """An edit finds no text to replace, or no file, or several."""
 
 
 def main() -> None:
@@ -54,11 +60,18 @@ def main() -> None:
         chosen = [entry for entry in chosen if any(part in entry["id"] for part in options.pattern)]
     files = {entry["id"]: options.keep / f"{entry['id']}.txt" for entry in chosen}
     todo = [entry for entry in chosen if options.again or not files[entry["id"]].exists()]
+    unfit = []
     with ProcessPoolExecutor(options.jobs) as pool:
-        for entry, text in zip(todo, pool.map(graded, todo), strict=True):
+        for entry, task in [(entry, pool.submit(graded, entry)) for entry in todo]:
+            try:
+                text = task.result()
+            except DoesNotFit as error:
+                unfit.append(f"{entry['id']}: {error}")
+                continue
             files[entry["id"]].write_text(text, encoding="utf-8")
             print(text, flush=True)
-    return None
+    if unfit:
+        sys.exit("\n".join(["These mistakes cannot be made:", *unfit]))
 
 
 def entries() -> Iterator[Entry]:
@@ -75,7 +88,10 @@ def graded(entry: Entry) -> str:
     over = f", {entry['over']}" if "over" in entry else ""
     head = f"=== {entry['id']} ({exercise.id}{over}): {entry['summary']}"
     with tempfile.TemporaryDirectory(prefix="ros2course-bench-") as home:
-        lay(course, exercise, entry, Path(home))
+        try:
+            lay(course, exercise, entry, Path(home))
+        except ContentError as error:
+            raise DoesNotFit(f"{error}. {error.next_step}") from None
         ros = find_ros() if runs_programs(exercise) else None
         result = check_exercise(Request(exercise, Path(home), ros=ros, seed=SEED))
     return "\n".join([head, *told(result)])
@@ -96,7 +112,8 @@ def mistake(entry: Entry, home: Path) -> Mistake:
         edit = {("with_" if key == "with" else key): value for key, value in given.items()}
         names = [str(path.relative_to(home)) for path in home.rglob("*") if path.is_file()]
         found = [name for name in names if f"/{name}".endswith(f"/{edit['file']}") and "/build/" not in name]
-        assert len(found) == 1, (entry["id"], edit["file"], found)
+        if len(found) != 1:
+            raise DoesNotFit(f"{edit['file']} is {', '.join(found) or 'not there'}")
         edits.append(Edit(**{**edit, "file": found[0]}))
     return Mistake(entry["id"], entry["exercise"], entry["summary"], tuple(edits), "", ())
 

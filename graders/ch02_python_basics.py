@@ -40,6 +40,7 @@ from course.api import (
     expect_text,
     functions,
     listed,
+    misspelled_group,
     nearest,
     replace,
     slips,
@@ -204,11 +205,14 @@ def howdy(recording: Recording) -> None:
 def rate(recording: Recording) -> None:
     view = recording.process("script")
     times = tuple(line.t for line in view.lines if line.t < (view.interrupted_at or line.t + 1))
-    try:
-        expect_period(times, 0.5, what="lines", advice="`time.sleep` takes seconds: 0.5.")
-    except Failure as failure:
-        places = tuple(call.where for call in calls(only(recording, SCRIPT), "sleep"))[:2]
-        raise Failure(replace(failure.feedback, where=places)) from None
+    expect_period(
+        times,
+        0.5,
+        what="lines",
+        advice="`time.sleep` takes seconds: 0.5.",
+        where=tuple(call.where for call in calls(only(recording, SCRIPT), "sleep"))[:2],
+        program=replace(recording, sources=only(recording, SCRIPT)),
+    )
 
 
 @script.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
@@ -1204,15 +1208,19 @@ def commands(recording: Recording) -> None:
 def no_command(recording: Recording, name: str, target: str) -> Feedback:
     known = [entry.name for entry in entry_points(recording.sources, PROJECT)]
     close = nearest(name, known)
+    group = None if known else misspelled_group(recording.sources, PROJECT)
     return Feedback(
         summary=f"There is no command `{name}`; there is `{close}`."
         if close
         else f"There is no command `{name}`.",
         expected=f"{name} = {target}",
         seen=f"commands: {listed(known)}",
-        where=text_places(recording.sources.below(PROJECT), close or "entry_points")[:1]
+        where=(group.where if group else ())
+        or text_places(recording.sources.below(PROJECT), close or "entry_points")[:1]
         or (Location(SETUP),),
-        advice=f"Add `'{name} = {target}',` to the `console_scripts` of `setup.py`."
+        advice=group.text
+        if group
+        else f"Add `'{name} = {target}',` to the `console_scripts` of `setup.py`."
         if not close
         else "Correct the name before the `=`.",
     )

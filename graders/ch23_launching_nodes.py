@@ -20,6 +20,7 @@ from course.api import (
     launch_file,
     named,
     replace,
+    text_places,
     timer_places,
 )
 from lib import rover
@@ -67,8 +68,11 @@ def node_name(recording: Recording) -> None:
 def topic(recording: Recording) -> None:
     name = TOPIC.lstrip("/")
     given = named(launch_file(recording, FILE), name)
+    spaced = text_places(launch_file(recording, FILE), "namespace=")
     remedy = (
         "The launch file sets it; the node must pass its parameter `topic_name` to `create_publisher`."
+        if given and not spaced
+        else "The launch file's `namespace` comes before the topic's name: remove it."
         if given
         else f"Add `'topic_name': '{name}'` to `parameters` in the launch file."
     )

@@ -43,7 +43,9 @@ from course.api import (
     nearest,
     places_of,
     replace,
+    text_places,
 )
+from lib.following import same
 from lib.joints import (
     expect_alike,
     expect_follows_wave,
@@ -122,6 +124,7 @@ LIBRARIES = ("sas_core", "sas_robot_driver", "dqrobotics", "rclcpp", "rcutils")
 # What RobotDriverROS logs before each step and when one fails, and the functions that it calls then.
 STEP = re.compile(r"::Robot driver: ([a-z ]+)$")
 FAILED = re.compile(r"::Robot driver: (?P<step>[a-z ]+) failed: (?P<error>.*)")
+PARAMETER = re.compile(r"parameter '(?P<name>\w+)'")
 FAILING = {
     "connect": r"::connect\s*\(",
     "initialize": r"::initialize\s*\(",
@@ -295,6 +298,10 @@ def expect_limits(recording: Recording, robot: Robot, advice: str, where: Iterab
         expect_width(seen, JOINTS, advice=advice, where=tuple(where))
         wanted = [math.radians(limit) for limit in degrees]
         what = f"{which} limits"
+        other = robot.least if degrees is robot.greatest else robot.greatest
+        if same(tuple(seen.rows[0]), tuple(map(math.radians, other))):
+            advice = "The least and the greatest limits are swapped: the least ones come first."
+            where = at(recording, r"deg2rad\b.*joint_limits_m(?:in|ax)|joint_limits\s*=", NODE_CPP)
         expect_values(seen.name, seen.rows[0], wanted, what=what, advice=advice, where=tuple(where))
 
 
@@ -584,6 +591,11 @@ def why_ended(recording: Recording, view: ProcessView) -> Feedback | None:
     advice = f"Look for what throws this in `{failed['step']}()`." if failed else "Start with this error."
     if failed and failed["step"] == "control loop":
         advice = "Look for what throws this in `get_joint_positions` or `set_target_joint_positions`."
+    asked = PARAMETER.search(said or "")
+    near = nearest(asked["name"], set(LEFT.parameters) - {asked["name"]}) if asked else None
+    if asked and near and asked["name"] not in LEFT.parameters:
+        where = text_places(recording.sources, f'"{asked["name"]}"')[:1]
+        advice = f"The program asks for the parameter `{asked['name']}`; it is called `{near}`."
     if said is None:
         where = at(recording, r"\bcontrol_loop\s*\(|\bmain\s*\(", NODE_CPP)
         advice = (

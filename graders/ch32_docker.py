@@ -461,8 +461,9 @@ def hidden(recording: Recording) -> None:
         return
     found = recording.home.file(DOMAIN_ENV)
     setting, names = chosen(found.text or ""), [one.name for one in settings(found.text or "")]
-    close = nearest(VARIABLE, names) or next((name for name in names if "DOMAIN" in name.upper()), None)
-    if setting is not None:
+    others = [name for name in names if name != VARIABLE]
+    close = nearest(VARIABLE, others) or next((name for name in others if "DOMAIN" in name.upper()), None)
+    if setting is not None and not close:
         summary = f"With `{VARIABLE}={(setting.value or '')[:30]}` the nodes are in domain 0."
         line: int | None = setting.line
         advice = f"0 is the default domain of every node. This task asks for domain {WANTED}."

@@ -25,11 +25,13 @@ def called_callback(sources: Sources) -> Cause | None:
             text = "`None` is given as the callback: pass the function to call."
             return Cause(text, (taker.where,))
         if isinstance(callback, ast.Call) and _gives_nothing(sources, callback):
-            written = ast.unparse(callback)
-            name, _, given = written.partition("(")
+            written, name = ast.unparse(callback), ast.unparse(callback.func)
+            # `add_done_callback` gives the future itself.
+            given = callback.args[: -1 if position == 0 else None]
+            bound = ", ".join(map(ast.unparse, (ast.Name(name), *given, *callback.keywords)))
             right = (
-                f"`partial({name}, {given}`, of functools"
-                if given != ")"
+                f"`partial({bound})`, of functools"
+                if given or callback.keywords
                 else f"without parentheses: `{name}`"
             )
             return Cause(

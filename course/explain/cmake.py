@@ -95,7 +95,7 @@ def cmake_errors(lines: Sequence[str], evidence: Evidence) -> list[Symptom]:
 def _error(lines: Sequence[str], evidence: Evidence) -> Symptom:
     head = _HEAD.match(lines[0])
     assert head is not None
-    body = _indented(lines[1:])
+    body = list(lines[1:3]) if head["rest"].endswith("NOTFOUND.") else _indented(lines[1:])
     calls = lines[1 + len(body) :]
     frames = [head, *(found for line in _indented(calls[1:]) if (found := _FRAME.match(line)))]
     text = re.sub(r"\s+", " ", " ".join((head["rest"], *body))).strip()[:_LONGEST_TEXT]

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from course.evidence.recording import Recording
@@ -153,9 +154,23 @@ _SYNTAX: tuple[Known[Evidence], ...] = (
                   'exists'),
 )  # fmt: skip
 
+
 # Errors of projects that are not ROS packages, if the learner's own command configured them.
+def _whole_file_name(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`find_library(X NAMES door.so)`: neither `door`, nor the name of the whole file, `libdoor.so`."""
+    for one in commands(evidence.sources, evidence.folder, "find_library"):
+        wrong = next((word for word in one.words if re.fullmatch(r"(?!lib)[\w-]+\.(?:so|a)", word)), None)
+        if wrong:
+            return Proven({"wrong": wrong, "right": wrong.rpartition(".")[0]}, (one.where,))
+    return None
+
+
 PROJECTS: tuple[Known[Evidence], ...] = (
     *_SYNTAX,
+    Known(pattern=r"NOTFOUND|Could not find", cause="`find_library` does not find `{wrong}`.",
+          remedy="Leave out the ending: `NAMES {right}`. CMake adds `lib` and `.so` itself.",
+          example="used in this project, but they are set to NOTFOUND.  Set them: DOOR",
+          proof=_whole_file_name, given={LISTS: "find_library(DOOR NAMES door.so)\n"}),
     *(
         Known[Evidence](
             pattern=pattern,

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
+from course.explain.cmake import LISTS, commands_in
 from course.explain.compiler import CppError, first_error, warnings
 from course.explain.cpp_code import places_of
-from course.explain.engine import Evidence, Known, Proven, Symptom, Words, explain, like
+from course.explain.engine import Cause, Evidence, Known, Proven, Symptom, Words, explain, like
 from course.model.feedback import Feedback, Location
 
 _OF_EIGEN = (
@@ -28,6 +29,16 @@ def _all_private(evidence: Evidence, symptom: Symptom, words: Words) -> Proven |
     whole = rf"\bclass\s+{name}\b[^;{{}}]*\{{(?:(?!\bpublic\s*:|\n\}}).)*\n\}}"
     places = places_of(evidence.sources, rf"(?s){whole}")
     return Proven(where=places[:1]) if places else None
+
+
+def _link_directories_late(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    for file in (name for name in evidence.sources.files if name.endswith(LISTS)):
+        every = commands_in(evidence.sources.files[file], file)
+        late = [one for one in every if one.name == "link_directories"][:1]
+        made = [one for one in every if one.name == "add_executable"][:1]
+        if late and made and (late[0].where.line or 0) > (made[0].where.line or 0):
+            return Proven(where=(late[0].where,))
+    return None
 
 
 COMPILER: tuple[Known[Evidence], ...] = (
@@ -241,6 +252,14 @@ LINKER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"^cannot find -l",
+        "`link_directories` only counts for targets that are made after it: move this line above "
+        "`add_executable`.",
+        "cannot find -ltinyqp",
+        proof=_link_directories_late,
+        given={LISTS: "add_executable(solve solve.cpp)\nlink_directories(/opt/lib)\n"},
+    ),
+    Known(
+        r"^cannot find -l",
         "Is its name spelled right, and does the linker know its folder?",
         "cannot find -ltinyqp",
     ),
@@ -279,16 +298,17 @@ def symptom_of(error: CppError, place: Location | None = None) -> Symptom:
     return Symptom(text, place, error.details, {**words, "name": error.text})
 
 
-def advice_on(error: CppError) -> str:
-    """One or two sentences on what to do next."""
+def advice_on(error: CppError, sources: Sources) -> Cause:
+    """One or two sentences on what to do next, and where."""
     known = COMPILER if error.kind == "compiler" else LINKER
-    found = explain(known, [symptom_of(error)], Evidence(sources=Sources()))
-    return found.remedy if found else ""
+    found = explain(known, [symptom_of(error)], Evidence(sources=sources))
+    return Cause(found.remedy, found.where or _places(error)) if found else Cause("", _places(error))
 
 
 # ------------------------------------------------------------- programs that are compiled alone
 
 _LAST_LINES = 4
+_UNDEFINED = "Does a .cpp file define it with exactly this name, these arguments, and `Class::` before it?"
 
 
 def not_made(recording: Recording, process: str) -> Feedback:
@@ -305,8 +325,10 @@ def not_made(recording: Recording, process: str) -> Feedback:
             advice="Compile them yourself, and read the first error.",
             details=lines[-_LAST_LINES:],
         )
-    summary, advice = _alone(error)
-    return Feedback(summary=summary, where=_places(error), advice=advice, details=error.details[:2])
+    advice = advice_on(error, recording.sources)
+    if error.kind == "undefined" and not error.text.startswith(("main", "vtable for", "typeinfo for")):
+        advice = Cause(_UNDEFINED, advice.where)
+    return Feedback(_alone(error), where=advice.where, advice=advice.text, details=error.details[:2])
 
 
 def warned(recording: Recording, process: str) -> Feedback | None:
@@ -329,18 +351,13 @@ def _places(error: CppError) -> tuple[Location, ...]:
     return (Location(error.file, error.line),) if error.file else ()
 
 
-def _alone(error: CppError) -> tuple[str, str]:
+def _alone(error: CppError) -> str:
     if error.kind == "compiler":
-        return f"It does not compile: {error.text}.", advice_on(error)
+        return f"It does not compile: {error.text}."
     if error.kind == "undefined" and error.text == "main":
-        return "There is no function `main`, where a program begins.", advice_on(error)
+        return "There is no function `main`, where a program begins."
     if error.kind == "undefined":
-        advice = (
-            "Does a .cpp file define it with exactly this name, these arguments, and `Class::` before it?"
-        )
-        if error.text.startswith(("vtable for", "typeinfo for")):
-            advice = advice_on(error)
-        return f"`{error.text}` is used, but nothing defines it.", advice
+        return f"`{error.text}` is used, but nothing defines it."
     if error.kind == "twice":
-        return f"`{error.text}` is defined twice.", advice_on(error)
-    return f"The linker cannot find the library `{error.text}`.", advice_on(error)
+        return f"`{error.text}` is defined twice."
+    return f"The linker cannot find the library `{error.text}`."

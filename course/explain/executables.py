@@ -5,7 +5,8 @@ from __future__ import annotations
 from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
 from course.explain.cmake import LISTS, Command, commands
-from course.explain.setup_py import entry_points, joined_entry_points
+from course.explain.setup_py import entry_points, joined_entry_points, misspelled_group
+from course.model import replace
 from course.model.events import ExecutableMissing
 from course.model.feedback import Feedback, Location
 from course.spelling import listed, nearest
@@ -31,7 +32,9 @@ def no_executable(missing: ExecutableMissing, packages: BuiltPackages, sources: 
         return _elsewhere(missing.package, missing.executable, declared[missing.executable])
     if close:
         return _misspelt(missing.executable, close, declared.get(close, setup))
-    return _undeclared(missing, declared.get(next(iter(declared), ""), setup))
+    group = None if declared else misspelled_group(sources, package.source)
+    undeclared = _undeclared(missing, declared.get(next(iter(declared), ""), setup))
+    return replace(undeclared, where=group.where, advice=group.text) if group else undeclared
 
 
 def _comma(text: str, where: Location) -> Feedback:

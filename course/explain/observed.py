@@ -39,9 +39,15 @@ def asks_why(check: CheckResult) -> bool:
     return check.outcome is Outcome.FAILED and (advice or "").startswith(UNKNOWN)
 
 
-def unproven(recording: Recording, look_at: str, where: tuple[Location, ...] = ()) -> Cause:
-    """What the notes say about the program with these sources; before the second run, what to check."""
-    return observed_cause(recording) or Cause(f"{UNKNOWN} {look_at}", where)
+def unproven(
+    recording: Recording, look_at: str, where: tuple[Location, ...] = (), *, ended: bool = False
+) -> Cause:
+    """What the notes say about the program with these sources; before the second run, what to check.
+
+    ended: whether the program ended by itself, so that a loop which never ran may be the cause.
+    """
+    cause = observed_cause(recording) or (_never_looped(recording) if ended else None)
+    return cause or Cause(f"{UNKNOWN} {look_at}", where)
 
 
 def observed_cause(recording: Recording) -> Cause | None:
@@ -184,6 +190,18 @@ def _not_run(ran: dict[str, set[int]], sources: Sources) -> Cause | None:
                 if isinstance(call, ast.Call) and called_name(call) in _MAKERS and not _ran(call, ran[file]):
                     text = f"The program never comes to line {call.lineno}, which calls "
                     return Cause(f"{text}`{called_name(call)}`.", (Location(file, call.lineno),))
+    return None
+
+
+def _never_looped(recording: Recording) -> Cause | None:
+    """A `while` that the program came to, but whose body never ran."""
+    notes = [event for event in recording.events if isinstance(event, Observed)][:_MOST]
+    ran = _lines([_Note(note, recording) for note in notes])
+    for file, loop in nodes(recording.sources):
+        lines = ran.get(file, set())
+        if isinstance(loop, ast.While) and loop.lineno in lines and not _came_to(loop.body, lines):
+            text = f"The loop in line {loop.lineno} never ran: `{ast.unparse(loop.test)}` was false at once."
+            return Cause(text, (Location(file, loop.lineno),))
     return None
 
 

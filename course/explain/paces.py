@@ -13,7 +13,7 @@ from course.explain.cpp_code import cpp_files
 from course.explain.cpp_timers import cpp_periods, integer_division
 from course.explain.engine import Cause
 from course.explain.python_code import called_name, calls, number
-from course.explain.python_slips import long_sleep, several_timers
+from course.explain.python_slips import long_sleep, loop_without_sleep, several_timers
 from course.model.feedback import Location
 
 _NEAR = 0.25
@@ -32,9 +32,9 @@ def pace_cause(times: Sequence[float], period: float, sources: Sources, *, writt
     if cpp_files(sources):
         found = integer_division(sources) if median(gaps) < period / 10 else None
     else:
-        found = (
-            _looped(gaps, period, sources) or _several_at_once(gaps, period, sources) or _slept(gaps, sources)
-        )
+        causes = (_looped, _rushed, _several_at_once)
+        found = next((one for cause in causes if (one := cause(gaps, period, sources))), None)
+        found = found or _slept(gaps, sources)
     return found or (_written(gaps, period, sources) if written else None)
 
 
@@ -82,6 +82,10 @@ def _looped(gaps: Sequence[float], period: float, sources: Sources) -> Cause | N
                 text += "calls the function again and again."
                 return Cause(text, (Location(callback.file, loop.lineno),))
     return None
+
+
+def _rushed(gaps: Sequence[float], period: float, sources: Sources) -> Cause | None:
+    return loop_without_sleep(sources) if median(gaps) < period / 10 else None
 
 
 def _slept(gaps: Sequence[float], sources: Sources) -> Cause | None:

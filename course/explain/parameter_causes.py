@@ -31,6 +31,16 @@ def undeclared(error: str, sources: Sources) -> Cause | None:
     if close:
         places = (*named(sources, name), *named(sources, close))
         return Cause(f"The node declares `{close}` but reads `{name}`: spell both the same way.", places[:2])
+    for call in calls(sources, "declare_parameters"):
+        prefix = call.argument(0, "namespace")
+        if (
+            isinstance(prefix, ast.Constant)
+            and isinstance(prefix.value, str)
+            and prefix.value
+            and name in declared(sources)
+        ):
+            text = f"`{name}` is declared as `{prefix.value}.{name}`: the first argument of "
+            return Cause(f"{text}`declare_parameters` comes before each name. Make it `''`.", (call.where,))
     return Cause(
         f"A parameter must be declared before it is read: `self.declare_parameter('{name}', ...)` in "
         "`__init__`, with its default value."
@@ -46,7 +56,23 @@ def value_forgotten(error: str, sources: Sources) -> Cause | None:
             written = ast.unparse(call)
             text = f"`{written}` is the parameter, not its value. The value is `{written}.value`."
             return Cause(text, (Location(file, call.lineno),))
+        for name in _whole_of_several(tree):
+            text = f"`{name.id}` is the parameter, not its value. The value is `{name.id}.value`."
+            return Cause(text, (Location(file, name.lineno),))
     return None
+
+
+def _whole_of_several(tree: ast.Module) -> Iterator[ast.Name]:
+    """`topic` in `topic, period = node.get_parameters(...)`, if its `.value` is never taken."""
+    nodes = list(ast.walk(tree))
+    taken = {_name(node.value) for node in nodes if isinstance(node, ast.Attribute)}
+    for node in nodes:
+        value = node.value if isinstance(node, ast.Assign) else None
+        if isinstance(node, ast.Assign) and isinstance(value, ast.Call):
+            several = called_name(value) == "get_parameters" and isinstance(node.targets[0], ast.Tuple)
+            for part in ast.walk(node.targets[0]) if several else ():
+                if isinstance(part, ast.Name) and part.id not in taken:
+                    yield part
 
 
 def _whole_parameters(tree: ast.Module) -> Iterator[ast.Call]:

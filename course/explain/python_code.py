@@ -100,7 +100,7 @@ def number(sources: Sources, node: ast.expr | None) -> float | None:
             return None
         return left / right if isinstance(node.op, ast.Div) else left * right
     name = _plain_name(node)
-    values = (number(sources, value) for value in _assigned(sources, name)) if name else ()
+    values = (number(sources, value) for value in assigned(sources, name)) if name else ()
     return next((value for value in values if value is not None), None)
 
 
@@ -111,8 +111,8 @@ def _plain_name(node: ast.AST | None) -> str | None:
     return node.id if isinstance(node, ast.Name) else None
 
 
-def _assigned(sources: Sources, name: str) -> Iterator[ast.expr]:
-    """Literals assigned to this name anywhere (other names are not followed)."""
+def assigned(sources: Sources, name: str) -> Iterator[ast.expr]:
+    """Literals assigned to this name anywhere: other names in them are not followed."""
     for _, node in nodes(sources):
         targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
         value = getattr(node, "value", None)

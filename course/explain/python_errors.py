@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import builtins
 import posixpath
 import re
 import sys
@@ -26,7 +27,7 @@ from course.explain.engine import (
     here,
 )
 from course.explain.parameter_causes import undeclared, value_forgotten
-from course.explain.python_code import calls, nodes, parsed
+from course.explain.python_code import assigned, called_name, calls, nodes, number, parsed
 from course.explain.python_slips import accidental_tuple, misnamed_constructor, shadowed_import, uncalled
 from course.explain.service_causes import (
     fields_of_the_request,
@@ -271,6 +272,138 @@ def _given_later(evidence: Evidence, symptom: Symptom, words: Words) -> Proven |
     return Proven(where=(later[0],)) if later else None
 
 
+def _misplaced(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A function with this name and `self` whose indentation makes it no method of the class."""
+    for file, owner in nodes(evidence.sources):
+        if not isinstance(owner, ast.ClassDef) or owner.name != words["of"]:
+            continue
+        for method in owner.body:
+            inner = ast.walk(method) if isinstance(method, ast.FunctionDef) else ()
+            for part in inner:
+                if isinstance(part, ast.FunctionDef) and part is not method and part.name == words["name"]:
+                    there = f"inside `{getattr(method, 'name', '')}`"
+                    return Proven({"there": there}, (Location(file, part.lineno),))
+        tree = parsed(evidence.sources.files[file])
+        for part in tree.body if tree else ():
+            if isinstance(part, ast.FunctionDef) and part.name == words["name"] and _takes_self(part):
+                return Proven({"there": "outside of the class"}, (Location(file, part.lineno),))
+    return None
+
+
+def _takes_self(function: ast.FunctionDef) -> bool:
+    return [one.arg for one in function.args.args[:1]] == ["self"]
+
+
+def _hidden_name(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A name in this line is imported, defined or built in, and a variable of the same name hides it."""
+    place = symptom.where
+    tree = parsed(evidence.sources.files.get(place.file, "")) if place else None
+    if place is None or tree is None:
+        return None
+    every = list(ast.walk(tree))
+    imports = (
+        alias for node in every if isinstance(node, ast.Import | ast.ImportFrom) for alias in node.names
+    )
+    known = {(alias.asname or alias.name).partition(".")[0] for alias in imports}
+    known |= {node.name for node in every if isinstance(node, ast.FunctionDef | ast.ClassDef)}
+    used = [part for node in every for part in _used_in(node) if part.lineno == place.line]
+    for name in (part.id for part in used if isinstance(part, ast.Name)):
+        stored = (node for node in every if isinstance(node, ast.Name) and node.id == name)
+        lines = [node.lineno for node in stored if isinstance(node.ctx, ast.Store)]
+        lines += [node.lineno for node in every if isinstance(node, ast.arg) and node.arg == name]
+        if lines and (name in known or name in dir(builtins)):
+            given = {"hidden": name, "line": str(lines[0])}
+            return Proven(given, (Location(place.file, lines[0]),))
+    return None
+
+
+def _used_in(node: ast.AST) -> Iterator[ast.expr]:
+    """`time` in `time.sleep` or `time(...)`."""
+    if isinstance(node, ast.Attribute):
+        yield node.value
+    elif isinstance(node, ast.Call):
+        yield node.func
+
+
+def _whole_row(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`message.quote = QUOTES[0]`, in this line, where QUOTES is written as tuples or lists."""
+    for file, node in nodes(evidence.sources):
+        value = node.value if isinstance(node, ast.Assign) else None
+        if isinstance(value, ast.Subscript) and Location(file, value.lineno) == symptom.where:
+            rows = assigned(evidence.sources, ast.unparse(value.value).rpartition(".")[2])
+            for row in (row for one in rows if isinstance(one, ast.List | ast.Tuple) for row in one.elts):
+                if isinstance(row, ast.Tuple | ast.List | ast.Dict):
+                    of = type(row).__name__.lower()
+                    return Proven({"value": ast.unparse(value), "of": of})
+    return None
+
+
+def _swapped(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """The first two arguments of `create_timer`, `create_publisher` and the like the wrong way around."""
+    for maker, (first, second) in _ORDER.items():
+        for call in calls(evidence.sources, maker):
+            one, two = (*call.args, None, None)[:2]
+            late = number(evidence.sources, two) is not None if maker == "create_timer" else _is_text(one)
+            if late and not _is_text(two) and two and one and call.where == symptom.where:
+                given = {"maker": maker, "first": first, "second": second}
+                rest = "" if maker == "create_timer" else ", ..."
+                return Proven({**given, "right": f"{ast.unparse(two)}, {ast.unparse(one)}{rest}"})
+    return None
+
+
+_TYPE_AND_NAME = ("the type", "the name")
+_ORDER = {
+    "create_timer": ("the period", "the function"),
+    "create_publisher": _TYPE_AND_NAME,
+    "create_subscription": _TYPE_AND_NAME,
+    "create_service": _TYPE_AND_NAME,
+    "create_client": _TYPE_AND_NAME,
+}
+
+
+def _is_text(node: ast.expr | None) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str)
+
+
+def _object_for_type(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`create_publisher(Quote(), ...)`."""
+    for call in (call for maker in list(_ORDER)[1:] for call in calls(evidence.sources, maker)):
+        given = call.argument(0, "msg_type")
+        if isinstance(given, ast.Call) and not given.args and called_name(given)[:1].isupper():
+            return Proven({"object": ast.unparse(given), "type": ast.unparse(given.func)}, (call.where,))
+    return None
+
+
+def _refused(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`SetParametersResult()`, which refuses by default."""
+    results = calls(evidence.sources, "SetParametersResult")
+    silent = [one.where for one in results if "successful" not in one.keywords]
+    return Proven(where=tuple(silent[:1])) if silent else None
+
+
+def _of_another_type(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`.string_value`, in the file of the error, of a parameter that is not a string."""
+    for file, node in nodes(evidence.sources):
+        found = isinstance(node, ast.Attribute) and node.attr == "string_value"
+        if found and symptom.where and symptom.where.file == file:
+            return Proven(where=(Location(file, getattr(node, "end_lineno", None)),))
+    return None
+
+
+def _in_the_file(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    found = [name for name in evidence.sources.names if PurePosixPath(name).name == words["base"]]
+    return Proven(where=(Location(found[0], int(words["line"])),)) if len(found) == 1 else None
+
+
+def _near_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A module of nearly this name in the same package."""
+    package, _, last = words["name"].rpartition(".")
+    paths = [PurePosixPath(file) for file in evidence.sources.files if file.endswith(".py")]
+    beside = {path.stem for path in paths if path.parent.name == package.rpartition(".")[2]}
+    near = nearest(last, beside - {last, "__init__"}, LOOSELY) if package else None
+    return Proven({"near": f"{package}.{near}"}) if near else None
+
+
 def _is_of_sas(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """A client of the SmartArmStack starts ROS in its own way, which rclpy's message does not mention."""
     files = evidence.sources.files.items()
@@ -376,6 +509,38 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`{name}` is in a module of its own: `{line}` above, and `{name}` without `rclpy.`.",
           "AttributeError: module 'rclpy' has no attribute 'Node'", proof=_in_its_module),
     SHUT_DOWN_TWICE,
+    Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",
+          "`{name}` is defined {there}, so it is not a method of `{of}`. Indent its `def` like "
+          "`def __init__`.",
+          "AttributeError: 'Talker' object has no attribute 'tick'", proof=_misplaced, where=(here,),
+          given={"talk/talker.py": "class Talker(Node):\n    pass\n\ndef tick(self):\n    pass\n"}),
+    Known(r"object has no attribute|object is not callable|(?:access|referenced).* variable",
+          "Line {line} gives the name `{hidden}` to something else, and so hides what is called "
+          "`{hidden}` otherwise. Choose another name in line {line}.",
+          "AttributeError: 'float' object has no attribute 'sleep'", proof=_hidden_name, where=(here,),
+          given={"talk/talker.py": "import time; time = 0.5; time.sleep(time)\n"}),
+    Known(r"float\(\) argument must be|_TYPE_SUPPORT|incompatible function arguments|is not valid|msg_type",
+          "`{maker}` takes {first} first, and then {second}: `{maker}({right})`.",
+          "TypeError: float() argument must be a string or a real number, not 'function'", proof=_swapped,
+          given={"talk/talker.py": "timer = node.create_timer(tick, 0.5)\n"}),
+    Known(r"isinstance\(\) arg 2|_TYPE_SUPPORT|is not valid",
+          "`{object}` makes an object. Pass the type itself, without parentheses: `{type}`.",
+          "TypeError: isinstance() arg 2 must be a type", proof=_object_for_type, where=(here,),
+          given={"talk/talker.py": "node.create_publisher(Quote(), 'quotes', 10)\n"}),
+    Known(r"Couldn't parse params file: '--params-file (?:\S*/)?(?P<base>[^/']+)'.*? at line (?P<line>\d+)",
+          "ROS cannot read line {line} of `{base}`. The name of the node comes first, `ros__parameters:` "
+          "in the next line, and then the parameters. Indent each level by two more spaces.",
+          "RCLError: Couldn't parse params file: '--params-file /x/talk.yaml'. Error: Cannot have a value "
+          "before ros__parameters at line 2", proof=_in_the_file, given={"talk.yaml": "a:\nb: 1\n"}),
+    Known(r"InvalidParameterValueException",
+          "A callback of `add_on_set_parameters_callback` refuses the value, because this "
+          "`SetParametersResult` does not say otherwise: `SetParametersResult(successful=True)`.",
+          "rclpy.exceptions.InvalidParameterValueException: Invalid parameter value (0.5) for parameter.",
+          proof=_refused, given={"talk/talker.py": "def check(new):\n    return SetParametersResult()\n"}),
+    Known(r"could not convert string to float: ''|invalid literal for int\(\) with base 10: ''",
+          "`string_value` is empty, because the parameter is a number: read its `double_value` or "
+          "`integer_value`.", "ValueError: could not convert string to float: ''", proof=_of_another_type,
+          where=(here,), given={"talk/talker.py": "period = float(given.string_value)\n"}),
     Known(_NO_MODULE, "The file is at `{there}`. Move it to `{wanted}`.",
           "ModuleNotFoundError: No module named 'talk.lost'", proof=_moved, where=(here,),
           given={"lost.py": ""}),
@@ -385,6 +550,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(_NO_MODULE, "The entry point names a module that does not exist. The package has {modules}.",
           "ModuleNotFoundError: No module named 'talk.tolker'", proof=_entry_of_module, where=(here,),
           given={"setup.py": _ENTRY.format("talk.tolker:main"), "talk/talker.py": ""}),
+    Known(_NO_MODULE, "There is no module `{name}`, but there is `{near}`: correct the import.",
+          "ModuleNotFoundError: No module named 'talk.helpr'", proof=_near_module, where=(here,),
+          given={"talk/helper.py": ""}),
     Known(_NO_MODULE, "Check the import: is `{name}` spelled right, and does package.xml name its package?",
           "ModuleNotFoundError: No module named 'std_msg'"),
     Known(_NO_NAME[0], _NO_FUNCTION, "ImportError: cannot import name 'mian' from 'talk.talker'",
@@ -477,8 +645,13 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"(?P<of>\w+) index out of range",
           "The {of} has no element with this index: the last one is `len(...) - 1`. `index % len(...)` "
           "begins again at the first.", "IndexError: tuple index out of range"),
+    Known(r"The '(?P<field>\w+)' field must be of type",
+          "`{value}` is a whole {of}, and the field `{field}` takes one value: choose a part, as in "
+          "`{value}[0]`.", "AssertionError: The 'quote' field must be of type 'str'", proof=_whole_row,
+          given={"talk/talker.py": "ROWS = [('a', 'b')]; message.quote = ROWS[0]\n"}),
     Known(r"The '(?P<field>\w+)' field must be of type '(?P<type>int|float|str|bool)'",
-          "The field `{field}` takes only the type `{type}`: convert the value with `{type}(...)`.",
+          "The field `{field}` takes only the type `{type}`. See what this line gives it: a number or a "
+          "text can be converted with `{type}(...)`; of a list or a message, take the part that is meant.",
           "AssertionError: The 'id' field must be of type 'int'"),
     Known(r"The '(?P<field>\w+)' field must be a sub message of type '(?P<type>\w+)'",
           "The field `{field}` is itself a message. Set one of the fields of this `{type}`, or give it a "
@@ -519,10 +692,17 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"\b(?P<name>\w+)\(\) missing \d+ required (?:positional|keyword-only) arguments?: (?P<lost>.*)",
           "`{name}` needs more than it is given here: {lost}. Compare the call with its `def`.",
           "TypeError: Talker.say() missing 1 required positional argument: 'text'"),
-    Known(r"await wasn't used with future|type (?:Task|coroutine|Future) doesn't"
+    Known(r"await wasn't used with future|type (?:_asyncio\.)?(?:Task|coroutine|Future) doesn't"
           r"|'(?:coroutine|_asyncio\.Future|_GatheringFuture|Task)' object",
           "`await` is missing before what is called here, or before the task: only `await` waits for it.",
           "RuntimeError: await wasn't used with future"),
+    Known(r"'(?P<of>Future)' object has no attribute '(?P<name>\w+)'",
+          "This is a future, not the answer: `call_async` returns it at once. In an `async def`, write "
+          "`await` before the call. Elsewhere, wait until `done()`, and take `result().{name}`.",
+          "AttributeError: 'Future' object has no attribute 'point'"),
+    Known(r"InvalidStateError", "{cause}", "asyncio.exceptions.InvalidStateError: Result is not set.",
+          proof=because(called_callback), where=(here,),
+          given={"talk/talker.py": "task.add_done_callback(told(task))\ndef told(task): print(task)"}),
     Known(r"object (?P<of>[\w.]+) can't be used in 'await' expression",
           "`await` cannot wait for a `{of}`. Remove `await`, or await a coroutine, a task or a future.",
           "TypeError: object NoneType can't be used in 'await' expression"),
@@ -591,3 +771,6 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known("", "The error came from this line of your code.",
           "ValueError: something of the program's own"),
 )  # fmt: skip
+
+# Those that prove their cause in the code. The others only say what the words of the exception mean.
+PROVEN = tuple(one for one in EXCEPTIONS if one.proof not in (None, _misspelled, _parameters))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Iterable
+from itertools import pairwise
 
 from course.evidence.sources import Sources
-from course.explain.callbacks import callbacks, called_callback, in_callbacks, long_period
+from course.explain.callbacks import TAKERS, callbacks, called_callback, in_callbacks, long_period
 from course.explain.engine import Cause
 from course.explain.python_code import called_name, calls, nodes, number, trees
 from course.explain.service_causes import blocking_call, spin_in_callback
@@ -51,6 +52,7 @@ def python_timer_cause(sources: Sources) -> Cause | None:
         rate_in_callback,
         await_in_callback,
         uncalled,
+        taken_away,
     )
 
 
@@ -113,7 +115,10 @@ def _is_stored(node: ast.Attribute) -> bool:
 
 
 def _asked(node: ast.AST) -> tuple[ast.expr, ...]:
-    """The values that a statement or a condition uses."""
+    """The values that a statement, a condition or a callback without `def` uses."""
+    if isinstance(node, ast.Call) and called_name(node) in TAKERS:
+        given = (*node.args, *(keyword.value for keyword in node.keywords))
+        return tuple(one.body for one in given if isinstance(one, ast.Lambda))
     if isinstance(node, ast.Expr):
         return (node.value,)
     if isinstance(node, ast.If | ast.While | ast.IfExp | ast.Assert):
@@ -300,6 +305,65 @@ def shut_down_inside(sources: Sources) -> Cause | None:
                 f"A callback calls `{name}`, which ends the node: remove that call.",
                 found[:1],
             )
+    return None
+
+
+def taken_away(sources: Sources) -> Cause | None:
+    """A callback that destroys what calls it, or always cancels the timer."""
+    for name in ("subscription", "timer", "service", "publisher", "client"):
+        found = in_callbacks(sources, f"destroy_{name}")
+        if found:
+            text = f"A callback calls `destroy_{name}`, and after that the node has no such {name} any more: "
+            return Cause(f"{text}remove that call.", found[:1])
+    timers = {
+        ast.unparse(target)
+        for _, node in nodes(sources)
+        if isinstance(node, ast.Assign) and _calls(node.value, "create_timer")
+        for target in node.targets
+    }
+    always = (
+        Location(callback.file, line.lineno)
+        for callback in callbacks(sources)
+        for line in callback.node.body
+        if isinstance(line, ast.Expr) and ast.unparse(line).removesuffix(".cancel()") in timers
+    )
+    return _in(always, "A callback cancels the timer, which then calls nothing any more: remove that call.")
+
+
+def inverted_wait(sources: Sources) -> Cause | None:
+    """`while client.wait_for_service():`, or an early `return` if the service is ready."""
+    for file, node in nodes(sources):
+        if not isinstance(node, ast.While | ast.If) or not isinstance(node.test, ast.Call):
+            continue
+        leaves = isinstance(node, ast.While) or isinstance(node.body[-1], ast.Return)
+        asks = called_name(node.test) in ("wait_for_service", "service_is_ready")
+        calls_it = any(_calls(part, name) for part in ast.walk(node) for name in ("call_async", "call"))
+        if asks and leaves and not calls_it:
+            written = ast.unparse(node.test)
+            word = type(node).__name__.lower()
+            return Cause(
+                f"`{written}` is true when the service is there, and then this line waits. Write "
+                f"`{word} not {written}:`.",
+                (Location(file, node.lineno),),
+            )
+    return None
+
+
+def loop_without_sleep(sources: Sources) -> Cause | None:
+    """A loop that sleeps only after it, and never inside."""
+    for file, outer in nodes(sources):
+        body = getattr(outer, "body", [])
+        for loop, after in pairwise(body if isinstance(body, list) else []):
+            sleeps = [part for part in ast.walk(after) if _calls(part, "sleep")]
+            endless = isinstance(loop, ast.While) and not any(
+                _calls(part, "sleep") for part in ast.walk(loop)
+            )
+            if endless and sleeps and isinstance(after, ast.Expr):
+                return Cause(
+                    f"This `sleep` is after the loop of line {loop.lineno}, not in it: indent it like the "
+                    "lines in the loop.",
+                    (Location(file, after.lineno),),
+                )
     return None
 
 

@@ -14,6 +14,7 @@ from course.explain.builds import Build, tag
 from course.explain.engine import Cause, Known, Proven, Symptom, Words, at, like
 from course.explain.python_code import parsed
 from course.model.feedback import Location
+from course.spelling import nearest
 
 _GROUP = "console_scripts"
 _LONGEST_CONFIG = 16 * 1024
@@ -73,6 +74,18 @@ def entry_points(sources: Sources, package_folder: str) -> tuple[EntryPoint, ...
         *_from_setup_py(sources, f"{package_folder}/setup.py"),
         *_from_setup_cfg(sources, f"{package_folder}/setup.cfg"),
     )
+
+
+def misspelled_group(sources: Sources, package_folder: str) -> Cause | None:
+    """A key of `entry_points` in setup.py that is nearly `console_scripts`."""
+    file = f"{package_folder}/setup.py"
+    tree = parsed(sources.files.get(file, ""))
+    for node in ast.walk(tree) if tree else ():
+        for key in node.keys if isinstance(node, ast.Dict) else ():
+            text = str(key.value) if isinstance(key, ast.Constant) else ""
+            if key and text != _GROUP and nearest(_GROUP, [text]):
+                return Cause(f"`{text}` must be `{_GROUP}`: correct the name.", (Location(file, key.lineno),))
+    return None
 
 
 def joined_entry_points(sources: Sources, package_folder: str) -> EntryPoint | None:

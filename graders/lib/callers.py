@@ -33,7 +33,7 @@ def expect_waiting(recording: Recording, process: str, until: float) -> None:
     if any(line.t < until for line in recording.log):
         return
     printed = [line.text for line in recording.process(process).lines if line.t < until]
-    cause = no_wait(recording.sources)
+    cause = no_wait(recording.sources) or slips.inverted_wait(recording.sources)
     waiting = calls(recording.sources, "wait_for_service")
     raise Failure(
         Feedback(
@@ -62,6 +62,7 @@ def expect_calls(
     cause = slips.standstill(recording.sources) or cause_of_silence(
         recording,
         process,
+        slips.inverted_wait,
         look_at="does the timer's callback reach `call_async` each time, with no `return` and no `if` before "
         "it?",
     )
@@ -163,8 +164,9 @@ def _advice(names: list[str], wanted: Mapping[str, str], after: list[str], print
 
 
 def _unanswered(sources: Sources) -> Cause | None:
-    one_group = not any("callback_group" in text for text in sources.files.values())
-    return future_lost(sources) or (slips.standstill(sources) if one_group else None)
+    grouped = any("callback_group" in text for text in sources.files.values())
+    alone = not grouped or not calls(sources, "MultiThreadedExecutor")
+    return future_lost(sources) or (slips.standstill(sources) if alone else None)
 
 
 def future_lost(sources: Sources) -> Cause | None:

@@ -68,13 +68,16 @@ def expect_contents(recording: Recording, topic: str, fields: tuple[str, ...], *
 
 def _some_missing(recording: Recording, sent: int, silent: int) -> Feedback:
     sleeps = calls(recording.sources, "sleep")
+    lost = slips.taken_away(recording.sources)
     return Feedback(
         summary=f"The node does not log each message: {silent} of {sent} are not in its log.",
         expected=f"{sent} messages logged",
         seen=f"{sent - silent} logged",
-        where=tuple(call.where for call in sleeps)[:1]
+        where=(lost.where if lost else tuple(call.where for call in sleeps)[:1])
         or tuple(call.where for call in calls(recording.sources, "info"))[:1],
-        advice="While a callback sleeps, all others wait: take the `sleep` out."
+        advice=lost.text
+        if lost
+        else "While a callback sleeps, all others wait: take the `sleep` out."
         if sleeps
         else "Log each time the callback is called: no `if` around it, and no `return` before it.",
     )

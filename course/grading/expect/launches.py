@@ -14,9 +14,11 @@ from course.evidence.parameter_view import ParameterData
 from course.evidence.process_view import LaunchView, ProcessView
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
+from course.explain.cmake import LISTS
+from course.explain.engine import Cause
 from course.explain.launch_files import launch_file_cause, not_installed
 from course.explain.parameter_causes import named
-from course.explain.python_code import calls, nodes
+from course.explain.python_code import calls, nodes, text_places
 from course.grading.expect.endpoints import expect_node
 from course.grading.expect.parameters import expect_declared, expect_parameter
 from course.grading.expect.programs import expect_clean_interrupt, expect_running
@@ -26,15 +28,19 @@ from course.model.feedback import Failure, Feedback, Location
 from course.spelling import listed, nearest
 
 _NOT_FOUND = "was not found in the share directory"
+_NO_FILE = re.compile(r"Parameter file path is not a file: (?P<path>\S+)")
+_NO_PROGRAM = re.compile(r"executing process: .*No such file or directory: '(?P<name>[^']+)'")
 _LINE = re.compile(r", line (?P<line>\d+)\)")
 _WRONG_TYPE = re.compile(
     r"Trying to set parameter '(?P<name>[^']+)' to '.*' of type '(?P<given>\w+)', "
     r"expecting type '(?P<wanted>\w+)'"
+    r"|parameter \{(?P<cpp>[^}]+)\} is of type \{(?P<needed>\w+)\}, setting it to \{(?P<found>\w+)\}"
 )
 _WRITTEN = {
     "STRING": "in quotes",
     "DOUBLE": "without quotes and with a decimal point, such as `0.5` or `1.0`",
     "INTEGER": "without quotes and without a decimal point",
+    "DOUBLE_ARRAY": "with a decimal point in each number, such as `[0.5, 1.0]`",
     "BOOL": "as `True` or `False`, without quotes",
 }
 _IMPORT = "`Node` from launch_ros starts nodes: `from launch_ros.actions import Node`."
@@ -81,6 +87,7 @@ def expect_launched_node(recording: Recording, file: str, name: str) -> None:
         return
     plain = name.lstrip("/")
     own = launch_file(recording, file)
+    wrong = _wrong_naming(own, plain)
     if not nodes:
         expect_node(recording, name)
     close = next((node for node in nodes if node.endswith(name)), None) or nearest(name, nodes) or nodes[0]
@@ -91,12 +98,26 @@ def expect_launched_node(recording: Recording, file: str, name: str) -> None:
             summary=f"The node is called `{close}`, not `{name}`.",
             expected=name,
             seen=listed(nodes),
-            where=given[:1] or tuple(call.where for call in calls(own, "Node"))[:1],
-            advice="Its name is right, but it has a namespace before it: remove `namespace`."
+            where=wrong.where if wrong else given[:1] or tuple(call.where for call in calls(own, "Node"))[:1],
+            advice=wrong.text
+            if wrong
+            else "Its name is right, but it has a namespace before it: remove `namespace`."
             if spaced
             else f"The launch file sets its name: pass `name='{plain}'` to `Node`.",
         )
     )
+
+
+def _wrong_naming(own: Sources, name: str) -> Cause | None:
+    """A launch file that gives the name in another place than the node's name."""
+    for node in calls(own, "Node"):
+        space = node.keywords.get("namespace")
+        if isinstance(space, ast.Constant) and str(space.value).strip("/") == name:
+            text = f"`namespace` comes before the node's name. Write `name='{name}'` in its place."
+            return Cause(text, (Location(node.where.file, space.lineno),))
+    places = [place for text in ("'_node:=", '"_node:=') for place in text_places(own, text)]
+    text = f"`node` needs two underscores before it: `__node:={name}`."
+    return Cause(text, tuple(places[:1])) if places else None
 
 
 def expect_launch_parameter(
@@ -160,6 +181,7 @@ def launch_file(recording: Recording, file: str) -> Sources:
 def _expect_no_slip(recording: Recording, file: str, name: str) -> None:
     """Check that no launch file sets a parameter of nearly this name, which ROS accepts silently."""
     _expect_no_yaml(recording, file)
+    _expect_parameter_files(recording, file)
     own = launch_file(recording, file)
     close = None if named(own, name) else nearest(name, _texts(own))
     if close:
@@ -188,6 +210,28 @@ def _expect_no_yaml(recording: Recording, file: str) -> None:
                 advice="Leave out `ros__parameters`: put the names and values directly into the dict.",
             )
         )
+
+
+def _expect_parameter_files(recording: Recording, file: str) -> None:
+    """Check that each file of parameters was where the launch file looks for it."""
+    for text in _view(recording, file).main.text:
+        found = _NO_FILE.search(text)
+        if found:
+            name = PurePosixPath(found["path"]).name
+            own = launch_file(recording, file)
+            above = [path.rpartition("/launch/")[0] for path in own.files]
+            setup = (Location(f"{one}/{build}") for one in above for build in ("setup.py", LISTS))
+            there = tuple(place for place in setup if place.file in recording.sources.names)
+            raise Failure(
+                Feedback(
+                    summary=f"`ros2 launch` does not find the file of parameters `{name}`, and starts the "
+                    "node without it.",
+                    expected=f"`{name}` among the installed files",
+                    where=(*text_places(own, name), *there)[:2],
+                    advice=f"Install `{name}` as you install the launch file, for example in `data_files` "
+                    "of setup.py, and compare its folder with the path in the launch file.",
+                )
+            )
 
 
 def _texts(sources: Sources) -> set[str]:
@@ -256,6 +300,15 @@ def _short(error: str) -> str:
 
 def _nothing(recording: Recording, file: str) -> Feedback:
     own = launch_file(recording, file)
+    lost = next(filter(None, map(_NO_PROGRAM.search, _view(recording, file).main.text)), None)
+    if lost:
+        return Feedback(
+            summary=f"`ros2 launch` cannot start a program: there is no command `{lost['name']}`.",
+            where=(*named(own, lost["name"]), *(call.where for call in calls(own, "ExecuteProcess")))[:1],
+            advice="Each word of the command must be a string of its own: `['ros2', 'run', ...]`."
+            if " " in lost["name"]
+            else "Check the spelling of the first word of the command.",
+        )
     nodes = calls(own, "Node")
     places = (nodes or calls(own, "LaunchDescription"))[:1]
     return Feedback(
@@ -272,13 +325,14 @@ def _nothing(recording: Recording, file: str) -> Feedback:
 def _expect_no_wrong_type(recording: Recording, file: str, view: ProcessView) -> None:
     found = next((match for match in map(_WRONG_TYPE.search, view.text) if match), None)
     if found:
-        name, wanted = found["name"], found["wanted"]
+        name, given = found["name"] or found["cpp"], (found["given"] or found["found"]).lower()
+        wanted = (found["wanted"] or found["needed"]).upper()
         raise Failure(
             Feedback(
-                summary=f"The launch file gives `{name}` the type {found['given'].lower()}, but the node "
+                summary=f"The launch file gives `{name}` the type {given}, but the node "
                 f"declares it as {wanted.lower()}, and so it stops.",
                 expected=f"the type {wanted.lower()}",
-                seen=f"the type {found['given'].lower()}",
+                seen=f"the type {given}",
                 where=named(launch_file(recording, file), name)[:1],
                 advice=f"Write its value {_WRITTEN.get(wanted, f'as a {wanted.lower()}')}.",
                 details=(found.group(),),

@@ -7,8 +7,13 @@ from math import inf
 
 from course.evidence.recording import Recording
 from course.evidence.topic_view import LogLine
-from course.explain.languages import language_of
+from course.explain.callbacks import called_callback
+from course.explain.engine import Cause
+from course.explain.languages import language_of, timer_places
+from course.explain.observed import unproven
 from course.explain.python_code import text_places
+from course.explain.python_slips import first, taken_away, uncalled
+from course.grading.expect.one_program import of_program
 from course.grading.expect.programs import cause_of_silence, proven_silence
 from course.model.feedback import Failure, Feedback, Location
 
@@ -59,8 +64,7 @@ def _other_words(recording: Recording, process: str, example: str) -> Feedback:
 
     line = max(recording.log, key=alike)
     cause = language_of(recording.sources).other_words(line.text, recording.sources)
-    working = len(recording.log) > _FEW or alike(line) >= _ALIKE
-    lost = None if cause or working else proven_silence(recording, process)
+    lost = None if cause or alike(line) >= _ALIKE else _lost(recording, process)
     if lost:
         return Feedback(
             summary=f"The node logs other things, but nothing like `{example}`.",
@@ -76,6 +80,16 @@ def _other_words(recording: Recording, process: str, example: str) -> Feedback:
         where=(cause.where if cause else ()) or _written(recording, line.text),
         advice=cause.text if cause else _EXACTLY,
     )
+
+
+def _lost(recording: Recording, process: str) -> Cause:
+    """Why the expected line is missing in a node that logs something quite different."""
+    own = of_program(recording, process)
+    working = len(recording.log) > _FEW
+    cause = first(own.sources, called_callback, uncalled, taken_away)
+    cause = cause or (None if working else proven_silence(recording, process))
+    look_at = "does the program come to the line that logs this, and are its words those of the task?"
+    return cause or unproven(own, look_at, timer_places(own.sources))
 
 
 def _written(recording: Recording, text: str) -> tuple[Location, ...]:

@@ -10,6 +10,8 @@ import msgspec
 from course.errors import OurFault
 from course.evidence.process_view import ProbeAnswer
 from course.evidence.recording import Recording
+from course.explain.engine import Evidence, Symptom, explain
+from course.explain.python_errors import EXCEPTIONS, PROVEN
 from course.model.feedback import Failure, Feedback, Location
 
 _LAST_LINES = 6
@@ -37,7 +39,7 @@ def expect_importable(recording: Recording, what: str, name: str = "probe") -> N
     if not probe.ran:
         raise OurFault(f"the scenario ran no probe named {name}")
     if probe.broken:
-        raise Failure(trouble(probe.broken, f"`{what}` fails"))
+        raise Failure(trouble(recording, probe.broken, f"`{what}` fails"))
     if not probe.finished and not probe.answers:
         raise Failure(_hangs(recording, what, name))
 
@@ -60,11 +62,11 @@ def answered(
     probe = recording.probe(name)
     answer = probe.answer(question)
     if answer is None and probe.broken:
-        raise Failure(trouble(probe.broken, f"`{what}` could not be tried"))
+        raise Failure(trouble(recording, probe.broken, f"`{what}` could not be tried"))
     if answer is None:
         raise Failure(_hangs(recording, what, name))
     if answer.error is not None:
-        raise Failure(trouble(answer, f"`{what}` fails", where))
+        raise Failure(trouble(recording, answer, f"`{what}` fails", where))
     return of_shape(answer, what, shape, where)
 
 
@@ -114,11 +116,15 @@ def _shown(answer: ProbeAnswer) -> str:
     return repr(answer.value) if plain and answer.type != "object" else str(answer.value)
 
 
-def trouble(answer: ProbeAnswer, summary: str, where: Location | None = None) -> Feedback:
+def trouble(
+    recording: Recording, answer: ProbeAnswer, summary: str, where: Location | None = None
+) -> Feedback:
     """Feedback on an exception in the learner's code, at their line that led to it, else at `where`."""
     place = Location(answer.file, answer.line) if answer.file else where
     error = answer.error or ""
     advice = next((text for words, text in _ADVICE if all(word in error for word in words)), None)
+    evidence = Evidence(sources=recording.sources, packages=recording.packages)
+    known = explain(PROVEN if advice else EXCEPTIONS[:-2], [Symptom(error, place)], evidence)
     otherwise = (
         "The error came from this line of your code."
         if place
@@ -126,8 +132,8 @@ def trouble(answer: ProbeAnswer, summary: str, where: Location | None = None) ->
     )
     return Feedback(
         summary=f"{summary}: {_FOLDERS.sub('', error)}",
-        where=(place,) if place else (),
-        advice=advice or otherwise,
+        where=known.where if known else (place,) if place else (),
+        advice=known.remedy if known else advice or otherwise,
     )
 
 

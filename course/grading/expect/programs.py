@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 from collections.abc import Callable
 from math import inf
@@ -24,6 +25,7 @@ from course.model.feedback import Failure, Feedback
 INTERRUPT_GRACE = 3.0
 _QUIET_EXITS = (0, 1, 128 + signal.SIGINT)
 _LAST_LINES = 6
+_REPORT = re.compile(r"\[(?:ERROR|FATAL)\]")
 
 
 def expect_executable(recording: Recording, process: str) -> None:
@@ -76,7 +78,7 @@ def proven_silence(recording: Recording, process: str) -> Cause | None:
 def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
     cause = wrong_guard(recording.sources) if not view.text else None
     cause = cause or unproven(
-        recording, "is `main()` called at all, and does a loop, `while True:`, keep it running?"
+        recording, "is `main()` called at all, and does a loop, `while True:`, keep it running?", ended=True
     )
     return Feedback(
         summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; it should keep running.",
@@ -90,9 +92,12 @@ def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited)
 
 def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
     language = language_of(recording.sources)
-    cause = language.to_keep_running(recording) or unproven(
-        recording, f"what did the program print last, and what could end `{language.spin}` after that?"
-    )
+    look_at = f"what did the program print last, and what could end `{language.spin}` after that?"
+    reports = [text for text in view.text if _REPORT.search(text)]
+    if reports and ended.code:
+        look_at = f"what the program reports before it ends: {reports[-1][:160]}"
+    cause = None if reports and ended.code else language.to_keep_running(recording)
+    cause = cause or unproven(recording, look_at, ended=True)
     return Feedback(
         summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; "
         f"`{language.spin}` should keep it running.",
