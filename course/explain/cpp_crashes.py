@@ -10,7 +10,7 @@ from itertools import islice
 
 from course.evidence.sources import Sources
 from course.explain.cmake import LISTS, commands
-from course.explain.cpp_code import cpp_calls, cpp_files, only_code
+from course.explain.cpp_code import cpp_calls, cpp_files, only_code, places_of
 from course.explain.engine import Cause
 from course.explain.python_code import text_places
 from course.model.events import ProcessExited
@@ -223,12 +223,22 @@ def _as_told(found: Trouble) -> Feedback:
 def _thrown(found: Trouble, lines: Sequence[str], sources: Sources) -> Feedback:
     said = " ".join(lines)
     advice = next((advice for words, advice in _KNOWN if re.search(words, said)), found.advice)
+    early = _shut_down_early(sources) if "rcl_shutdown() was called" in said else ()
+    if early:
+        advice = "`rclcpp::shutdown()` comes before `rclcpp::spin`: move it to the end of `main`."
     return Feedback(
         summary=found.summary,
-        where=_named(lines, sources),
+        where=early or _named(lines, sources),
         advice=advice,
         details=found.details,
     )
+
+
+def _shut_down_early(sources: Sources) -> tuple[Location, ...]:
+    """Where a file shuts ROS down in a line before the first one that spins."""
+    ends, spins = (places_of(sources, rf"\brclcpp::{name}\s*\(") for name in ("shutdown", "spin"))
+    first = [spin for end in ends[:1] for spin in spins if spin.file == end.file][:1]
+    return ends[:1] if first and (ends[0].line or 0) < (first[0].line or 0) else ()
 
 
 def _named(lines: Sequence[str], sources: Sources) -> tuple[Location, ...]:

@@ -32,14 +32,13 @@ def undeclared(error: str, sources: Sources) -> Cause | None:
         places = (*named(sources, name), *named(sources, close))
         return Cause(f"The node declares `{close}` but reads `{name}`: spell both the same way.", places[:2])
     for call in calls(sources, "declare_parameters"):
-        prefix = call.argument(0, "namespace")
-        if (
-            isinstance(prefix, ast.Constant)
-            and isinstance(prefix.value, str)
-            and prefix.value
-            and name in declared(sources)
-        ):
-            text = f"`{name}` is declared as `{prefix.value}.{name}`: the first argument of "
+        prefix, given = call.argument(0, "namespace"), call.argument(1, "parameters")
+        before = str(prefix.value) if isinstance(prefix, ast.Constant) else ""
+        rows = (node for _, tree in trees(sources) for node in tree.body if isinstance(node, ast.Assign))
+        rows = (node for node in rows if given and _name(node.targets[0]) == _name(given))
+        listed = {getattr(part, "value", None) for node in rows for part in ast.walk(node.value)}
+        if before and name in declared(sources) | listed:
+            text = f"`{name}` is declared as `{before}.{name}`: the first argument of "
             return Cause(f"{text}`declare_parameters` comes before each name. Make it `''`.", (call.where,))
     return Cause(
         f"A parameter must be declared before it is read: `self.declare_parameter('{name}', ...)` in "

@@ -294,6 +294,15 @@ def _takes_self(function: ast.FunctionDef) -> bool:
     return [one.arg for one in function.args.args[:1]] == ["self"]
 
 
+def _only_local(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`publisher = ...` in a method of the class, where `self.publisher` is asked for."""
+    for file, owner in nodes(evidence.sources):
+        for node in ast.walk(owner) if isinstance(owner, ast.ClassDef) and owner.name == words["of"] else ():
+            if isinstance(node, ast.Name) and node.id == words["name"] and isinstance(node.ctx, ast.Store):
+                return Proven({"line": str(node.lineno)}, (Location(file, node.lineno),))
+    return None
+
+
 def _hidden_name(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """A name in this line is imported, defined or built in, and a variable of the same name hides it."""
     place = symptom.where
@@ -665,6 +674,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"'(?P<of>int|float|str|bool|list|dict|tuple)' object is not callable",
           "The parentheses call something that is a value of type `{of}`. A property or an attribute is read "
           "without parentheses.", "TypeError: 'int' object is not callable"),
+    Known(r"argument of type '(?:builtin_function_or_method|method|function)'",
+          "A function is named after `in`, but not called: its parentheses are missing, as in `.lower()`.",
+          "TypeError: argument of type 'builtin_function_or_method' is not iterable"),
     Known(r"argument of type '(?P<of>\w+)' is not (?:iterable|a container)",
           "`in` cannot search a `{of}` object. Search one of its fields: a text or a list.",
           "TypeError: argument of type 'Quote' is not iterable"),
@@ -757,6 +769,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`{name}` gets its value where this line cannot see it, or later than this line runs.",
           "NameError: name 'count' is not defined", proof=_given_elsewhere, where=(here,),
           given={"talk/talker.py": "print(count)\n\ndef main():\n    count = 0\n"}),
+    Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",
+          "`{name}` in line {line} is a variable of that function only. Write `self.{name}` there, too.",
+          "AttributeError: 'Talker' object has no attribute 'publisher'", proof=_only_local, where=(here,),
+          given={"talk/talker.py": "class Talker(Node):\n    def __init__(self):\n        publisher = 0\n"}),
     Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",
           "`{name}` gets its value later than this line runs. Set it before.",
           "AttributeError: 'Talker' object has no attribute 'count'", proof=_given_later, where=(here,),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from course.evidence.sources import Sources
@@ -12,9 +14,16 @@ from course.explain.callbacks import (
     long_period,
     never_spun,
 )
+from course.explain.engine import Cause
 from course.explain.languages import timer_places
 from course.explain.paces import pace_cause
-from course.explain.python_slips import python_timer_cause, uncalled
+from course.explain.python_slips import (
+    inverted_wait,
+    loop_without_sleep,
+    python_timer_cause,
+    taken_away,
+    uncalled,
+)
 from tests.golden import golden
 
 FILE = "src/talk/talk/talker.py"
@@ -148,12 +157,57 @@ def test_a_loop_in_a_callback(gaps: float, code: str, is_told: bool) -> None:
         ("rclpy.spin", "write `rclpy.spin(node)`"),
         ("executor.spin", "write `executor.spin()`"),
         ("while not robot.is_enabled:\n    pass", "write `robot.is_enabled()`"),
+        ("node.create_timer(1, lambda: node.destroy_node)", "write `node.destroy_node()`"),
+        ("node.create_timer(1, lambda: node.destroy_node())", None),
         ("rclpy.spin(node)", None),
     ],
 )
 def test_a_method_that_is_only_named(code: str, advice: str | None) -> None:
     found = uncalled(sources(code))
     assert advice in found.text if found and advice else found is None and advice is None
+
+
+KEPT = f"self.timer = self.create_timer(1, self.tick)\n{TICK}"
+WAITING = "while client.{}():\n    log('waiting')\n"
+ENDLESS = "while True:\n    print('x')\n    {}\n{}time.sleep(1)\n"
+
+
+@pytest.mark.parametrize(
+    ("cause", "wrong", "right", "line"),
+    [
+        (
+            taken_away,
+            f"{KEPT}    self.timer.cancel()\n",
+            f"{KEPT}    if x:\n        self.timer.cancel()\n",
+            4,
+        ),
+        (taken_away, f"{KEPT}    self.destroy_timer(x)\n", f"{KEPT}\nself.destroy_timer(x)\n", 4),
+        (
+            inverted_wait,
+            WAITING.format("wait_for_service"),
+            "while not client.wait_for_service():\n    x\n",
+            1,
+        ),
+        (inverted_wait, "if c.service_is_ready():\n    return\n", "if c.service_is_ready():\n    x()\n", 1),
+        (inverted_wait, WAITING.format("service_is_ready"), WAITING.format("is_busy"), 1),
+        (loop_without_sleep, ENDLESS.format("", ""), ENDLESS.format("", "    "), 4),
+        (loop_without_sleep, ENDLESS.format("", ""), ENDLESS.format("time.sleep(2)", ""), 4),
+    ],
+)
+def test_a_slip_and_right_code_like_it(
+    cause: Callable[[Sources], Cause | None], wrong: str, right: str, line: int
+) -> None:
+    found = cause(sources(wrong))
+    assert found is not None
+    assert [place.line for place in found.where] == [line]
+    assert cause(sources(right)) is None
+
+
+def test_what_a_future_gives_itself_is_not_bound() -> None:
+    code = "task.add_done_callback(told(tag, task))\ndef told(tag, task):\n    print(tag)\n"
+    found = called_callback(sources(code))
+    assert found is not None
+    assert "`partial(told, tag)`" in found.text
 
 
 def test_a_constructor_that_spins() -> None:

@@ -7,12 +7,18 @@ from pathlib import Path
 
 import pytest
 
+from course.evidence.sources import Sources
+from course.explain import cpp_errors
 from course.explain.build_errors import explain_build
 from course.explain.builds import Build
 from course.explain.compiler import CppError, defining_file, first_error, readable_name, warnings
-from course.explain.cpp_errors import advice_on
 from tests.build.conftest import SRC
 from tests.golden import golden
+
+
+def advice_on(error: CppError) -> str:
+    return cpp_errors.advice_on(error, Sources()).text
+
 
 OWN = ("main.cpp", "src/arm.cpp", "arm.hpp")
 

@@ -205,6 +205,16 @@ def test_a_line_that_is_not_come_to() -> None:
     assert found and found.text == "The program never comes to line 4, which calls `create_timer`."
 
 
+def test_a_loop_that_never_ran() -> None:
+    packages = BuiltPackages((BuiltPackage("talk", "ws/src/talk", "/store/talk"),))
+    text = "def work():\n    while rclpy.ok:\n        work()\n"
+    for lines, told in (((1, 2), "The loop in line 2 never ran"), ((1, 2, 3), UNKNOWN), ((1,), UNKNOWN)):
+        notes = (ran(*lines),)
+        recording = Recording("x", notes, sources=Sources({FILE: text}), packages=packages)
+        assert unproven(recording, "the loop?", ended=True).text.startswith(told)
+        assert unproven(recording, "the loop?").text.startswith(UNKNOWN)
+
+
 def test_only_files_of_this_program() -> None:
     """The recording's sources are those of the program that a check is about."""
     recording = Recording("x", (caught(at(9), at(17)),), sources=Sources({}))

@@ -26,6 +26,15 @@ def test_a_parameter_that_is_not_declared_at_all() -> None:
     golden(undeclared(ERROR.format("quote"), sources("self.get_parameter('quote')")))
 
 
+@pytest.mark.parametrize("given", ["[('quote', 'a')]", "ROWS"])
+@pytest.mark.parametrize(("prefix", "is_told"), [("texts", True), ("", False)])
+def test_a_parameter_that_is_declared_below_a_namespace(given: str, prefix: str, is_told: bool) -> None:
+    code = f"ROWS = [('quote', P())]\nself.declare_parameters('{prefix}', {given})\n"
+    cause = undeclared(ERROR.format("quote"), sources(code))
+    assert cause is not None
+    assert ("`texts.quote`" in cause.text) is is_told
+
+
 def test_another_error() -> None:
     assert undeclared("ValueError: no", sources("")) is None
 
@@ -67,6 +76,7 @@ def test_a_value_that_is_forgotten(error: str) -> None:
     "code",
     [
         "period = self.get_parameter('period').value\n",
+        "a, b = self.get_parameters(['a', 'b'])\nprint(a.value, b.value)\n",
         "period = self.get_parameter('period').get_parameter_value().double_value\n",
         "period = self.get_parameter('period')\nself.create_timer(period.value, self.tick)\n",
         "self.period = self.get_parameter('period')\nself.create_timer(self.period.value, self.tick)\n",
@@ -74,6 +84,13 @@ def test_a_value_that_is_forgotten(error: str) -> None:
 )
 def test_a_value_that_is_taken(code: str) -> None:
     assert value_forgotten("TypeError: incompatible function arguments", sources(code)) is None
+
+
+def test_one_of_several_values_is_forgotten() -> None:
+    code = "a, b = self.get_parameters(['a', 'b'])\nprint(a.value, b)\n"
+    cause = value_forgotten("TypeError: incompatible function arguments", sources(code))
+    assert cause is not None
+    assert "`b.value`" in cause.text
 
 
 def test_an_error_that_is_not_about_a_type() -> None:

@@ -53,7 +53,7 @@ _ADVICE = (
     (("cannot import name 'Node'", "name 'Node' is not defined", "keyword argument 'package'"), _IMPORT),
     (("argument: 'executable'",), "`Node` must know what to start: `package=...` and `executable=...`."),
     (
-        ("must return a LaunchDescription", "expected a list of actions"),
+        ("must return a LaunchDescription", "expected a list of actions", "'Node' object is not iterable"),
         "The function must end with `return LaunchDescription([Node(...)])`: a list of nodes, "
         "each with its own parentheses.",
     ),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from difflib import SequenceMatcher
 from math import inf
 
@@ -64,7 +66,9 @@ def _other_words(recording: Recording, process: str, example: str) -> Feedback:
 
     line = max(recording.log, key=alike)
     cause = language_of(recording.sources).other_words(line.text, recording.sources)
-    lost = None if cause or alike(line) >= _ALIKE else _lost(recording, process)
+    shapes = Counter(re.sub(r"\d", "", one.text) for one in recording.log)
+    again = max(shapes.values()) > 1  # so something logs again and again, in words of its own
+    lost = None if cause or again or alike(line) >= _ALIKE else _lost(recording, process)
     if lost:
         return Feedback(
             summary=f"The node logs other things, but nothing like `{example}`.",
@@ -85,9 +89,8 @@ def _other_words(recording: Recording, process: str, example: str) -> Feedback:
 def _lost(recording: Recording, process: str) -> Cause:
     """Why the expected line is missing in a node that logs something quite different."""
     own = of_program(recording, process)
-    working = len(recording.log) > _FEW
     cause = first(own.sources, called_callback, uncalled, taken_away)
-    cause = cause or (None if working else proven_silence(recording, process))
+    cause = cause or (None if len(recording.log) > _FEW else proven_silence(recording, process))
     look_at = "does the program come to the line that logs this, and are its words those of the task?"
     return cause or unproven(own, look_at, timer_places(own.sources))
 
