@@ -15,7 +15,7 @@ from course.content.layout import STATE
 
 REPO = Path(__file__).parents[1]
 GRADERS = REPO / "graders"
-MOST = 108
+MOST = 109
 
 NAMES = """
 AllOf Arena BASHRC BuiltPackage Call Cause Client Command CppError Crash Document Failure Feedback Grader
@@ -29,8 +29,8 @@ expect_lines expect_logged expect_manifest expect_mode expect_no_warnings expect
 expect_own_launch_parameter expect_parameter expect_period expect_qos expect_ran expect_running
 expect_same_definition expect_same_service expect_service expect_service_type expect_set expect_shell
 expect_sound expect_tag expect_text expect_type expect_yaml first_error functions launch_file learners_file
-listed named native_answer nearest not_configured not_made packages_place places_of read_once read_setup_cfg
-replace seconds slips text_places timer_places trees words
+listed misspelled_group named native_answer nearest not_configured not_made packages_place places_of read_once
+read_setup_cfg replace seconds slips text_places timer_places trees words
 """.split()
 
 
