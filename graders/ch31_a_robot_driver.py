@@ -888,8 +888,9 @@ def swing(recording: Recording) -> None:
                     advice="`deg2rad(10 * sin(...))`, imported from `dqrobotics.utils.DQ_Math`.",
                 )
             )
-        reached = (max(targets.column(joint)) - min(targets.column(joint))) / 2
-        amplitude, rest = (reached, 0.0) if floods(targets) else (made.amplitude, made.rest)
+        amplitude, rest = made.amplitude, made.rest
+        if floods(targets):
+            amplitude, rest = max(abs(value - begin[joint]) for value in targets.column(joint)), 0.0
         if abs(amplitude - SWING) > 0.05 * SWING or rest > 0.05 * SWING:
             raise Failure(
                 Feedback(
@@ -902,13 +903,12 @@ def swing(recording: Recording) -> None:
                     "you read once, before the loop.",
                 )
             )
-        middle = min(targets.column(joint)) + reached if floods(targets) else made.offset
-        if abs(middle - begin[joint]) > 0.02:
+        if not floods(targets) and abs(made.offset - begin[joint]) > 0.02:
             raise Failure(
                 Feedback(
                     summary="The targets do not swing around the position where the joints were.",
                     expected=f"joint {joint + 1} around {begin[joint]:.3g} rad",
-                    seen=f"around {middle:.3g} rad",
+                    seen=f"around {made.offset:.3g} rad",
                     where=where,
                     advice="Read `q0 = robot.get_joint_positions()` once, before the loop, and add to it.",
                 )
