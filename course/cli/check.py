@@ -71,9 +71,12 @@ def check(
         raise UsageError("--json prints the result and nothing else.", "Leave --timeline out, or --json.")
     with open_session(ctx) as session:
         chosen = session.exercise(exercise)
-        ask_questions(session, chosen, quiet=json, again=again)
         early = options_of(ctx).fork_server
-        result = _judged(session, chosen, early, quiet=json, namespaces=namespaces)
+        runs = runs_programs(chosen)
+        if early is not None and not runs:
+            early.close()  # nothing is recorded for a quiz
+        ask_questions(session, chosen, quiet=json, again=again)
+        result = _judged(session, chosen, early, runs=runs, quiet=json, namespaces=namespaces)
         previous = session.progress.last_result(chosen.id)
         if json:
             _print_json(result)
@@ -120,6 +123,7 @@ def _judged(
     exercise: Exercise,
     fork_server: ForkServer | None,
     *,
+    runs: bool,
     quiet: bool,
     namespaces: bool,
 ) -> Result:
@@ -136,7 +140,7 @@ def _judged(
             request = Request(
                 exercise,
                 session.home.path,
-                ros=find_ros() if runs_programs(exercise) else None,
+                ros=find_ros() if runs else None,
                 on_progress=say,
                 namespaces=namespaces,
                 evidence=recording_file(session.home, exercise.id),

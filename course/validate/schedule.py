@@ -57,7 +57,8 @@ class _Schedule:
     def proven(self, jobs: int) -> Iterator[ProofResult]:
         # A second look with less beside it, and a third with nothing.
         for at_once in (jobs, max(1, jobs // ATTEMPTS), 1):
-            yield from self._round(min(at_once, len(self._waiting)))
+            # To start a worker costs as much as a proof: none is started for a single one.
+            yield from self._round(min(at_once, -(-len(self._waiting) // 2)))
             yield from self._certain()
 
     def _certain(self) -> Iterator[ProofResult]:
