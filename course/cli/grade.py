@@ -90,7 +90,7 @@ class ClassRequest:
     course: Path | None = None
     roster: Path | None = None
     title: str = ""
-    complete: bool = False
+    complete: bool = True
     names: str = "strict"
 
     def plan(self, course: Course, opened: Path, arrivals: Arrivals | None = None) -> BatchPlan:
@@ -366,8 +366,8 @@ def grade(
         str, typer.Option("--title", metavar="TEXT", help="The name of the assignment, for reports.")
     ] = "",
     complete: Annotated[
-        bool, typer.Option("--complete", help="Use the course's packages where a submission lacks one.")
-    ] = False,
+        bool, typer.Option(help="Use the course's packages where a submission lacks one.")
+    ] = True,
     names: Annotated[
         Literal["strict", "lenient"],
         typer.Option("--names", help="lenient: another name costs one point, not the exercise."),

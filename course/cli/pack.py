@@ -69,7 +69,7 @@ def pack(
     put(console, f"{out} is ready to hand in: {out.stat().st_size / 1000:.0f} kB.")
     for package in lacks:
         told = f"{out} lacks the package {package}, because it is not in your course home."
-        put(console, f"{told} If your instructor uses `grade --complete`, the result there can differ.")
+        put(console, f"{told} `grade` uses the course's own, so your instructor's result can differ.")
     for result in results:
         if result.verdict is not Verdict.PASSED:
             put(console, f"`{typed(f'check {result.exercise}')}` shows what is not right yet.")

@@ -1,4 +1,4 @@
-"""With --complete, the course supplies what a submission lacks, unless the person is graded for it."""
+"""The course supplies what a submission lacks, unless the person is graded for it."""
 
 from __future__ import annotations
 

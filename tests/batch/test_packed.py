@@ -72,7 +72,7 @@ def test_nothing_is_no_zip(home: Path, capsys: pytest.CaptureFixture[str]) -> No
 def test_a_package_that_is_missing_is_named(
     home: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """`grade --complete` would use the course's own package, with a different result."""
+    """`grade` would use the course's own package, with a different result."""
     course = open_course()
     ours = ["--course", str(course.root)]
     trial.lay_solution(course, course.exercise("18-publisher"), home)
