@@ -166,7 +166,9 @@ def run_import_and_execute_it(arena: Arena) -> None:
 
 
 def lines(arena: Arena, program: Process) -> int:
-    return len(arena.lines(program))
+    """How many it has printed; none if it prints an error, because then it is about to end by itself."""
+    printed = arena.lines(program)
+    return 0 if any(text.startswith("Traceback") for text in printed) else len(printed)
 
 
 def only(recording: Recording, *files: str) -> Sources:

@@ -76,6 +76,7 @@ def counts(recording: Recording) -> None:
         first=FIRST,
         begin="Start with a count of 0, and add one after you log the message, not before.",
         step="Keep the count in the node (`self.count`), and add one in each call of the timer.",
+        cause=slips.compared(recording.sources),
     )
     if len(lines) < ENOUGH:
         raise Failure(too_few(recording, lines))

@@ -28,6 +28,7 @@ from course.api import (
     expect_running,
     expect_same_definition,
     expect_type,
+    slips,
     text_places,
     words,
 )
@@ -128,13 +129,18 @@ def ids(recording: Recording) -> None:
     shown = ", ".join(map(str, numbers[:ENOUGH]))
     seen = f"id goes {shown}" if len(steps) > 1 else f"id changes by {steps.pop()} each time: {shown}"
     constant = len(set(numbers)) == 1
+    cause = slips.filled_late(recording.sources) or slips.compared(recording.sources)
     raise Failure(
         Feedback(
             summary=f"`id` is always {numbers[0]}." if constant else "`id` does not go up by one.",
             expected="0, 1, 2, 3, 4",
             seen=seen,
-            where=tuple(call.where for call in calls(recording.sources, "publish"))[:1],
-            advice="Keep the next number in the node, give it to `message.id`, and add one after publishing.",
+            where=cause.where
+            if cause
+            else tuple(call.where for call in calls(recording.sources, "publish"))[:1],
+            advice=cause.text
+            if cause
+            else "Keep the next number in the node, give it to `message.id`, and add one after publishing.",
         )
     )
 

@@ -203,7 +203,8 @@ def told_by(recording: Recording, question: str, what: str, process: str, where:
     """The answer of a program that must not throw."""
     answer = native_answer(recording, question, what, process, where=where, shape=shape)
     if answer.error is not None:
-        raise Failure(Feedback(summary=f"`{what}` throws: {answer.error[:80]}", where=(where,)))
+        summary = f"`{what}` throws: {answer.error[:80]}"
+        raise Failure(Feedback(summary=summary, where=(where,), advice="Look for what throws this there."))
     return answer.value
 
 

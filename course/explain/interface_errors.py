@@ -160,6 +160,10 @@ def _constant(build: Build, symptom: Symptom, words: Words) -> Proven:
     return Proven({"right": words["name"].upper()}, where)
 
 
+def _nameless(build: Build, symptom: Symptom, words: Words) -> Proven:
+    return _used({}, *_places(build, r"^\s*[^\s#=]+\s*=")[:1])
+
+
 def _value(build: Build, symptom: Symptom, words: Words) -> Proven:
     return Proven(where=_places(build, rf"^\s*{re.escape(words['of'])}\b.*{re.escape(words['value'])}"))
 
@@ -353,6 +357,11 @@ INTERFACES: tuple[Known[Build], ...] = (
           cause="{path} has two fields called `{name}`.", remedy="Give each field a name of its own.",
           proof=_twice, example="ValueError: the fields iterable contains duplicate names: a",
           given={"msg/Quote.msg": "int32 a\nint32 a\n"}),
+    Known(kind="field-name", pattern=r"'' is an invalid constant name",
+          cause="In {use}, a `=` follows the type, so the field has no name.",
+          remedy="A field is a type, a space and a name, without `=`: `int32 id`.", proof=_nameless,
+          example="NameError: '' is an invalid constant name.  It should",
+          given={"msg/Quote.msg": "int32 = id\n"}),
     Known(kind="field-name", pattern=r"'(?P<name>\S+)' is an invalid constant name",
           cause="`{name}` cannot be the name of a constant.",
           remedy="A field has no `=`; a line with one defines a constant, which is written in capitals: "

@@ -374,6 +374,25 @@ def _is_text(node: ast.expr | None) -> bool:
     return isinstance(node, ast.Constant) and isinstance(node.value, str)
 
 
+def _callback_last(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`create_subscription(type, name, 10, callback)`."""
+    for call in calls(evidence.sources, "create_subscription"):
+        args = call.args[:4]
+        if len(args) == 4 and number(evidence.sources, args[2]) is not None and call.where == symptom.where:
+            right = ", ".join(ast.unparse(args[place]) for place in (0, 1, 3, 2))
+            return Proven({"right": f"create_subscription({right})"})
+    return None
+
+
+def _self_twice(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`super().__init__(self, 'name')`."""
+    for call in calls(evidence.sources, "__init__"):
+        given = [ast.unparse(one) for one in call.args]
+        if given[:1] == ["self"] and call.where == symptom.where:
+            return Proven({"right": f"super().__init__({', '.join(given[1:])})"})
+    return None
+
+
 def _object_for_type(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`create_publisher(Quote(), ...)`."""
     for call in (call for maker in list(_ORDER)[1:] for call in calls(evidence.sources, maker)):
@@ -532,6 +551,14 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`{maker}` takes {first} first, and then {second}: `{maker}({right})`.",
           "TypeError: float() argument must be a string or a real number, not 'function'", proof=_swapped,
           given={"talk/talker.py": "timer = node.create_timer(tick, 0.5)\n"}),
+    Known(r"Expected QoSProfile or int",
+          "The function comes before the number of messages: `{right}`.",
+          "TypeError: Expected QoSProfile or int, but received <class 'method'>", proof=_callback_last,
+          given={"talk/talker.py": "node.create_subscription(Quote, 'quotes', 10, node.heard)\n"}),
+    Known(r"__init__\(\) takes \d+ positional arguments? but \d+ were given",
+          "`super()` passes `self` by itself. Leave it out: `{right}`.",
+          "TypeError: Node.__init__() takes 2 positional arguments but 3 were given", proof=_self_twice,
+          given={"talk/talker.py": "super().__init__(self, 'talker')\n"}),
     Known(r"isinstance\(\) arg 2|_TYPE_SUPPORT|is not valid",
           "`{object}` makes an object. Pass the type itself, without parentheses: `{type}`.",
           "TypeError: isinstance() arg 2 must be a type", proof=_object_for_type, where=(here,),

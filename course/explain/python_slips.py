@@ -53,6 +53,7 @@ def python_timer_cause(sources: Sources) -> Cause | None:
         await_in_callback,
         uncalled,
         taken_away,
+        plain_node_spun,
     )
 
 
@@ -148,6 +149,74 @@ def rate_in_callback(sources: Sources) -> Cause | None:
         "`sleep()` of a rate never returns inside a callback: the node must spin for the rate to go on, and "
         "it is busy with this callback. Remove it, and let a timer call the function again and again.",
     )
+
+
+def compared(sources: Sources) -> Cause | None:
+    """`count == count + 1` as a line of its own."""
+    for file, node in nodes(sources):
+        value = node.value if isinstance(node, ast.Expr) else None
+        if isinstance(value, ast.Compare) and isinstance(value.ops[0], ast.Eq):
+            text = f"`{ast.unparse(value)}` only compares, and changes nothing. One `=` assigns a value."
+            return Cause(text, (Location(file, value.lineno),))
+    return None
+
+
+def filled_late(sources: Sources) -> Cause | None:
+    """A message whose fields are set only after it was published."""
+    for file, function in nodes(sources):
+        lines = function.body if isinstance(function, _Def) else []
+        for line, after in pairwise(lines):
+            call = line.value if isinstance(line, ast.Expr) else None
+            given = call.args if isinstance(call, ast.Call) and called_name(call) == "publish" else []
+            target = after.targets[0] if isinstance(after, ast.Assign) else None
+            if given and isinstance(target, ast.Attribute) and _root(target) == ast.unparse(given[0]):
+                return Cause(
+                    f"The message is published before line {after.lineno} fills it. Move `publish` below the "
+                    "lines that set its fields.",
+                    (Location(file, line.lineno), Location(file, after.lineno)),
+                )
+    return None
+
+
+def broken_loop(sources: Sources) -> Cause | None:
+    """A `while` whose own lines, not those of an `if`, contain `break`."""
+    for file, loop in nodes(sources):
+        body = loop.body if isinstance(loop, ast.While) else []
+        tries = [part for line in body if isinstance(line, ast.Try) for part in line.body]
+        for line in (*body, *tries):
+            if isinstance(line, ast.Break):
+                text = f"The `break` in line {line.lineno} ends the loop in its first round: remove it."
+                return Cause(text, (Location(file, line.lineno),))
+    return None
+
+
+def plain_node_spun(sources: Sources) -> Cause | None:
+    """`rclpy.spin(Node('x'))`, where a class of the learner's is the node."""
+    classes = [node for _, node in nodes(sources) if isinstance(node, ast.ClassDef)]
+    own = next((one.name for one in classes if "Node" in map(ast.unparse, one.bases)), None)
+    for call in calls(sources, "spin") if own else ():
+        if any(_calls(given, "Node") for given in call.args[:1]):
+            return Cause(
+                f"`spin` gets a plain `Node`, and so nothing calls the callbacks of `{own}`. Pass it the "
+                f"node of your class: `rclpy.spin({own}())`.",
+                (call.where,),
+            )
+    return None
+
+
+def asked_at_once(sources: Sources) -> Cause | None:
+    """`if future.done():` just below `future = client.call_async(...)`."""
+    for file, function in nodes(sources):
+        lines = function.body if isinstance(function, _Def) else []
+        for line, after in pairwise(lines):
+            called = isinstance(line, ast.Assign) and _calls(line.value, "call_async")
+            if called and isinstance(after, ast.If) and _calls(after.test, "done"):
+                return Cause(
+                    "This line asks once, right after the call, when the answer cannot be there yet. Let "
+                    "`add_done_callback` call your function when it is.",
+                    (Location(file, after.lineno),),
+                )
+    return None
 
 
 def _calls(node: ast.AST, name: str) -> bool:

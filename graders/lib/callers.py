@@ -166,7 +166,8 @@ def _advice(names: list[str], wanted: Mapping[str, str], after: list[str], print
 def _unanswered(sources: Sources) -> Cause | None:
     grouped = any("callback_group" in text for text in sources.files.values())
     alone = not grouped or not calls(sources, "MultiThreadedExecutor")
-    return future_lost(sources) or (slips.standstill(sources) if alone else None)
+    found = future_lost(sources) or slips.asked_at_once(sources)
+    return found or (slips.standstill(sources) if alone else None)
 
 
 def future_lost(sources: Sources) -> Cause | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from course.api import Arena, Failure, Feedback, LogLine, Process, Recording, calls
+from course.api import Arena, Cause, Failure, Feedback, LogLine, Process, Recording, calls
 
 _SHOWN = 3
 _NUMBERS = 5
@@ -44,11 +44,18 @@ def expect_counted(recording: Recording, process: str, total: int, *, what: str)
 
 
 def expect_counting(
-    lines: Sequence[LogLine], pattern: re.Pattern[str], *, first: str, begin: str, step: str
+    lines: Sequence[LogLine],
+    pattern: re.Pattern[str],
+    *,
+    first: str,
+    begin: str,
+    step: str,
+    cause: Cause | None = None,
 ) -> None:
     """Expect 0, 1, 2 and so on as the numbers in these lines: group 1 of `pattern`.
 
     first: the expected first line. begin, step: advice if the first number, or a later one, is wrong.
+    cause: why a later one is wrong, if the code proves it.
     """
     matches = (pattern.search(line.text) for line in lines)
     numbers = [int(found[1][:_DIGITS]) for found in matches if found]
@@ -64,7 +71,8 @@ def expect_counting(
             summary=f"The count does not go up by one: {seen}.",
             expected=", ".join(map(str, range(_NUMBERS))),
             seen=seen,
-            advice=step,
+            where=cause.where if cause else (),
+            advice=cause.text if cause else step,
             details=tuple(line.text for line in lines[:_SHOWN]),
         )
     )

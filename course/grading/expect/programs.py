@@ -16,7 +16,7 @@ from course.explain.engine import Cause
 from course.explain.executables import no_executable
 from course.explain.languages import language_of, timer_places
 from course.explain.observed import unproven
-from course.explain.python_slips import first, wrong_guard
+from course.explain.python_slips import broken_loop, first, wrong_guard
 from course.grading.expect.one_program import of_program
 from course.grading.expect.text_files import expect_file
 from course.model.events import ProcessExited
@@ -76,7 +76,7 @@ def proven_silence(recording: Recording, process: str) -> Cause | None:
 
 
 def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
-    cause = wrong_guard(recording.sources) if not view.text else None
+    cause = wrong_guard(recording.sources) if not view.text else broken_loop(recording.sources)
     cause = cause or unproven(
         recording, "is `main()` called at all, and does a loop, `while True:`, keep it running?", ended=True
     )
