@@ -73,6 +73,7 @@ def counts(recording: Recording) -> None:
     expect_counting(
         lines,
         LINE,
+        terminal=recording.process(NODE).text,
         first=FIRST,
         begin="Start with a count of 0, and add one after you log the message, not before.",
         step="Keep the count in the node (`self.count`), and add one in each call of the timer.",

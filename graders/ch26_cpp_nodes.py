@@ -68,6 +68,7 @@ def counts(recording: Recording) -> None:
     expect_counting(
         lines,
         LINE,
+        terminal=recording.process(NODE).text,
         first=FIRST,
         begin="Start with `int count_ = 0;`, and add one after the message is logged, not before.",
         step="Keep the count in a member of the class, and add one each time: `count_++;`.",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from course.api import Arena, Cause, Failure, Feedback, LogLine, Process, Recording, calls
 
@@ -47,6 +47,7 @@ def expect_counting(
     lines: Sequence[LogLine],
     pattern: re.Pattern[str],
     *,
+    terminal: Sequence[str],
     first: str,
     begin: str,
     step: str,
@@ -54,12 +55,12 @@ def expect_counting(
 ) -> None:
     """Expect 0, 1, 2 and so on as the numbers in these lines: group 1 of `pattern`.
 
+    terminal: what the node wrote there. It decides, too: /rosout may lose messages of a node that floods.
     first: the expected first line. begin, step: advice if the first number, or a later one, is wrong.
     cause: why a later one is wrong, if the code proves it.
     """
-    matches = (pattern.search(line.text) for line in lines)
-    numbers = [int(found[1][:_DIGITS]) for found in matches if found]
-    if numbers == list(range(len(numbers))):
+    numbers = _numbers((line.text for line in lines), pattern)
+    if _go_up_by_one(numbers) or _go_up_by_one(_numbers(terminal, pattern)):
         return
     if numbers[0] != 0:
         said = lines[0].text
@@ -76,6 +77,15 @@ def expect_counting(
             details=tuple(line.text for line in lines[:_SHOWN]),
         )
     )
+
+
+def _numbers(texts: Iterable[str], pattern: re.Pattern[str]) -> list[int]:
+    matches = (pattern.search(text) for text in texts)
+    return [int(found[1][:_DIGITS]) for found in matches if found]
+
+
+def _go_up_by_one(numbers: list[int]) -> bool:
+    return bool(numbers) and numbers == list(range(len(numbers)))
 
 
 def highest_count(lines: tuple[LogLine, ...]) -> int:

@@ -75,5 +75,27 @@ def test_a_count_that_is_part_of_the_words(
 ) -> None:
     lines = counted(*(f"Said {n} times." for n in numbers)).log
     pattern = re.compile(r"Said (\d+) times")
-    found = said(expect_counting, lines, pattern, first="Said 0 times.", begin="begin", step="step")
+    terminal = [f"[INFO] [1.0] [node]: {line.text}" for line in lines]
+    found = said(
+        expect_counting, lines, pattern, terminal=terminal, first="Said 0 times.", begin="begin", step="step"
+    )
     assert (found and found.summary, found and found.advice) == (summary, advice)
+
+
+@pytest.mark.parametrize(
+    ("shown", "summary"),
+    [((0, 1, 2, 3, 4), None), ((2, 3, 4), "The first message is `Said 2 times.`, not `Said 0 times.`.")],
+)
+def test_messages_of_a_flood_that_never_reached_the_log(shown: tuple[int, ...], summary: str | None) -> None:
+    lines = counted("Said 2 times.", "Said 4 times.").log
+    terminal = [f"[INFO] [1.0] [node]: Said {n} times." for n in shown]
+    found = said(
+        expect_counting,
+        lines,
+        re.compile(r"Said (\d+) times"),
+        terminal=terminal,
+        first="Said 0 times.",
+        begin="begin",
+        step="step",
+    )
+    assert (found and found.summary) == summary
