@@ -2,7 +2,7 @@
 import asyncio
 
 
-# TODO 1: handle_return_callback(tag, future) reports future.result().
+# TODO 1: handle_return_callback(tag, task) reports task.result().
 
 
 async def async_main() -> None:
