@@ -50,7 +50,7 @@ def test_signatures(reference: Reference) -> None:
         return [entry.signature for entry in reference.named(name)]
 
     assert of("recording.topic") == ["recording.topic(name: str) -> TopicView"]
-    assert of("arena.interrupt") == ["arena.interrupt(process: Process | None, grace: float = 8.0)"]
+    assert of("arena.interrupt") == ["arena.interrupt(process: Process | None, grace: float = 4.0)"]
     assert of("arena.mark") == ["arena.mark(name: str, detail: str = '')"]
     assert of("arena.shell")[0].startswith("arena.shell(name: str = 'bash', ")  # from the class above
     assert of("TopicView.messages") == ["TopicView.messages: tuple[Message, ...]"]
