@@ -780,7 +780,7 @@ def a_robot_to_move(arena: Arena) -> None:
         arena.until(lambda: targets.count, timeout=20, while_running=script)
         if targets.count:
             arena.until(lambda: targets.count >= ENOUGH, timeout=8, while_running=script)
-    arena.interrupt(script)
+    arena.interrupt(script, grace=8.0)  # at load 16, it took 3.5 s to end
     robot.close()
 
 
