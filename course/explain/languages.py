@@ -101,11 +101,12 @@ _DEAF = (
 )
 # rclpy checks whether to keep spinning, then creates its wait objects. A SIGINT in between shuts it
 # down, and it raises an exception that no program should have to expect. The same is true of a
-# SIGINT while rclpy converts a received message to Python.
+# SIGINT while rclpy converts a received message to Python, or while it makes a task.
 _SHUT_DOWN_IN_BETWEEN = re.compile(
     r"RCLError: failed to initialize wait set: the given context is not valid"
     r"|RuntimeError: Unable to convert call argument"
     r"|SystemError: <built-in method \w+ of .*> returned a result with an exception set"
+    r"|AttributeError: '(?:Task|Future)' object has no attribute '_exception'"
 )
 
 

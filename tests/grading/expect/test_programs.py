@@ -169,6 +169,7 @@ def test_a_traceback_before_ctrl_c_is_no_matter_of_it() -> None:
         "object at 0x7f9398ce9cb0> returned a result with an exception set",
         "RuntimeError: Unable to convert call argument '0' to Python object (#define "
         "PYBIND11_DETAILED_ERROR_MESSAGES or compile in debug mode for details)",
+        "AttributeError: 'Task' object has no attribute '_exception'",
     ],
 )
 def test_what_rclpy_stumbles_over_is_nobody_s_failure(error: str) -> None:
