@@ -219,5 +219,6 @@ def test_files_of_earlier_chapters_only(tmp_path: Path) -> None:
 
 
 def test_what_is_no_file(tmp_path: Path) -> None:
-    assert Edited(tmp_path).text(".") is None
-    assert Edited(tmp_path).text(".bashrc") is None
+    (tmp_path / "solution").mkdir()
+    assert Edited(tmp_path / "solution").text(".") is None
+    assert Edited(tmp_path / "solution").text(".bashrc") is None
