@@ -13,7 +13,7 @@ from course.model.feedback import Feedback, Location
 from course.model.result import CheckResult, Outcome
 from course.spelling import close_names, did_you_mean
 
-_TITLE = 120
+_TITLE = 180
 _NEARLY = 0.85  # of its letters in their order: a slip of the keyboard
 _SHORT = 5  # shorter texts are soon alike without meaning the same
 LATER_SHARE = 0.5  # of the points, for a right answer after a wrong one
@@ -21,8 +21,8 @@ _WRONG = "This is not the right answer. Look it up in the lesson, then try again
 
 
 def title(question: Question) -> str:
-    """The first line of the question, as the name of its check."""
-    line = " ".join(question.ask.partition("\n")[0].replace("**", "").lstrip("# ").split())
+    """The first paragraph of the question, as the name of its check."""
+    line = " ".join(question.ask.strip().partition("\n\n")[0].replace("**", "").lstrip("# ").split())
     return line if len(line) <= _TITLE else line[:_TITLE].rstrip() + "..."
 
 

@@ -160,9 +160,12 @@ def test_a_misspelt_question_is_named() -> None:
     assert "`number`" in (result.feedback.advice or "")
 
 
-def test_the_title_is_the_first_line() -> None:
+def test_the_title_is_the_first_paragraph() -> None:
     assert title(Question("a", "# What is **this**?\n\n```\ncode\n```", "text")) == "What is this?"
-    assert len(title(Question("a", "long " * 100, "text"))) < 130
+    assert title(Question("a", "The build works.\nWhat is missing?\n\nThink first.", "text")) == (
+        "The build works. What is missing?"
+    )
+    assert len(title(Question("a", "long " * 100, "text"))) < 190
 
 
 @pytest.mark.parametrize(
