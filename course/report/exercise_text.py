@@ -50,7 +50,7 @@ def render_new_files(console: Console, home: Path, files: Sequence[Path]) -> Non
     """Which files were laid into the course home just now, after `render_exercise`; nothing for none."""
     if not files:
         return
-    put(console, "New files, laid just now:", "bold")
+    put(console, "New files, just added:", "bold")
     for file in files:
         put(console, f"  + {sanitize.one_line(_relative(file, home))}")
     put(console)
