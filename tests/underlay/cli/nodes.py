@@ -118,6 +118,20 @@ def fibonacci() -> Node:
     return node
 
 
+def managed() -> Node:
+    """Has states, and refuses to be cleaned up. There is a hidden one of the same kind."""
+    from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
+
+    class Managed(LifecycleNode):
+        def on_cleanup(self, state: Any) -> Any:
+            return TransitionCallbackReturn.FAILURE
+
+    node = Managed("managed")
+    node.hidden = Managed("_hidden_managed")
+    rclpy.get_global_executor().add_node(node.hidden)
+    return node
+
+
 def stamps() -> Node:
     """Headers that are 0.2 s old, ten times a second."""
     from geometry_msgs.msg import PointStamped
@@ -190,8 +204,8 @@ def print_forever() -> Node:
 
 
 KINDS = (
-    publisher, subscriber, server, parameters, introspected, fibonacci, stamps, slow_clock, fast, brisk, calm,
-    print_forever,
+    publisher, subscriber, server, parameters, introspected, fibonacci, managed, stamps, slow_clock,
+    fast, brisk, calm, print_forever,
 )  # fmt: skip
 
 if __name__ == "__main__":

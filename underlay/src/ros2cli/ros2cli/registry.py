@@ -30,8 +30,6 @@ ELSEWHERE = {
     "control": "ros-jazzy-ros2controlcli",
     "extension_points": "ros-jazzy-ros2cli",
     "extensions": "ros-jazzy-ros2cli",
-    "lifecycle": "ros-jazzy-ros2lifecycle",
-    "multicast": "ros-jazzy-ros2multicast",
     "security": "ros-jazzy-sros2",
 }
 
@@ -58,6 +56,16 @@ VERBS = {
         "packages": "Output a list of packages that provide interfaces",
         "proto": "Output an interface prototype",
         "show": "Output the interface definition",
+    },
+    "lifecycle": {
+        "get": "Get lifecycle state for one or more nodes",
+        "list": "Output a list of available transitions",
+        "nodes": "Output a list of nodes with lifecycle",
+        "set": "Trigger lifecycle state transition",
+    },
+    "multicast": {
+        "receive": "Receive a single UDP multicast packet",
+        "send": "Send a single UDP multicast packet",
     },
     "node": {
         "info": "Output information about a node",

@@ -10,8 +10,7 @@ from collections import Counter
 from typing import Any
 
 from ros2cli.arguments import positive_float, positive_int
-
-_GROUP, _PORT = "225.0.0.1", 49150
+from ros2cli.multicast import GROUP, PORT, join, limit_routers
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -60,7 +59,7 @@ def _print_summary(topic: _Topic, multicast: _Multicast) -> None:
     print("MULTIMACHINE COMMUNICATION SUMMARY")
     print(f"Topic: {topic.name}, Published Msg Count: {topic.sent}")
     _print_hosts("Subscribed from", topic.heard)
-    print(f"Multicast Group/Port: {_GROUP}/{_PORT}, Sent Msg Count: {multicast.sent}")
+    print(f"Multicast Group/Port: {GROUP}/{PORT}, Sent Msg Count: {multicast.sent}")
     _print_hosts("Received from", multicast.heard)
     print("-" * 60)
     for way in (topic, multicast):
@@ -101,14 +100,11 @@ class _Multicast:
 
     def __enter__(self) -> _Multicast:
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         self._socket.setblocking(False)
         try:
-            self._socket.bind(("", _PORT))
-            everywhere = socket.inet_aton(_GROUP) + socket.inet_aton("0.0.0.0")
-            self._socket.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, everywhere)
+            join(self._socket, GROUP, PORT)
             if self._ttl is not None:
-                self._socket.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, min(self._ttl, 255))
+                limit_routers(self._socket, self._ttl)
         except OSError as error:
             self._complain(error)
         return self
@@ -120,7 +116,7 @@ class _Multicast:
         if self._has_failed:
             return
         try:
-            self._socket.sendto(text.encode(), (_GROUP, _PORT))
+            self._socket.sendto(text.encode(), (GROUP, PORT))
         except OSError as error:
             self._complain(error)
         else:
@@ -138,7 +134,7 @@ class _Multicast:
     def _complain(self, error: OSError) -> None:
         if not self._has_failed:
             reason = error.strerror or error
-            print(f"UserWarning: No multicast to {_GROUP}/{_PORT}: {reason}", file=sys.stderr)
+            print(f"UserWarning: No multicast to {GROUP}/{PORT}: {reason}", file=sys.stderr)
         self._has_failed = True
 
 
