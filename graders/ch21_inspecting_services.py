@@ -98,10 +98,12 @@ def _nearly_the_type(name: str) -> dict[str, str]:
 def _not_of_the_request(plan: Any) -> dict[str, str]:
     answered = "That field is below the dashes: it belongs to the response, not to the request."
     nested = "That one is indented further: it belongs to the field above it."
+    default = "That is a default value. The field's name comes before it."
     own = {*REQUESTS[plan.fields_type], *RESPONSES[plan.fields_type]}
     return {
         **{name: nested for name in NESTED if name not in own},
         **{name: answered for name in RESPONSES[plan.fields_type]},
+        "true": default,
     }
 
 
