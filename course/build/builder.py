@@ -21,6 +21,7 @@ from course.build.build_outcome import (
     too_much,
     unreadable,
 )
+from course.build.colcon import SANITIZED, uses_cmake
 from course.build.package_sources import SourcesChanged, TooMuch, content_key
 from course.build.runner import Interrupt
 from course.build.store import DiskFull, Store, storage
@@ -46,6 +47,7 @@ def build(
     interrupt: Interrupt | None = None,
     bounds: Bounds = OURS,
     keep: ExitStack | None = None,
+    sanitized: bool = False,
 ) -> BuildOutcome:
     """Build the packages `names` of the workspace and the packages of it that they declare to need.
 
@@ -53,7 +55,7 @@ def build(
     outcome's failure, and so is what goes beyond `bounds`. What was built or found stays in the store until
     `keep` is closed (None: until this returns). Raises MissingHere and StorageError for what this machine
     lacks, and Interrupted when `interrupt` is set from another thread. on_progress may be called from other
-    threads.
+    threads. sanitized: compile C++ with the address sanitizer, and with line numbers for its reports.
     """
     began = time.monotonic()
     names = tuple(names)
@@ -61,7 +63,7 @@ def build(
     for _ in range(_ATTEMPTS):
         try:
             with Interrupt(interrupt) as stop:
-                steps = _Build(workspace, ros, store, on_progress, time_limit, stop, budget, keep)
+                steps = _Build(workspace, ros, store, on_progress, time_limit, stop, budget, keep, sanitized)
                 return steps.run(names, began)
         except SourcesChanged:
             workspace = workspace.scan_again()
@@ -83,6 +85,7 @@ class _Build:
     stop: Interrupt
     budget: Budget
     keep: ExitStack | None
+    sanitized: bool
 
     def run(self, names: Iterable[str], began: float) -> BuildOutcome:
         try:
@@ -114,11 +117,16 @@ class _Build:
             try:
                 with storage(step.package.folder):
                     keys[step.package.name] = content_key(
-                        step.package.folder, self.workspace.home, needed, self.ros.identity
+                        step.package.folder, self.workspace.home, needed, self._identity(step.package)
                     )
             except TooMuch as error:
                 raise Unbuildable(too_much(step.package, error.largest)) from error
         return keys
+
+    def _identity(self, package: Package) -> str:
+        """Of all that a build depends on beside packages. Python cannot load interfaces with a sanitizer."""
+        plain = not self.sanitized or not uses_cmake(package) or package.has_interfaces
+        return self.ros.identity if plain else f"{self.ros.identity} {SANITIZED}"
 
     def _kept(self, steps: Iterable[Step], keys: Mapping[str, str]) -> Iterable[tuple[str, InstalledPackage]]:
         for step in steps:
@@ -165,6 +173,7 @@ class _Build:
             tuple(keys[name] for name in step.after),
             tuple(package.prefix for package in needed),
             self.ros,
+            self._identity(step.package),
             self.store,
             self.budget,
             self.time_limit,

@@ -39,6 +39,8 @@ _PYTHON_HEADERS = re.compile(
 )
 _NO_COMPILER = re.compile(r"No CMAKE_C(XX)?_COMPILER could be found")
 _NO_LIBRARY = re.compile(r"^\s+(?P<name>Eigen3|Qt5\w*)Config\.cmake$")
+# What C++ is compiled with to find the line where a program crashes.
+SANITIZED = "-g1 -fsanitize=address -fno-omit-frame-pointer"
 _ROOM = 64 * 1024 * 1024
 _SECONDS = 30.0
 

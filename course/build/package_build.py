@@ -6,6 +6,7 @@ A build runs foreign code, which sees and writes no more than it needs: see `iso
 from __future__ import annotations
 
 import os
+import shlex
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
@@ -16,6 +17,7 @@ from course.build.budget import ALL_CPU, ALL_DISK, ALL_SECONDS, NO_ROOM, Bounds,
 from course.build.build_outcome import BuildFailure, InstalledPackage, unreadable
 from course.build.cmake_reuse import keep_tree, make_command
 from course.build.colcon import (
+    SANITIZED,
     Killed,
     Machine,
     build_environment,
@@ -70,7 +72,10 @@ RunCommand = Callable[[Sequence[str], Path, Path, float], Ended]
 
 @dataclass(frozen=True)
 class PackageBuild:
-    """All that one build needs. `needed` and `overlays`: keys and prefixes of the packages it depends on."""
+    """All that one build needs. `needed` and `overlays`: keys and prefixes of the packages it depends on.
+
+    identity: of the ROS in use, and of what C++ is compiled with.
+    """
 
     package: Package
     workspace: Workspace
@@ -78,6 +83,7 @@ class PackageBuild:
     needed: tuple[str, ...]
     overlays: tuple[Path, ...]
     ros: Ros
+    identity: str
     store: Store
     budget: Budget
     time_limit: float
@@ -110,9 +116,9 @@ class PackageBuild:
     def _fill(self) -> BuildFailure | None:
         entry, package = self.entry, self.package
         copy_sources(package.folder, self.workspace.home, entry.kept)
-        if content_key(entry.kept, entry.kept, self.needed, self.ros.identity) != self.key:
+        if content_key(entry.kept, entry.kept, self.needed, self.identity) != self.key:
             raise SourcesChanged
-        identity = (self.needed, self.ros.identity)
+        identity = (self.needed, self.identity)
         like, cmake = None, uses_cmake(package)
         if not cmake or self.workspace.is_trusted:  # nothing that one submission built reaches another one
             like = likeness(entry.kept, package.build_type, *identity)
@@ -139,9 +145,12 @@ class PackageBuild:
         entry = self.entry
         copy_sources(entry.kept, entry.kept, entry.src)
         goes_on = like is not None and resumed(
-            self.store, like, self.key, self.needed, self.ros.identity, self.stop
+            self.store, like, self.key, self.needed, self.identity, self.stop
         )
         env = build_environment(self.ros, entry, self.overlays)
+        if self.identity != self.ros.identity:
+            names = shlex.quote(f"-ffile-prefix-map={entry.src}={self.package.source}")
+            env["CXXFLAGS"] = f"{SANITIZED} {names}"
         require_tools(self.package, env)
         command = make_command(self.package.name, entry, env) if goes_on else None
         command = command or colcon_command(self.package, entry, self.ros, env)

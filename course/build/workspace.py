@@ -14,6 +14,7 @@ from course.build.package_sources import MOST_DEPTH, within
 from course.explain.package_xml import Dependency, Manifest, ManifestFault, guessed_name, read_manifest
 
 _IGNORE_MARKERS = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
+_INTERFACES = "rosidl_interface_packages"
 _COLCON_FOLDERS = frozenset({"build", "install", "log"})
 # A package.xml of a course has about a thousand bytes, and a workspace some dozen folders.
 _MOST_BYTES = 256 * 1024
@@ -46,6 +47,11 @@ class Package:
     def dependencies(self) -> tuple[Dependency, ...]:
         """What package.xml declares for building and running, in its order."""
         return self.manifest.dependencies if self.manifest else ()
+
+    @property
+    def has_interfaces(self) -> bool:
+        """Whether it makes messages, services or actions."""
+        return self.manifest is not None and _INTERFACES in self.manifest.groups
 
     def depends_on(self, name: str) -> bool:
         """Whether package.xml declares a dependency on `name` for building or running."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import signal
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
@@ -13,8 +13,9 @@ from course.explain.cmake import LISTS, commands
 from course.explain.cpp_code import cpp_calls, cpp_files, only_code, places_of
 from course.explain.engine import Cause
 from course.explain.python_code import text_places
-from course.model.events import ProcessExited
+from course.model.events import Observed, ProcessExited
 from course.model.feedback import Feedback, Location
+from course.model.result import CheckResult, Outcome
 
 _ADDRESS = re.compile(r"ERROR: AddressSanitizer:? (?P<kind>attempting [\w-]+|[\w-]+)")
 _UNDEFINED = re.compile(r"^(?P<file>[^:\s][^:]*):(?P<line>\d+):\d+: runtime error: (?P<text>.+)$")
@@ -23,6 +24,8 @@ _UNCAUGHT = re.compile(r"terminate called after throwing an instance of '(?P<typ
 _WHAT = re.compile(r"^\s+what\(\):\s+(?P<text>.*)$")
 _LIBRARY = re.compile(r"error while loading shared libraries: (?P<name>[^:]+):")
 
+# Precedes advice without a line. Advice that begins like this triggers a second run, with a sanitizer.
+NO_LINE = "The line is not known."
 # Parts of the sanitizer's term, what it means, and what to do.
 _KINDS = (
     (("overflow-on", "stack-overflow"), "A function calls itself forever.",
@@ -127,6 +130,35 @@ def _shortened(report: Sequence[str], sources: Sources) -> tuple[str, ...]:
     return (report[0].partition("ERROR: ")[2][:160], *islice(own, _MOST_CALLS))
 
 
+def asks_where(check: CheckResult) -> bool:
+    """Whether it failed because C++ crashed, and its feedback says that the line is unknown."""
+    advice = check.feedback.advice if check.feedback else None
+    return check.outcome is Outcome.FAILED and (advice or "").startswith(NO_LINE)
+
+
+def crash_notes(report: Sequence[str]) -> Iterator[Observed]:
+    """What a sanitizer's report says: where the program was, the innermost place first."""
+    found = next(filter(None, map(_ADDRESS.search, report)), None)
+    for frame in filter(None, map(_FRAME.match, report)) if found else ():
+        # The learner's files have names relative to their home; the system's mostly have not.
+        if found and not frame["file"].startswith("/"):
+            yield Observed(0.0, "crashed", found["kind"], raised=Location(frame["file"], int(frame["line"])))
+
+
+def _located(advice: str, notes: Iterable[Observed] | None, sources: Sources) -> Cause:
+    """The advice with the line where it happened. notes: of the second run; None if there can be none."""
+    for note in notes or ():
+        place = note.raised if note.what == "crashed" else None
+        if place and 0 < (place.line or 0) <= len(sources.files.get(place.file, "").splitlines()):
+            words = next((words for parts, *words in _KINDS if any(part in note.error for part in parts)), ())
+            # The signal has said already what the first one means here.
+            said = words[-1:] if "SEGV" in note.error else words
+            file = place.file.rpartition("/")[2]
+            text = f"It happens in line {place.line} of `{file}`. {' '.join(said) or advice}"
+            return Cause(text, (place,))
+    return Cause(advice if notes is None else f"{NO_LINE} {advice}")
+
+
 # Words of the exception, and what to do. The first match counts.
 _KNOWN = (
     (r"InvalidNodeName",
@@ -144,6 +176,17 @@ _KNOWN = (
     (r"ParameterNotDeclared", "Declare the parameter first: `declare_parameter(\"name\", 0.5);`"),
     (r"ParameterType|ParameterUninitialized",
      "A parameter has the type of its default value: `0.5` is a double, `1` an integer, `\"0.5\"` a string."),
+)  # fmt: skip
+# The same for values that are wrong in one line, and may be right in others.
+_WRONG_VALUES = (
+    (r"_M_range_check|array::at",
+     "There is no such element. The first one has the number 0, the last one `size() - 1`."),
+    (r"map::at", "The map has no such key: look for it with `find(...)` first."),
+    (r"invalid_argument.*what\(\): +sto[a-z]+$", "The text does not begin with a number."),
+    (r"out_of_range.*what\(\): +sto[a-z]+$", "The number in the text is too large for this type."),
+    (r"bad_function_call", "The `std::function` is empty: assign a function to it first."),
+    (r"bad_optional_access", "The `std::optional` is empty: check it with `has_value()` first."),
+    (r"bad_variant_access|bad_any_cast", "The value has another type than the one that is asked for."),
 )  # fmt: skip
 _QUOTED = re.compile(r"^\s+'(?P<name>[^']+)'\s*$")
 _HEAP = re.compile(r"^(?:free|munmap_chunk|realloc)\(\):|^(?:malloc|double free|corrupted|tcache)")
@@ -165,17 +208,21 @@ C_TEXTS = "`%s` is for C strings: use its `.c_str()`. `%d` is for `int`, `%f` fo
 
 
 def cpp_crash(
-    ended: ProcessExited | None, lines: Sequence[str], sources: Sources, what: str
+    ended: ProcessExited | None,
+    lines: Sequence[str],
+    sources: Sources,
+    what: str,
+    notes: Iterable[Observed] | None = None,
 ) -> Feedback | None:
     """What the program's last lines and its end say; None if it ended without an error.
 
-    what: how the summary begins if a signal ended it.
+    what: how the summary begins if a signal ended it. notes: of a second run; None if there can be none.
     """
     if lost := _own_library(lines, sources):
         return lost
     found = trouble(lines, sources)
     if found:
-        return _thrown(found, lines, sources) if found.thrown else _as_told(found)
+        return _thrown(found, lines, sources, notes) if found.thrown else _as_told(found)
     if ended is None or ended.signal not in _ENDINGS:
         return None
     heap = [line for line in lines if _HEAP.search(line)]
@@ -185,6 +232,9 @@ def cpp_crash(
         where, advice = texts, C_TEXTS
     if ended.signal == signal.SIGSEGV and (endless := calls_itself(sources)):
         cause, advice, where = "a function calls itself, without end", endless.text, endless.where
+    if not where:
+        located = _located(advice, notes, sources)
+        advice, where = located.text, located.where
     return Feedback(
         summary=f"{what}: {cause}.",
         seen=f"ended by the signal {signal.Signals(ended.signal).name}",
@@ -220,18 +270,27 @@ def _as_told(found: Trouble) -> Feedback:
     )
 
 
-def _thrown(found: Trouble, lines: Sequence[str], sources: Sources) -> Feedback:
-    said = " ".join(lines)
-    advice = next((advice for words, advice in _KNOWN if re.search(words, said)), found.advice)
-    early = _shut_down_early(sources) if "rcl_shutdown() was called" in said else ()
-    if early:
-        advice = "`rclcpp::shutdown()` comes before `rclcpp::spin`: move it to the end of `main`."
+def _thrown(
+    found: Trouble, lines: Sequence[str], sources: Sources, notes: Iterable[Observed] | None
+) -> Feedback:
+    cause = _why_thrown(found, " ".join(lines), sources, notes)
     return Feedback(
         summary=found.summary,
-        where=early or _named(lines, sources),
-        advice=advice,
+        where=cause.where or _named(lines, sources),
+        advice=cause.text,
         details=found.details,
     )
+
+
+def _why_thrown(found: Trouble, said: str, sources: Sources, notes: Iterable[Observed] | None) -> Cause:
+    if "rcl_shutdown() was called" in said and (early := _shut_down_early(sources)):
+        return Cause("`rclcpp::shutdown()` comes before `rclcpp::spin`: move it to the end of `main`.", early)
+    for words, advice in _KNOWN:
+        if re.search(words, said):
+            return Cause(advice)
+    told = " ".join(found.details)
+    advice = next((advice for words, advice in _WRONG_VALUES if re.search(words, told)), found.advice)
+    return _located(advice, notes, sources)
 
 
 def _shut_down_early(sources: Sources) -> tuple[Location, ...]:

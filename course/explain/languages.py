@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import re
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from typing import ClassVar
 
 from course.evidence.process_view import ProcessView
@@ -30,6 +31,7 @@ from course.explain.python_slips import (
     uncalled,
 )
 from course.model import replace
+from course.model.events import Observed
 from course.model.feedback import Feedback, Location, Spoilt
 
 
@@ -251,14 +253,20 @@ class Cpp(Language):
         return tuple(call.where for call in cpp_calls(sources, name))
 
     def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
-        return cpp_crash(view.exited, view.text, recording.sources, "The program stopped")
+        return self._crashed(recording, view, view.text, "The program stopped")
 
     def unhandled(self, recording: Recording, view: ProcessView, asked: float) -> Feedback | None:
         lines = tuple(line.text for line in view.lines if line.t >= asked)
-        found = cpp_crash(view.exited, lines, recording.sources, "Ctrl+C makes the program crash")
+        found = self._crashed(recording, view, lines, "Ctrl+C makes the program crash")
         if found and _WENT_ON.search(" ".join(lines)):
             return replace(found, advice=_CPP_DEAF, where=places_of(recording.sources, _CPP_ENDLESS)[:2])
         return found
+
+    def _crashed(
+        self, recording: Recording, view: ProcessView, lines: Sequence[str], what: str
+    ) -> Feedback | None:
+        notes = [event for event in recording.events if isinstance(event, Observed)]
+        return cpp_crash(view.exited, lines, recording.sources, what, notes)
 
     def to_keep_running(self, recording: Recording) -> Cause | None:
         sources = recording.sources

@@ -29,6 +29,7 @@ from course.content.layout import STATE
 from course.errors import CourseError, MissingHere, OurFault, StorageError
 from course.evidence.mcap_file import keep as keep_recording
 from course.evidence.packages import BuiltPackage, BuiltPackages
+from course.explain.cpp_crashes import asks_where
 from course.explain.observed import asks_why
 from course.grading import trial
 from course.grading.attempts import concluded, deserves_another, doubt_of
@@ -176,26 +177,34 @@ def attempt_exercise(request: Request, helpers: Helpers) -> Result:
             result = with_questions(result, exercise, request.home, request.seed)
             if _lacks_a_cause(result, task) and request.looks_for_cause(result):
                 request.so_far(result)
-                return _with_causes(result, task, supervisor, helpers, request, where)
+
+                def again() -> RecordingTask:
+                    if not any(map(asks_where, result.checks)):
+                        return task
+                    rebuilt = pool.submit(_build, request, ros, stop, keep, sanitized=True)
+                    return _task(request, ros, rebuilt.result(), where)
+
+                return _with_causes(result, again, supervisor, helpers, request, where)
     return result
 
 
 def _lacks_a_cause(result: Result, task: RecordingTask) -> bool:
-    """Whether Python ran, and a check failed without a known cause."""
+    """Whether Python ran and a check failed without a known cause, or C++ crashed in an unknown line."""
     built = (f"{task.home}/{package.source}/setup.py" for package in task.packages.built)
     python = any(map(os.path.exists, built)) or not task.packages.built
-    return python and result.fault is None and any(map(asks_why, result.checks))
+    asks = any(map(asks_where, result.checks)) or (python and any(map(asks_why, result.checks)))
+    return asks and result.fault is None
 
 
 def _with_causes(
     result: Result,
-    task: RecordingTask,
+    task: Callable[[], RecordingTask],
     judged: Supervisor,
     helpers: Helpers,
     request: Request,
     where: Isolation,
 ) -> Result:
-    """The scenario once more, with the learner's Python watched from inside: it gives advice, no verdict.
+    """The scenario once more, with the learner's programs watched from inside: it gives advice, no verdict.
 
     The recording that was judged gets what was noted, and is judged again. Of that, only advice counts.
     """
@@ -207,14 +216,14 @@ def _with_causes(
         contextlib.suppress(CourseError),
         Supervisor(where, judged.environment, judged.recording, helpers.fork_server) as supervisor,
     ):
-        recorded = supervisor.record(replace(task, observed=True), left, request.on_progress)
+        recorded = supervisor.record(replace(task(), observed=True), left, request.on_progress)
         again = _judged(recorded, supervisor, helpers.judge, request)
         if again.fault is None:
             _keep(supervisor, request)
     found = {check.id: check.feedback for check in again.checks if check.feedback}
     checks = tuple(
         replace(check, feedback=replace(check.feedback, advice=cause.advice, where=cause.where))
-        if asks_why(check) and check.feedback and (cause := found.get(check.id))
+        if (asks_why(check) or asks_where(check)) and check.feedback and (cause := found.get(check.id))
         else check
         for check in result.checks
     )
@@ -238,7 +247,9 @@ def _keep(recorder: Supervisor, request: Request) -> None:
             request.on_progress(error.what)
 
 
-def _build(request: Request, ros: Ros, stop: Interrupt, keep: contextlib.ExitStack) -> BuildOutcome:
+def _build(
+    request: Request, ros: Ros, stop: Interrupt, keep: contextlib.ExitStack, *, sanitized: bool = False
+) -> BuildOutcome:
     exercise = request.exercise
     workspace = Workspace.scan(request.home / exercise.workspace, request.home, trusted=request.local)
     provide(workspace, exercise.packages, ros, on_progress=request.on_progress, interrupt=stop)
@@ -251,6 +262,7 @@ def _build(request: Request, ros: Ros, stop: Interrupt, keep: contextlib.ExitSta
         interrupt=stop,
         bounds=SUBMISSION,
         keep=keep,
+        sanitized=sanitized,
     )
 
 

@@ -41,6 +41,7 @@ from course.evidence.mcap_file import read, write
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources, read_sources
 from course.evidence.timeline import Timeline
+from course.explain.cpp_crashes import crash_notes
 from course.files import wipe
 from course.grading.author import Grader
 from course.grading.load import load_grader
@@ -63,7 +64,8 @@ _NEEDED = ("course.evidence.recorder", "course.api", "mcap.writer")
 _NAMESPACES = ("user", "mnt", "ipc", "net", "pid")
 _MOST_DESCRIPTORS = 5
 # In the home of programs: what they note when a cause is looked for; so many files, and characters of each.
-_NOTES, _MOST_PROGRAMS, _MOST_NOTES = ".ros2course-notes", 20, 200_000
+_NOTES, _REPORTS = ".ros2course-notes", ".ros2course-report"
+_MOST_PROGRAMS, _MOST_NOTES, _MOST_FRAMES = 20, 200_000, 50
 _OBSERVER = Path(course.__file__).parent / "arena/observer_program.py"
 
 
@@ -314,7 +316,7 @@ def _ours(folder: Path) -> Path:
 
 
 def _watching(task: RecordingTask, sources: Sources, folder: Path) -> Mapping[str, str]:
-    """The environment of programs that `observer_program` watches from inside."""
+    """The environment of programs that `observer_program` or a sanitizer watches from inside."""
     place = _ours(folder) / "observer"
     place.mkdir()
     shutil.copyfile(_OBSERVER, place / "sitecustomize.py")
@@ -325,7 +327,11 @@ def _watching(task: RecordingTask, sources: Sources, folder: Path) -> Mapping[st
         "folder": str(home / _NOTES),
     }
     (place / "observer.json").write_text(json.dumps(told), encoding="utf-8")
-    return {**task.environment, "PYTHONPATH": f"{place}:{task.environment.get('PYTHONPATH', '')}"}
+    return {
+        **task.environment,
+        "PYTHONPATH": f"{place}:{task.environment.get('PYTHONPATH', '')}",
+        "ASAN_OPTIONS": f"log_path={home / _REPORTS}:handle_abort=1:detect_leaks=0:color=never",
+    }
 
 
 def _noted(home: ScratchHome) -> Iterator[Observed]:
@@ -334,6 +340,8 @@ def _noted(home: ScratchHome) -> Iterator[Observed]:
         for line in (home.text(file) or "")[:_MOST_NOTES].splitlines():
             with contextlib.suppress(DamagedData):
                 yield codec.from_json(line, Observed, "a note")
+    for file in islice(home.matching(f"{_REPORTS}.*"), _MOST_PROGRAMS):
+        yield from islice(crash_notes((home.text(file) or "")[:_MOST_NOTES].splitlines()), _MOST_FRAMES)
 
 
 @contextlib.contextmanager
@@ -355,7 +363,7 @@ def _open_place(
         with place_without_sandbox(folder / PROGRAMS, fill) as place, _notes_of(place, task, timeline):
             yield place
         return
-    plan = _plan(task.sandbox, grader, folder)
+    plan = _plan(task.sandbox, grader, folder, task.observed)
 
     def note(limit: str) -> None:
         timeline.add(LimitReached(timeline.now(), limit, most_of(plan.limits, limit)))
@@ -375,8 +383,8 @@ def _notes_of(place: Place, task: RecordingTask, timeline: Timeline) -> Iterator
             timeline.add(note)
 
 
-def _plan(sandbox: IsolationPlan, grader: Grader, folder: Path) -> IsolationPlan:
-    limits = for_sanitizers(sandbox.limits) if grader.sanitizers else sandbox.limits
+def _plan(sandbox: IsolationPlan, grader: Grader, folder: Path, observed: bool) -> IsolationPlan:
+    limits = for_sanitizers(sandbox.limits) if grader.sanitizers or observed else sandbox.limits
     shown = (*sandbox.shown, str(_ours(folder)))
     return replace(sandbox, shown=shown, limits=limits, own_network=not grader.ros)
 

@@ -259,15 +259,16 @@ class Acted(Event, frozen=True):
 
 
 class Observed(Event, frozen=True):
-    """What a second run noted inside a Python program: see `course.arena.observer_program`.
+    """What a second run noted inside a program: see `course.arena.observer_program`.
 
     The program may have forged it, so it is used for advice, never for a verdict. what: "caught" (an
     `except` at `by` took `error`, raised at `raised`), "died" (it ended a thread or task), "stood" or
     "looped" (the main thread was in the function at `by` for `seconds`; `error` says whether ROS had called
-    it), or "ran" (`lines` of the file `by`). Files are named as the program knows them.
+    it), "ran" (`lines` of the file `by`), or "crashed" (a sanitizer stopped C++ at or
+    below `raised`; `error` is its term for the reason). Files are named as the program knows them.
     """
 
-    what: Literal["caught", "died", "stood", "looped", "ran"]
+    what: Literal["caught", "died", "stood", "looped", "ran", "crashed"]
     error: str = ""
     raised: Location | None = None
     by: Location | None = None

@@ -55,6 +55,16 @@ def test_an_earlier_content_is_still_there(built: Built, runs: Runs, src: Path) 
     assert len(runs()) == 2
 
 
+def test_only_cpp_that_python_does_not_load_gets_a_sanitizer(built: Built, runs: Runs, src: Path) -> None:
+    edit(make_package(src, "arm") / "package.xml", "ament_python", "ament_cmake")
+    names = ("small_node", "small_interfaces", "arm")
+    built(*names)
+    sanitized = built(*names, sanitized=True)
+    assert [package.cached for package in sanitized.packages] == [True, True, False]
+    assert runs() == [*runs()[:3], "arm"]
+    assert built(*names).prefixes[2] != sanitized.prefixes[2]
+
+
 def test_only_declared_dependencies_are_offered(built: Built, runs: Runs, src: Path, tmp_path: Path) -> None:
     for name, needed in (("base", []), ("middle", ["base"]), ("user", ["middle"]), ("stranger", [])):
         make_package(src, name, *needed)

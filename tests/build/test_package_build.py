@@ -50,7 +50,7 @@ def _place(home: Path, store: Store, ros: Ros) -> Iterator[Place]:
     assert package is not None
     with Interrupt() as stop:
         build = PackageBuild(
-            package, workspace, "0" * 32, (), (), ros, store, Budget(OURS), 20.0, print, stop
+            package, workspace, "0" * 32, (), (), ros, ros.identity, store, Budget(OURS), 20.0, print, stop
         )
         build.entry.begin()
         build.entry.src.mkdir()

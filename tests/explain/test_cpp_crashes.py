@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 from course.evidence.sources import Sources
-from course.explain.cpp_crashes import cpp_crash, own_place, trouble
-from course.model.events import ProcessExited
-from course.model.feedback import Feedback
+from course.explain.cpp_crashes import NO_LINE, asks_where, cpp_crash, crash_notes, own_place, trouble
+from course.model.events import Observed, ProcessExited
+from course.model.feedback import Feedback, Location
+from course.model.result import CheckResult, Outcome
 from tests.golden import golden
 
 FILE = "src/talk/src/talker.cpp"
@@ -36,6 +37,14 @@ def thrown(kind: str, what: str, *more: str, code: str = "") -> Feedback:
         ("rclcpp::exceptions::InvalidTopicNameError", "Invalid topic name: 1"),
         ("std::runtime_error", "Node '/a' has already been added to an executor."),
         ("std::out_of_range", "vector::_M_range_check"),
+        ("std::out_of_range", "map::at"),
+        ("std::out_of_range", "stoi"),
+        ("std::out_of_range", "of my own"),
+        ("std::invalid_argument", "stod"),
+        ("std::invalid_argument", "stop it"),
+        ("std::bad_function_call", "bad_function_call"),
+        ("std::bad_optional_access", "bad optional access"),
+        ("std::bad_variant_access", "std::get: wrong index for variant"),
     ],
 )
 def test_exceptions(kind: str, what: str) -> None:
@@ -150,6 +159,68 @@ def test_nothing_is_made_of_other_lines() -> None:
 
 def test_files_of_others_are_no_place() -> None:
     assert own_place("/usr/include/x.h", "3", SOURCES) is None
+
+
+UNCAUGHT = "terminate called after throwing an instance of"
+ABORTED = """\
+==7==ERROR: AddressSanitizer: {kind} on unknown address 0x7b03 (pc 0x7f bp 0x7f sp 0x7f T0)
+    #0 0x7ffa in __pthread_kill_implementation nptl/pthread_kill.c:44
+    #1 0x563f in std::vector<int>::at(unsigned long) /usr/include/c++/12/bits/stl_vector.h:1175
+    #2 0x563f in Talker::tick() {file}:2
+    #3 0x563f in main {file}:3
+"""
+
+
+def after_a_second_run(
+    number: int, *lines: str, kind: str = "ABRT", file: str = FILE, notes: bool = True
+) -> Feedback | None:
+    """Of a program with three lines."""
+    ended = ProcessExited(1.0, "talker", None, number)
+    found = crash_notes(ABORTED.format(kind=kind, file=file).splitlines()) if notes else ()
+    return cpp_crash(ended, lines, Sources({FILE: "\n\n\n"}), "The program stopped", list(found))
+
+
+@pytest.mark.parametrize(
+    ("number", "lines", "kind"),
+    [
+        (11, (), "SEGV"),
+        (8, (), "FPE"),
+        (6, ("free(): invalid pointer",), "heap-use-after-free"),
+        (
+            6,
+            ("terminate called after throwing an instance of 'std::invalid_argument'", "  what():  stoi"),
+            "ABRT",
+        ),
+        (6, ("terminate called after throwing an instance of 'std::runtime_error'", "  what():  no"), "ABRT"),
+    ],
+)
+def test_the_line_that_a_second_run_finds(number: int, lines: tuple[str, ...], kind: str) -> None:
+    golden(after_a_second_run(number, *lines, kind=kind))
+
+
+@pytest.mark.parametrize("file", ["/usr/include/x.hpp", "../../etc/passwd", "src/other/talker.cpp"])
+def test_a_line_of_nobody_s(file: str) -> None:
+    found = after_a_second_run(11, file=file)
+    assert found is not None
+    assert found.where == () and str(found.advice).startswith(NO_LINE)
+
+
+def test_a_line_that_does_not_exist() -> None:
+    note = Observed(0.0, "crashed", "SEGV", raised=Location(FILE, 4))
+    ended = ProcessExited(1.0, "talker", None, 11)
+    found = cpp_crash(ended, (), Sources({FILE: "\n\n\n"}), "It stopped", [note])
+    assert found is not None and found.where == ()
+
+
+def test_only_a_second_run_can_be_asked_for() -> None:
+    asks, cannot = after_a_second_run(11, notes=False), told(number=11)
+    assert asks and cannot and asks.advice == f"{NO_LINE} {cannot.advice}"
+    checks = (CheckResult("starts", "It starts", 1, Outcome.FAILED, feedback=one) for one in (asks, cannot))
+    assert [asks_where(check) for check in checks] == [True, False]
+
+
+def test_a_report_without_an_error_has_no_notes() -> None:
+    assert list(crash_notes(ABORTED.format(kind="ABRT", file=FILE).splitlines()[1:])) == []
 
 
 STREAMS = (

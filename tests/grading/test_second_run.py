@@ -13,6 +13,7 @@ from course.content import Exercise, open_course
 from course.errors import CourseError, OurFault, StorageError
 from course.evidence.mcap_file import load
 from course.evidence.packages import BuiltPackages
+from course.explain.cpp_crashes import NO_LINE
 from course.explain.observed import UNKNOWN
 from course.grading import check, trial
 from course.grading.check import Helpers, Request, attempt_exercise
@@ -20,7 +21,7 @@ from course.grading.judge.judges import Judge
 from course.grading.protocol import Judgment, RecordingOutcome, RecordingTask
 from course.home import create_home
 from course.model import replace
-from course.model.events import Observed
+from course.model.events import Observed, OutputLine
 from course.model.feedback import Feedback
 from course.model.result import CheckResult, Outcome, Result, Timing, Verdict
 from course.rosenv import find_ros
@@ -150,6 +151,31 @@ def test_forged_notes(grade: Grade, tmp_path: Path, notes: str) -> None:
     assert len(events) < 600
 
 
+def test_the_line_in_which_cpp_crashes(tmp_path: Path) -> None:
+    """The package is compiled again, with a sanitizer, and only that run is one of it."""
+    home = create_home(tmp_path / "home").path
+    trial.lay_solution(open_course(), open_course().exercise("26-cpp-node"), home)
+    main = next(home.rglob("print_forever_node_main.cpp"))
+    main.write_text(main.read_text().replace("  rclcpp::spin(", "  std::stoi(argv[0]);\n  rclcpp::spin("))
+    so_far: list[Result] = []
+    told = {"so_far": so_far.append, "evidence": tmp_path / "evidence.mcap"}
+    request = Request(open_course().exercise("26-cpp-node"), home, find_ros(), **told)  # type: ignore[arg-type]
+    with contextlib.closing(Helpers()) as helpers:
+        result = attempt_exercise(request, helpers)
+    line = main.read_text().splitlines().index("  std::stoi(argv[0]);") + 1
+    assert advice(result).startswith(f"It happens in line {line} of `{main.name}`. The text does not begin")
+    feedback = the(result, "starts").feedback
+    assert feedback and [(place.file, place.line) for place in feedback.where] == [
+        (str(main.relative_to(home)), line)
+    ]
+    assert advice(so_far[0]).startswith(NO_LINE) and outcomes(so_far[0]) == outcomes(result)
+    printed = [
+        event.text for event in load(tmp_path / "evidence.mcap").events if isinstance(event, OutputLine)
+    ]
+    assert any("terminate called" in text for text in printed)
+    assert not any("Sanitizer" in text for text in printed)
+
+
 UNPROVEN = CheckResult(
     "starts", "It starts", 1, Outcome.FAILED, feedback=Feedback("It did not.", advice=UNKNOWN)
 )
@@ -173,7 +199,7 @@ def second_run(exercise: Exercise, tmp_path: Path, monkeypatch: pytest.MonkeyPat
         helpers.judge.judge.return_value = judged
         task = RecordingTask(exercise.id, "", "", (), BuiltPackages(), {}, "")
         request = Request(exercise, tmp_path, evidence=tmp_path / "kept")
-        return check._with_causes(SO_FAR, task, MagicMock(), helpers, request, MagicMock())
+        return check._with_causes(SO_FAR, lambda: task, MagicMock(), helpers, request, MagicMock())
 
     return run
 
