@@ -205,7 +205,10 @@ def _at_the_end(found: Crash, recording: Recording) -> Cause:
     if known:
         return Cause(known.remedy, known.where)
     where = (found.where,) if found.where else ()
-    advice = _WITH_SPIN if recording.packages.built else _WITH_LOOP
+    own_loop = not calls(recording.sources, "spin") and any(
+        calls(recording.sources, name) for name in ("rclcpp_spin_some", "spin_once")
+    )
+    advice = _WITH_LOOP if own_loop or not recording.packages.built else _WITH_SPIN
     return spin_in_a_thread(recording.sources) or Cause(advice, where)
 
 
