@@ -37,7 +37,7 @@ enum class Status {
   not_convex   // H is not positive semidefinite, or something is not a number
 };
 
-// x and objective are meant only where status is solved. Of several solutions it is one.
+// x and objective are valid only if status is solved. If there are several solutions, x is one of them.
 struct Solution {
   Status status = Status::infeasible;
   Vector x{};

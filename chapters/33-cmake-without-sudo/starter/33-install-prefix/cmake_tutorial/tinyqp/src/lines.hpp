@@ -7,7 +7,7 @@
 
 namespace tinyqp {
 
-// What counts as zero, for numbers of about one.
+// A number below this counts as zero, if the others are about one.
 inline constexpr double tiny = 1e-9;
 
 // All points with a' x = b; a has the length one.
@@ -16,7 +16,7 @@ struct Line {
   double b = 0.0;
 
   Vector direction() const;
-  // The one that is nearest to the origin.
+  // Returns the point of the line that is nearest to the origin.
   Vector point() const;
 };
 
@@ -25,18 +25,18 @@ double dot(const Vector& left, const Vector& right);
 // left + factor * right
 Vector sum(const Vector& left, double factor, const Vector& right);
 
-// The box and the constraints alike.
+// Returns the constraints, and the limits of x1 and x2 as constraints, too.
 std::vector<Constraint> all_constraints(const Problem& problem);
 
-// The edges of all constraints; those at infinity, and those without a direction, have none.
+// Returns the edges of all constraints, except limits at infinity and constraints whose a is zero.
 std::vector<Line> edges(const std::vector<Constraint>& constraints);
 
-// Where two lines meet; nothing if they are parallel.
+// Returns the point where two lines meet, or nothing if they are parallel.
 std::optional<Vector> meeting(const Line& one, const Line& other);
 
 bool satisfies(const std::vector<Constraint>& constraints, const Vector& x);
 
-// Whether one may go on in this direction without end, as far as the constraints are concerned.
+// Returns whether the constraints allow going in this direction without end.
 bool leads_away(const std::vector<Constraint>& constraints, const Vector& direction);
 
 }  // namespace tinyqp

@@ -1,5 +1,5 @@
-// With two variables, a solution lies inside of all constraints, on the edge of one, or where two edges meet.
-// There are few such points: each is tried, and the best that is allowed is the solution.
+// With two variables, the solution is inside of all constraints, on the edge of one, or where two edges meet.
+// There are only a few such points. The solver tries each of them, and takes the best one that is allowed.
 
 #include "lines.hpp"
 
@@ -26,7 +26,7 @@ double determinant(const std::array<double, 3>& h) {
   return h[0] * h[2] - h[1] * h[1];
 }
 
-// The size of the numbers in H, for telling what is zero among them.
+// Returns the largest number in H. Much smaller numbers count as zero.
 double scale(const std::array<double, 3>& h) {
   return std::max({std::abs(h[0]), std::abs(h[1]), std::abs(h[2])});
 }
@@ -77,7 +77,7 @@ bool is_unbounded(const Problem& problem, const std::vector<Constraint>& constra
   });
 }
 
-// Where the objective is least, were there no constraints; of many such points, one.
+// Returns a point where the objective would be smallest without constraints.
 Vector free_minimum(const Problem& problem) {
   const auto& [h11, h12, h22] = problem.h;
   const auto& [g1, g2] = problem.g;
