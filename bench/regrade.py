@@ -1,7 +1,8 @@
 """How long it takes to judge a thousand stored recordings again, and whether the verdicts stay the same.
 
 Solutions and known mistakes of different exercises are graded once, and their recordings are copied to a
-thousand files. The baseline loads these files and judges nothing.
+thousand files. The baseline loads these files and judges nothing. What the mistakes take longer than the
+solutions is what their explanations cost; 50 ms are allowed.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from pathlib import Path
 from table import show
 from whole_course import homes
 
-from course.content import Exercise
+from course.content import Exercise, Mistake, open_course
 from course.evidence.mcap_file import load
 from course.grading import trial
 from course.grading.check import Request, check_exercise
@@ -28,7 +29,7 @@ from course.grading.judge.judges import StoredRecording, rejudge
 from course.grading.judge.regraded import lacks, moves, regraded
 from course.grading.protocol import Unjudged
 from course.grading.trial_answers import SEED
-from course.model.result import Result
+from course.model.result import Result, Verdict
 from course.rosenv import find_ros
 
 EXERCISES = """
@@ -50,11 +51,12 @@ class Kept:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--recordings", type=int, default=1000)
+    parser.add_argument("--mistakes", type=int, default=1, help="of each exercise")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes at once")
     parser.add_argument("only", nargs="*", default=EXERCISES, help="these exercises")
     given = parser.parse_args()
     with homes(given.only) as solved, tempfile.TemporaryDirectory(prefix="ros2course-bench-") as folder:
-        kept = recorded(solved, Path(folder))
+        kept = recorded(solved, given.mistakes, Path(folder))
         stored = copies(kept, given.recordings, Path(folder, "copies"))
         size = sum(one.file.stat().st_size for one in stored) / len(stored)
         verdicts = ", ".join(sorted({one.result.verdict.value for one in kept}))
@@ -64,6 +66,10 @@ def main() -> None:
         for jobs in sorted({1, given.jobs}):
             taken = timed(lambda jobs=jobs: judged(stored, jobs))
             rows.append(row(f"judged again, {jobs} at once", taken, floor, len(stored)))
+        for name, passed in (("solutions", True), ("mistakes", False)):
+            some = [one for one in stored if (one.key.result.verdict is Verdict.PASSED) is passed]
+            taken = timed(lambda some=some: judged(some, 1))
+            rows.append(row(f"{name}, 1 at once", taken, floor * len(some) / len(stored), len(some)))
     show(f"{given.recordings} recordings", ("what", "s", "ms each", "x floor"), rows)
     own, workers = (resource.getrusage(who).ru_maxrss / MB for who in (_SELF, _CHILDREN))
     print(f"\nmost memory: {own:.0f} MB here, {workers:.0f} MB in the largest child (gradings included)")
@@ -72,20 +78,28 @@ def main() -> None:
 _SELF, _CHILDREN = resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN
 
 
-def recorded(solved: list[tuple[Exercise, Path]], folder: Path) -> list[Kept]:
-    """The right solution of each exercise, and then its first mistake in files or acts."""
+def recorded(solved: list[tuple[Exercise, Path]], mistakes: int, folder: Path) -> list[Kept]:
+    """The right solution of each exercise, and then so many of its mistakes in files or acts."""
+    chosen = [(exercise, one) for exercise, _ in solved for one in some_mistakes(exercise, mistakes)]
     with ThreadPoolExecutor(2) as pool:
         right = list(pool.map(lambda one: Kept(*one, folder / f"{one[0].id}.mcap"), solved))
-        wrong = list(pool.map(lambda one: mistaken(*one, folder), solved))
-    return right + [one for one in wrong if one]
+        wrong = list(pool.map(lambda one: mistaken(*one, folder), chosen))
+    return right + wrong
 
 
-def mistaken(exercise: Exercise, home: Path, folder: Path) -> Kept | None:
-    for mistake in exercise.mistakes():
-        if all(edit.answers is None for edit in mistake.edits):
-            trial.apply_mistake(exercise, mistake, home)
-            return Kept(exercise, home, folder / f"{exercise.id} {mistake.id}.mcap")
-    return None
+def some_mistakes(exercise: Exercise, count: int) -> list[Mistake]:
+    """So many, from the first to the last of them."""
+    found = [one for one in exercise.mistakes() if all(edit.answers is None for edit in one.edits)]
+    return found[:: max(1, len(found) // count)][:count]
+
+
+def mistaken(exercise: Exercise, mistake: Mistake, folder: Path) -> Kept:
+    name = f"{exercise.id} {mistake.id}"
+    home = folder / name
+    home.mkdir()
+    trial.lay_solution(open_course(), exercise, home)
+    trial.apply_mistake(exercise, mistake, home)
+    return Kept(exercise, home, folder / f"{name}.mcap")
 
 
 def copies(kept: list[Kept], count: int, folder: Path) -> list[StoredRecording[Kept]]:
