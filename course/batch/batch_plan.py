@@ -182,10 +182,10 @@ def submission_of(found: Found) -> Submission:
 
 
 def remarks_on(found: Found) -> tuple[str, ...]:
-    return tuple(_sentence(finding) for finding in found.findings)
+    return tuple(sentence(finding) for finding in found.findings)
 
 
-def _sentence(finding: Remark) -> str:
+def sentence(finding: Remark) -> str:
     where = f" ({finding.where})" if finding.where else ""
     return f"{finding.what}{where}"
 

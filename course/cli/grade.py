@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from course.batch.arrivals import Arrivals
-from course.batch.batch_plan import BatchPlan, plan_batch, remarks_on
+from course.batch.batch_plan import BatchPlan, plan_batch, remarks_on, sentence
 from course.batch.class_page import TITLE, cleaner, decisions_in, gradebook
 from course.batch.deadlines import NOT_KNOWN
 from course.batch.intake.packed import differences
@@ -281,7 +281,7 @@ class _Teller:
 
 
 def _show(planned: BatchPlan) -> None:
-    remarks = [finding.what for finding in planned.findings]
+    remarks = [sentence(finding) for finding in planned.findings]
     render_plan(open_console(), [_row(planned, place) for place in range(len(planned.found))], remarks)
 
 

@@ -65,7 +65,7 @@ def pool(monkeypatch: pytest.MonkeyPatch) -> Pool:
 
 @pytest.fixture
 def submissions(tmp_path: Path) -> Path:
-    """Submissions of Ada and Bao, and a file that belongs to nobody."""
+    """Submissions of Ada and Bao."""
     course = open_course(QUIZ_COURSE)
     for person in ("ada", "bao"):
         (tmp_path / "class" / person).mkdir(parents=True)
@@ -106,6 +106,19 @@ def test_a_dry_run_only_shows(grade: Grade, pool: Pool, tmp_path: Path) -> None:
     run = grade("--dry-run")
     assert run.code == 0 and "ada" in run.out and pool.tasks == []
     assert not (tmp_path / "grades").exists()
+
+
+def test_files_that_are_no_submission_are_named(grade: Grade, submissions: Path, pool: Pool) -> None:
+    (submissions / "notes.txt").touch()
+    (submissions / "marks.xlsx").touch()
+    out = " ".join(grade("--dry-run").out.split())
+    assert "Files that are not a submission were passed over. (marks.xlsx, notes.txt)" in out
+
+
+def test_a_line_of_the_roster_without_an_id_is_named(grade: Grade, submissions: Path, pool: Pool) -> None:
+    roster = submissions.with_name("roster.csv")
+    roster.write_text("id,path\nada,class/ada\n,class/bao\n")
+    assert "A line of the roster has no id. (line 3)" in grade("--dry-run", path=roster).out
 
 
 def test_options_arrive(grade: Grade, pool: Pool, tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from course.batch.intake.packed import packed_in
@@ -39,6 +39,7 @@ NOTHING = Remark(
 LACKING = "It needs the package `{}`, which was not handed in."
 NO_PACKAGE = "Single files of a package were handed in, without the package that they belong to."
 NOT_OPENED = "Archives in archives, deep in folders or beyond the first twenty are not opened."
+NOT_USED = "Other files were not used."
 
 
 def look(source: Upload, opened: Path, exercises: Iterable[Exercise], limits: Limits = USUAL) -> Found:
@@ -114,6 +115,7 @@ class _Looking:
             findings = [*self._empty(tree), *findings]
         laid = dict(made_of(tree, planned.places))
         packed, told = packed_in(laid)
+        told += _not_used(tree, laid.values())
         findings = list(dict.fromkeys([*findings, *told, *self._lacking(tree, planned)]))
         return Found(
             self._source.person,
@@ -165,6 +167,13 @@ class _Looking:
             if there and exercise.files:
                 present.append(exercise.id)
         return tuple(present)
+
+
+def _not_used(tree: Tree, laid: Collection[TreeEntry]) -> tuple[Remark, ...]:
+    """Names the files that were uploaded by themselves next to what counts."""
+    files = {name: tree.entries[name] for name in tree.parts if name in tree.files()}
+    names = [visible(name) for name, entry in files.items() if entry not in laid]
+    return (Remark(NOT_USED, where=", ".join(names)),) if laid and names else ()
 
 
 def _is_archive(part: Part) -> bool:

@@ -70,6 +70,16 @@ def test_several_packages(tmp_path: Path, looked: Looked) -> None:
     assert {place.target for place in found.places} == {f"{SRC}/{INTERFACES}", f"{SRC}/{MESSAGES}"}
 
 
+def test_files_handed_in_beside_what_counts_are_named(tmp_path: Path, looked: Looked) -> None:
+    home = lay(tmp_path / "home", *package(MESSAGES, f"{SRC}/"), f"{SRC}/{PUBLISHER}", "notes.txt")
+    lay(tmp_path, "report.pdf", "old.py")
+    found = looked(tmp_path / "report.pdf", home, tmp_path / "old.py")
+    assert found.kind is SubmissionKind.HOME
+    assert [(one.what, one.where) for one in found.findings] == [
+        ("Other files were not used.", "report.pdf, old.py")
+    ]
+
+
 DRIVER = "sas_robot_driver_myrobot"
 
 
