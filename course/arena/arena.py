@@ -23,6 +23,7 @@ from course.arena.lateness import Lateness, measured_lateness
 from course.arena.mystery_nodes import our_environment, start_in_arena
 from course.arena.process import Process, started_by, still_there
 from course.arena.scratch_home import OpenPlace, Place
+from course.errors import OurFault
 from course.evidence.acts import MYSTERY
 from course.evidence.packages import BuiltPackages
 from course.evidence.recording import ROSOUT
@@ -40,6 +41,7 @@ from course.model.events import (
     ProcessLeft,
 )
 from course.model.feedback import Spoilt
+from course.spelling import did_you_mean
 
 if TYPE_CHECKING:
     from course.evidence.recorder import Recorder, Stimulus
@@ -98,13 +100,17 @@ class Arena(HomePrograms):
 
         If no such executable is installed, returns None and records what is installed instead. name: what
         the recording calls it; the executable's name by default. params, remaps, node_name: passed to its
-        nodes after `--ros-args`; a string stays a string.
+        nodes after `--ros-args`; a string stays a string. Raises OurFault for a package that the exercise
+        does not have.
         """
         name = name or executable
         built = self._packages.get(package)
-        if built is None or executable not in built.executables:
-            available = built.executables if built else ()
-            self.timeline.add(ExecutableMissing(self.timeline.now(), name, package, executable, available))
+        if built is None:  # if one of the exercise's own is not built, no scenario runs
+            what = f"the scenario runs `{package}`, which is not among the exercise's packages"
+            raise OurFault(what + did_you_mean(package, (one.name for one in self._packages.built)))
+        if executable not in built.executables:
+            missing = ExecutableMissing(self.timeline.now(), name, package, executable, built.executables)
+            self.timeline.add(missing)
             return None
         command = command_for(Path(built.prefix), package, executable, self._python)
         return self.start(*command, *args, *ros_args(params, remaps, node_name), name=name, env=env)

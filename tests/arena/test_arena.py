@@ -80,17 +80,16 @@ def test_an_executable_is_run_as_ros2_run_would(play: Play) -> None:
     assert program.name == "talker"
 
 
-@pytest.mark.parametrize(
-    ("package", "executable", "available"),
-    [("talk", "walker", ("talker", "listener")), ("walk", "talker", ())],
-)
-def test_an_executable_that_is_not_there_is_recorded(
-    play: Play, package: str, executable: str, available: tuple[str, ...]
-) -> None:
-    assert play.arena.run(package, executable, name="it") is None
+def test_an_executable_that_is_not_there_is_recorded(play: Play) -> None:
+    assert play.arena.run("talk", "walker", name="it") is None
     (missing,) = play.events(ExecutableMissing)
-    assert (missing.process, missing.package, missing.executable) == ("it", package, executable)
-    assert missing.available == available
+    assert (missing.process, missing.package, missing.executable) == ("it", "talk", "walker")
+    assert missing.available == ("talker", "listener")
+
+
+def test_a_package_that_is_not_the_exercises_is_our_fault(play: Play) -> None:
+    with pytest.raises(OurFault, match=r"`tlak`, which is not among the exercise's packages.*`talk`\?"):
+        play.arena.run("tlak", "talker")
 
 
 def test_two_programs_of_one_name_are_our_fault(play: Play) -> None:
