@@ -31,7 +31,8 @@ _AUTOMATIC = re.compile(
 # What would begin a list, a heading or a quotation.
 _BEGINNING = re.compile(r"^(?:\d+(?=[.)])|(?=[-+#=]))")
 # A tag that stands by itself is shown as code, which reads well as plain text, too.
-_TAG = re.compile(r"(?<=[\s(])(<[^\s`<>]+>(?:[^\s`<>]*</[^\s`<>]+>)?)(?=[\s).,:;])")
+_TAG = re.compile(r"(?<![^\s(])(<[^\s`<>]+>(?:[^\s`<>]*</[^\s`<>]+>)?)(?![^\s).,:;])")
+_CODE = re.compile(rf"`([^`]+)`|{_TAG.pattern}")
 _QUOTES = re.compile(r"`+")
 
 
@@ -45,7 +46,8 @@ def prose(text: str) -> str:
     parts = text.split("`")
     if len(parts) % 2 == 0 or any(not part.strip() for part in parts[1::2]):
         return plain(text)
-    shown = (code(part) if odd % 2 else _inert(part) or _gap(odd, parts) for odd, part in enumerate(parts))
+    parts = [part for part in _CODE.split(text) if part is not None]  # of the two groups, one is None
+    shown = (code(part) if odd % 2 else _harmless(part) or _gap(odd, parts) for odd, part in enumerate(parts))
     return _BEGINNING.sub(r"\g<0>\\", "".join(shown))
 
 

@@ -77,6 +77,8 @@ def test_hostile_texts_stay_in_their_places(text: str) -> None:
 
 def test_a_tag_reads_well_as_plain_text() -> None:
     assert prose("Add <depend>rclpy</depend> (or <name>).") == "Add `<depend>rclpy</depend>` (or `<name>`)."
+    assert prose("<depend>rclpy</depend>") == "`<depend>rclpy</depend>`"
+    assert prose("<a> or `b`, not `c`<d>") == "`<a>` or `b`, not `c`&lt;d&gt;"
     assert prose("1 < 2 <b>bold") == "1 &lt; 2 &lt;b&gt;bold"
 
 
