@@ -7,7 +7,7 @@ import os
 import shutil
 import threading
 from collections import Counter, deque
-from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Generator, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
@@ -162,6 +162,7 @@ def run(
     """
     held = [person.id for person in batch.planned.held]
     results.enter([submission_of(found) for found in batch.planned.found], held)
+    _forget_others(batch.out, {one.person for one in results.submissions()})
     done = results.done()
     units = list(batch.planned.units())
     todo = [unit for unit in units if (unit.person, unit.exercise) not in done]
@@ -175,6 +176,14 @@ def run(
             on_progress(progress, graded)
     finally:
         wipe(work)
+
+
+def _forget_others(out: Path, people: Collection[str]) -> None:
+    """Remove the recordings and answers of people who are no longer in the class."""
+    for folder in (out / EVIDENCE, out / ANSWERS):
+        for path in folder.iterdir() if folder.is_dir() else ():
+            if path.name not in people:
+                wipe(path)
 
 
 def local_rounds(jobs: int, say: Say = lambda text: None) -> Rounds:

@@ -230,6 +230,22 @@ def test_new_evidence_is_noted(
         assert results.gradings("ada")[0].evidence == f"evidence/ada/{QUIZ}.mcap"
 
 
+def test_recordings_and_answers_of_those_who_are_gone_go(
+    batch: Callable[..., Batch], workers: Callable[[Answer], Workers], tmp_path: Path
+) -> None:
+    def records(task: GradingTask) -> Result:
+        Path(task.evidence or "").parent.mkdir(parents=True)
+        Path(task.evidence or "").touch()
+        return passes(task)
+
+    workers(records)
+    ran(batch("ada", "bao"))
+    wipe(tmp_path / "class/bao")
+    ran(batch("ada"))
+    for folder in ("evidence", "answers"):
+        assert names(tmp_path / "out" / folder) == {"ada"}
+
+
 def test_two_do_not_grade_into_one_folder(tmp_path: Path) -> None:
     with (
         results_folder(tmp_path / "out"),
