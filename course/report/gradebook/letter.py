@@ -29,7 +29,7 @@ _AUTOMATIC = re.compile(
     r"(?<=@)(?=\w)|(?<=:)(?=//)|(?<=www)(?=\.)|(?<=#)(?=\d)|(?<=GH)(?=-\d)", re.IGNORECASE
 )
 # What would begin a list, a heading or a quotation.
-_BEGINNING = re.compile(r"^(?:\d+(?=[.)])|(?=[-+#=]))")
+_BEGINNING = re.compile(r"^(?:\d+(?=[.)](?!\S))|(?=[-+#=]))")
 # A tag that stands by itself is shown as code, which reads well as plain text, too.
 _TAG = re.compile(r"(?<![^\s(])(<[^\s`<>]+>(?:[^\s`<>]*</[^\s`<>]+>)?)(?![^\s).,:;])")
 _CODE = re.compile(rf"`([^`]+)`|{_TAG.pattern}")

@@ -75,10 +75,12 @@ def test_hostile_texts_stay_in_their_places(text: str) -> None:
     assert len(fences) == 1
 
 
-def test_a_tag_reads_well_as_plain_text() -> None:
+def test_tags_and_points_read_well_as_plain_text() -> None:
     assert prose("Add <depend>rclpy</depend> (or <name>).") == "Add `<depend>rclpy</depend>` (or `<name>`)."
     assert prose("<depend>rclpy</depend>") == "`<depend>rclpy</depend>`"
     assert prose("<a> or `b`, not `c`<d>") == "`<a>` or `b`, not `c`&lt;d&gt;"
+    assert prose("12.5 of 13, 2. or 3) no list") == "12.5 of 13, 2. or 3) no list"
+    assert (prose("2. A list"), prose("3)")) == ("2\\. A list", "3\\)")
     assert prose("1 < 2 <b>bold") == "1 &lt; 2 &lt;b&gt;bold"
 
 
