@@ -21,6 +21,7 @@ _CANVAS_COLUMN = re.compile(r".*\((?P<id>\d+)\)\s*", re.DOTALL)
 _BLACKBOARD_COLUMN = re.compile(
     r".*\[(?!.*(?:\bup to\b|\bText\]))[^\d\]]*(?P<max>\d[\d.,]*)[^\]]*\]\s*\|\s*(?P<id>\d+)\s*", re.DOTALL
 )
+_OTHER_IDS = frozenset("emailaddress email idnumber sisuserid sisloginid studentid username".split())
 _POINTS_POSSIBLE = "Points Possible"
 _READ_ONLY = "(read only)"
 _FORM = (
@@ -129,10 +130,11 @@ class _Filling:
 
     def filled(self, scores: Mapping[str, Score], id_of: Callable[[str], str]) -> Filled:
         form = self._form
+        key = self._key(scores, id_of)
         edits: list[tuple[Cell, str]] = []
         seen = set()
         for row in self._rows[form.first :]:
-            who = id_of(row[form.key].value) if len(row) > max(form.key, form.target) else ""
+            who = id_of(row[key].value) if len(row) > max(key, form.target) else ""
             seen.add(who)
             value = self._value(who, row, scores.get(who)) if who else None
             if value is not None:
@@ -147,6 +149,14 @@ class _Filling:
             tuple(self._left),
             tuple(who for who in scores if who not in seen),
         )
+
+    def _key(self, scores: Mapping[str, Score], id_of: Callable[[str], str]) -> int:
+        """The LMS's own ids, unless the class has those of another column, such as email addresses."""
+        others = (at for at, cell in enumerate(self._rows[0]) if _letters(cell.value) in _OTHER_IDS)
+        for at in (self._form.key, *others):
+            if any(id_of(row[at].value) in scores for row in self._rows[self._form.first :] if len(row) > at):
+                return at
+        return self._form.key
 
     def _value(self, who: str, row: Sequence[Cell], score: Score | None) -> str | None:
         form = self._form

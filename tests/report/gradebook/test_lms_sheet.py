@@ -68,6 +68,15 @@ def test_bytes_that_are_no_text_stay() -> None:
     assert found.content == odd.replace(b'"Submitted",,', b'"Submitted",4.5,')
 
 
+def test_a_class_with_the_ids_of_another_column() -> None:
+    text = MOODLE.replace("Full name", "Email address").replace("Jane", "j@x.org").replace("Bao", "1")
+    found = fill(text.encode(), {"j@x.org": Score(4.5, "complete")}, 6, lambda cell: cell)
+    assert found.content.decode() == text.replace('"Submitted",,', '"Submitted",4.5,')
+    assert found.absent == ()
+    found = filled(text)  # whoever is known by the LMS's own id is not looked up in another column
+    assert found.content.decode() == text.replace('"Submitted",,', '"Submitted",4.5,')
+
+
 def test_nobody_of_the_class_changes_nothing() -> None:
     for text, column in ((CANVAS, "77"), (MOODLE, ""), (BLACKBOARD, "")):
         assert fill(text.encode(), {}, 6, lambda cell: cell, column).content == text.encode()
