@@ -12,7 +12,7 @@ from itertools import islice
 from pathlib import Path
 
 from course.build.package_sources import MOST_BYTES, MOST_FILES, within
-from course.build.workspace import Package, Workspace, read_package, shown
+from course.build.workspace import IGNORE_MARKERS, Package, Workspace, read_package, shown
 from course.explain.package_xml import ManifestFault
 from course.model.feedback import Feedback, Location
 from course.spelling import LOOSELY, nearest
@@ -113,6 +113,9 @@ def unreadable(package: Package, fault: ManifestFault) -> BuildFailure:
     return BuildFailure(package.name, "package-xml", feedback)
 
 
+_IGNORED = "`colcon build` ignores {} because of {}: delete that file."
+
+
 def too_much(package: Package, largest: str) -> BuildFailure:
     summary = f"The folder of `{package.name}` holds more than a package can: look at `{largest}`."
     advice = (
@@ -157,6 +160,8 @@ def _astray(workspace: Workspace, name: str) -> Found | None:
         place = shown(folder, workspace.home)
         if (folder / "package.xml").is_file():
             if read_package(folder, workspace.home, workspace.inside).name == name:
+                if marker := _marker(workspace, folder):
+                    return (Location(marker),), _IGNORED.format(place, marker)
                 inside = _inside(workspace, folder)
                 return (Location(place),), f"It is in {place}{inside}: move it to {workspace.source}/{name}."
         elif folder.name == name and any(
@@ -165,6 +170,13 @@ def _astray(workspace: Workspace, name: str) -> Found | None:
             what = f"The folder {place} has no package.xml. Without one, it is not a package."
             return (Location(place),), what
     return None
+
+
+def _marker(workspace: Workspace, folder: Path) -> str | None:
+    """The file because of which colcon does not look into the folder."""
+    above = (one for one in (folder, *folder.parents) if one.is_relative_to(workspace.root))
+    marked = (one / name for one in above for name in sorted(IGNORE_MARKERS))
+    return next((shown(file, workspace.home) for file in marked if file.exists()), None)
 
 
 def _inside(workspace: Workspace, folder: Path) -> str:

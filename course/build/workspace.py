@@ -13,7 +13,7 @@ from pathlib import Path
 from course.build.package_sources import MOST_DEPTH, within
 from course.explain.package_xml import Dependency, Manifest, ManifestFault, guessed_name, read_manifest
 
-_IGNORE_MARKERS = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
+IGNORE_MARKERS = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
 _INTERFACES = "rosidl_interface_packages"
 _COLCON_FOLDERS = frozenset({"build", "install", "log"})
 # A package.xml of a course has about a thousand bytes, and a workspace some dozen folders.
@@ -150,7 +150,7 @@ def package_folders(top: Path, inside: Path | None) -> Iterator[Path]:
         return
     for name, folders, files in os.walk(top, followlinks=True):
         folder = Path(name)
-        if _IGNORE_MARKERS.intersection(files) or len(seen) > _MOST_FOLDERS:
+        if IGNORE_MARKERS.intersection(files) or len(seen) > _MOST_FOLDERS:
             folders.clear()
         elif "package.xml" in files:
             folders.clear()

@@ -67,6 +67,16 @@ def test_a_package_outside_the_workspace_is_found(home: Path, src: Path, place: 
     assert where(failure) == [shown]
 
 
+@pytest.mark.parametrize("marker", ["AMENT_IGNORE", "small_node/COLCON_IGNORE"])
+def test_a_package_that_colcon_ignores_is_told_by_its_marker(home: Path, src: Path, marker: str) -> None:
+    (src / marker).touch()
+    failure = refusal(home, "small_node")
+    shown = f"ros2_tutorial_workspace/src/{marker}"
+    place = "ros2_tutorial_workspace/src/small_node"
+    assert failure.feedback.advice == f"`colcon build` ignores {place} because of {shown}: delete that file."
+    assert where(failure) == [shown]
+
+
 def test_a_package_inside_another_is_found(home: Path, src: Path) -> None:
     shutil.move(src / "small_node", src / "small_interfaces/small_node")
     advice = str(refusal(home, "small_node").feedback.advice)
