@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
@@ -31,18 +31,23 @@ setup(name='{0}', packages=[], data_files=data_files, entry_points={{'console_sc
 """
 _SETUP_CFG = "[develop]\nscript_dir=$base/lib/{0}\n[install]\ninstall_scripts=$base/lib/{0}\n"
 AS_IF = "{} is graded as if {} were {}, for one point less."
+ENTERED = "{} is graded as if a setup.py with the entry point `{}` had been handed in, for one point less."
 UNCLEAR = "It cannot be told which program is meant as {}."
 
 
 @dataclass(frozen=True)
 class Program:
-    """A console script. exercise: the one that asks for it. kinds: what it creates, of _KINDS."""
+    """A console script. exercise: the one that asks for it. kinds: what it creates, of _KINDS.
+
+    setup: the setup.py that has its entry point.
+    """
 
     exercise: str
     package: str
     folder: str
     entry: EntryPoint
     kinds: frozenset[str]
+    setup: str
 
     @property
     def shown(self) -> str:
@@ -68,15 +73,16 @@ def asked_programs(exercise: Exercise) -> Iterator[Program]:
 
 
 def _programs(text: Callable[[str], str | None], folder: str, package: str) -> Iterator[Program]:
-    for entry in _entries(folder, text(f"{folder}/setup.py")):
+    setup = text(f"{folder}/setup.py") or ""
+    for entry in _entries(folder, setup):
         if entry.is_sound and _NAME.fullmatch(entry.name):
             module = Sources({"module.py": text(entry.file_in(folder)) or ""})
             kinds = frozenset(kind for kind in _KINDS if calls(module, kind))
-            yield Program("", package, folder, entry, kinds)
+            yield Program("", package, folder, entry, kinds, setup)
 
 
-def _entries(folder: str, setup: str | None) -> tuple[EntryPoint, ...]:
-    return entry_points(Sources({f"{folder}/setup.py": setup or ""}), folder)
+def _entries(folder: str, setup: str) -> tuple[EntryPoint, ...]:
+    return entry_points(Sources({f"{folder}/setup.py": setup}), folder)
 
 
 def named_right(found: Found, graded: Iterable[Exercise], every: Sequence[Program]) -> Found:
@@ -108,16 +114,34 @@ class _Naming:
         self._asked = [one for one in of if one.exercise in ids and one.entry.name not in right]
 
     def named_right(self) -> Found:
+        if begun := self._without_setup():
+            written = {f"{begun[0].folder}/setup.py": begun[-1].setup.encode(*_BYTES)}
+            told = (ENTERED.format(one.exercise, one.entry.name) for one in begun)
+            return self._told_and_written([Remark(what) for what in told], begun, written)
         chosen = {one: could for one in self._asked if (could := self._could_be(one))}
         sure = {one: could[0] for one, could in chosen.items() if len(could) == 1}
         programs = {*sure.values()}
         alone = len(programs) == len(sure) and len({one.package for one in programs}) == 1
         written = (self._edited(sure) if self._is_there else self._beside(sure)) if alone else {}
         done = tuple(sure) if written else ()
-        told = tuple(self._told(one, could, done) for one, could in chosen.items())
+        return self._told_and_written([self._told(*each, done) for each in chosen.items()], done, written)
+
+    def _without_setup(self) -> list[Program]:
+        """Those whose modules were handed in alone, and that the setup.py of the course does not name."""
+        alone = [one for one in self._asked if one.entry.file_in(one.folder) in self._files]
+        if not alone or f"{alone[0].folder}/setup.py" in self._files:
+            return []
+        laid = (folder / "setup.py" for folder, place in self._found.beneath if place == alone[0].folder)
+        setup = next((file.read_text(encoding="utf-8") for file in laid if file.is_file()), None)
+        named = {entry.name for entry in _entries(alone[0].folder, setup or "")}
+        return [one for one in alone if setup is not None and one.entry.name not in named]
+
+    def _told_and_written(
+        self, told: Iterable[Remark], done: Iterable[Program], written: Mapping[str, bytes]
+    ) -> Found:
         renamed = dict.fromkeys((*self._found.person.renamed, *(one.exercise for one in done)))
         person = replace(self._found.person, renamed=tuple(renamed))
-        found = replace(self._found, person=person, findings=told + self._found.findings)
+        found = replace(self._found, person=person, findings=(*told, *self._found.findings))
         return replace(found, written=(*found.written, *written.items()))
 
     def _could_be(self, asked: Program) -> list[Program]:

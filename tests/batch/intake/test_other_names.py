@@ -13,7 +13,7 @@ import pytest
 
 from course.batch.batch_plan import BatchPlan, digest, plan_batch, remarks_on
 from course.batch.intake import Found, lay_out
-from course.batch.intake.other_names import AS_IF, UNCLEAR, asked_programs
+from course.batch.intake.other_names import AS_IF, ENTERED, UNCLEAR, asked_programs
 from course.build import Workspace
 from course.content import open_course
 from course.evidence.sources import read_sources
@@ -186,6 +186,45 @@ def test_files_made_to_stall_or_crash_are_harmless(hand: Hand, tmp_path: Path, s
     (own / "setup.py").write_bytes(setup.encode("utf-8", "surrogatepass"))
     (own / MESSAGES / f"{PUBLISHER}.py").write_bytes(setup.encode("utf-8", "surrogatepass"))
     assert plan(tmp_path).person.renamed == ()
+
+
+@pytest.fixture
+def lone(tmp_path: Path) -> Callable[..., Found]:
+    """`lone()`: what was found in a publisher's file that was handed in alone."""
+
+    def of(*wanted: str, complete: bool = True, **others: bytes) -> Found:
+        course, folder = open_course(), tmp_path / "class/ada"
+        folder.mkdir(parents=True)
+        node = course.exercise("18-publisher").solution / SRC / MESSAGES / MESSAGES / f"{PUBLISHER}.py"
+        shutil.copy(node, folder)
+        for name, content in others.items():
+            (folder / name.replace("_py", ".py")).write_bytes(content)
+        opened = tmp_path / "opened"
+        planned = plan_batch(
+            folder.parent, opened, course, wanted or BOTH, single=False, complete=complete, lenient=True
+        )
+        return planned.found[0]
+
+    return of
+
+
+def test_a_program_that_was_handed_in_alone_gets_its_entry_point(
+    lone: Callable[..., Found], tmp_path: Path
+) -> None:
+    found = lone()
+    assert programs(found, tmp_path / "home")[PUBLISHER] == f"{MESSAGES}.{PUBLISHER}:main"
+    assert found.person.renamed == ("18-publisher",)
+    assert remarks_on(found)[0] == ENTERED.format("18-publisher", PUBLISHER)
+
+
+def test_a_setup_py_that_was_handed_in_stays(lone: Callable[..., Found]) -> None:
+    found = lone(setup_py=b"from setuptools import setup\n")
+    assert (found.person.renamed, found.written) == ((), ())
+
+
+def test_without_the_course_s_own_files_there_is_no_entry_point(lone: Callable[..., Found]) -> None:
+    found = lone(complete=False)
+    assert (found.person.renamed, found.written) == ((), ())
 
 
 @pytest.mark.slow
