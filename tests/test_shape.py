@@ -35,7 +35,8 @@ LIMITS = {
     # Raised by 114 for the line in which C++ crashes, found in a second run with a sanitizer.
     # Raised by 51 for unused uploads, ids of other columns, ignored packages, and people who are gone.
     # Raised by 24 for the entry point of a program that was handed in alone.
-    "lines": 48_515,
+    # Raised by 25 for programs that are built when they are first run.
+    "lines": 48_540,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,

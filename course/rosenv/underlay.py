@@ -19,6 +19,7 @@ from course.rosenv.ros import Ros, digest
 
 _COURSE = Path(__file__).parents[1]
 _SCRIPT = re.compile(r"""["']\s*([\w.-]+)\s*=\s*([\w.]+):(\w+)\s*["']""")
+_PROGRAM = re.compile(r"^add_executable\((\w+)", re.MULTILINE)
 INTERFACE_FOLDERS = ("msg", "srv", "action")
 
 
@@ -45,6 +46,11 @@ class UnderlayPackage:
     def scripts(self) -> tuple[tuple[str, str, str], ...]:
         """Its console scripts: name, module and function of each."""
         return tuple(_SCRIPT.findall((self.folder / "setup.py").read_text(encoding="utf-8")))
+
+    @property
+    def programs(self) -> tuple[str, ...]:
+        """What its build puts into `lib/<package>`, as its CMakeLists.txt names it."""
+        return tuple(_PROGRAM.findall((self.folder / "CMakeLists.txt").read_text(encoding="utf-8")))
 
     @property
     def scripts_folder(self) -> str:
@@ -157,6 +163,11 @@ def _stand_in(folder: Path, package: UnderlayPackage, ros: Ros, builder: Builder
     config = cmake_standin(name, own / "cmake", prefix / found, builder)
     write_atomic(own / "cmake" / f"{name}Config.cmake", config)
     link(folder / found, own / "cmake")
+    for program in package.programs:
+        script = own / "lib" / program
+        write_atomic(script, program_standin(name, own / "lib", prefix / "lib" / name / program, builder))
+        script.chmod(0o755)
+        link(folder / "lib" / name, own / "lib")
     if package.interfaces:
         imported = python_standin(name, site_packages(prefix, ros) / name, builder)
         write_atomic(own / "python" / "__init__.py", imported)
@@ -294,6 +305,20 @@ if _real.resolve() == _here:
 __path__, __file__ = [str(_real.parent)], str(_real)
 exec(compile(_real.read_bytes(), __file__, "exec"))
 '''
+
+
+def program_standin(package: str, own: Path, real: Path, builder: Builder) -> str:
+    """A program for the folder `own` that has the package built, and becomes the one in `real`."""
+    variables = " ".join(shlex.quote(f"{name}={value}") for name, value in builder.variables.items())
+    return f"""\
+#!/bin/sh
+# {package} is built when it is first run; after that this file is not found any more.
+real={shlex.quote(str(real))}
+if [ "$(readlink -f "$real")" = "$(readlink -f {shlex.quote(str(own / real.name))})" ]; then
+    env {variables} {shlex.join(builder.words(package))} >&2 || exit 1
+fi
+exec "$real" "$@"
+"""
 
 
 def _cmake_words(words: Sequence[str]) -> str:

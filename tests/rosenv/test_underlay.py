@@ -19,6 +19,7 @@ from course.rosenv.underlay import (
     fingerprint,
     is_built,
     packages_in,
+    program_standin,
     python_standin,
     write_prefix,
 )
@@ -280,6 +281,28 @@ def test_a_build_that_fails_is_an_import_error_with_the_reason_before_it(tmp_pat
     done = python("import words", lay(tmp_path, "standin", works=False))
     assert "no compiler" in done.stderr
     assert done.stderr.splitlines()[-1].startswith("ImportError: words could not be built")
+
+
+@pytest.mark.parametrize("works", [True, False])
+def test_running_a_program_builds_its_package_and_becomes_it(tmp_path: Path, works: bool) -> None:
+    found, own, real = tmp_path / "p/lib/words", tmp_path / "a place/lib", tmp_path / "real"
+    write(real / "say", '#!/bin/sh\necho "$@"\n')
+    made = builder(tmp_path, found, real, works=works)
+    write(own / "say", program_standin("words", own, found / "say", made))
+    for script in (real / "say", own / "say"):
+        script.chmod(0o755)
+    found.parent.mkdir(parents=True)
+    found.symlink_to(own)
+    runs = [
+        subprocess.run([found / "say", "a b"], capture_output=True, text=True, timeout=60, check=False)
+        for _ in range(2)
+    ]
+    if works:
+        assert [(run.returncode, run.stdout) for run in runs] == [(0, "a b\n")] * 2
+        assert (tmp_path / "log").read_text() == f"words {tmp_path}/cache\n"
+    else:
+        assert (runs[0].returncode, runs[0].stdout) == (1, "")
+        assert "no compiler" in runs[0].stderr
 
 
 CMAKE = """\

@@ -42,7 +42,7 @@ def test_unknown_command() -> None:
     assert outcome == case("ros2_unknown_command").expected
 
 
-@pytest.mark.parametrize("command", ["bag", "component", "control", "security"])
+@pytest.mark.parametrize("command", ["bag", "control", "security"])
 @pytest.mark.parametrize("rest", [[], ["-h"], ["record", "-a"]])
 def test_what_is_not_offered_says_so_in_one_line(command: str, rest: list[str]) -> None:
     outcome = ros2(command, *rest)

@@ -1,21 +1,53 @@
 set(rclcpp_components_NODE_MAIN "${rclcpp_components_DIR}/node_main.cpp.in")
 
-# Nodes of a library that are run by others. What the library registers is enough.
-function(rclcpp_components_register_nodes target)
+# Nodes of a library, for containers: rclcpp_components_register_nodes(<library> <class>...).
+macro(rclcpp_components_register_nodes target)
+  _rclcpp_components_use_hook()
+  _rclcpp_components_register_nodes(${target} ${ARGN})
+endmacro()
+
+# A node of a library, for containers, and a program in lib/<package> that runs it alone.
+macro(rclcpp_components_register_node target)
+  _rclcpp_components_use_hook()
+  _rclcpp_components_register_node(${target} ${ARGN})
+endmacro()
+
+# An extension is known where it was registered: a function would keep it to itself.
+macro(_rclcpp_components_use_hook)
+  if(NOT DEFINED _rclcpp_components_has_hook)
+    set(_rclcpp_components_has_hook TRUE)
+    ament_register_extension(ament_package rclcpp_components rclcpp_components_package_hook.cmake)
+  endif()
+endmacro()
+
+function(_rclcpp_components_register_nodes target)
   cmake_parse_arguments(ARG "" "RESOURCE_INDEX" "" ${ARGN})
   _rclcpp_components_check("rclcpp_components_register_nodes" ${target})
+  set(names ${ARG_UNPARSED_ARGUMENTS})
+  list(REMOVE_DUPLICATES names)
+  if(NOT "${names}" STREQUAL "${ARG_UNPARSED_ARGUMENTS}")
+    message(FATAL_ERROR
+      "rclcpp_components_register_nodes() plugin names must be unique: ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  foreach(name IN LISTS names)
+    _rclcpp_components_note(${target} "${name}" "${ARG_RESOURCE_INDEX}")
+  endforeach()
 endfunction()
 
-# A node of a library, and a program in lib/<package> that runs it alone.
-function(rclcpp_components_register_node target)
+function(_rclcpp_components_register_node target)
   cmake_parse_arguments(ARG "" "PLUGIN;EXECUTABLE;EXECUTOR;RESOURCE_INDEX" "" ${ARGN})
   _rclcpp_components_check("rclcpp_components_register_node" ${target})
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR
+      "rclcpp_components_register_node() called with unused arguments: ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
   if(NOT ARG_PLUGIN OR NOT ARG_EXECUTABLE)
     message(FATAL_ERROR "rclcpp_components_register_node() needs PLUGIN and EXECUTABLE")
   endif()
   if(NOT ARG_EXECUTOR)
     set(ARG_EXECUTOR SingleThreadedExecutor)
   endif()
+  _rclcpp_components_note(${target} "${ARG_PLUGIN}" "${ARG_RESOURCE_INDEX}")
   set(node "${ARG_PLUGIN}")
   set(executor "${ARG_EXECUTOR}")
   set(library "$<TARGET_FILE_NAME:${target}>")
@@ -23,11 +55,24 @@ function(rclcpp_components_register_node target)
   configure_file("${rclcpp_components_NODE_MAIN}" "${source}.in" @ONLY)
   file(GENERATE OUTPUT "${source}" INPUT "${source}.in")
   add_executable(${ARG_EXECUTABLE} "${source}")
-  target_link_libraries(${ARG_EXECUTABLE} rclcpp_components::component_manager)
+  target_link_libraries(${ARG_EXECUTABLE} rclcpp_components::component)
   # The library registers in the program's list instead of in one of its own.
   set_target_properties(${ARG_EXECUTABLE} PROPERTIES ENABLE_EXPORTS ON)
   add_dependencies(${ARG_EXECUTABLE} ${target})
   install(TARGETS ${ARG_EXECUTABLE} DESTINATION lib/${PROJECT_NAME})
+endfunction()
+
+# A line for the index, which is written when the package is complete.
+function(_rclcpp_components_note target name index)
+  if(NOT index)
+    set(index rclcpp_components)
+  endif()
+  get_property(indices GLOBAL PROPERTY rclcpp_components_indices)
+  if(NOT index IN_LIST indices)
+    set_property(GLOBAL APPEND PROPERTY rclcpp_components_indices ${index})
+  endif()
+  set_property(GLOBAL APPEND_STRING PROPERTY rclcpp_components_in_${index}
+    "${name};lib/$<TARGET_FILE_NAME:${target}>\n")
 endfunction()
 
 function(_rclcpp_components_check function target)

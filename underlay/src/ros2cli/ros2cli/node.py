@@ -26,7 +26,8 @@ def own_node(args: Namespace | None = None, name: str = "", *, survives: bool = 
     One that `survives` Ctrl+C can still talk to others while KeyboardInterrupt is dealt with; rclpy's own
     handling of signals ends a node at once.
     """
-    rclpy.init(signal_handler_options=SignalHandlerOptions.NO if survives else None)
+    # The command line is ours: a rule in it, such as that of a component, is for somebody else.
+    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO if survives else None)
     node = Node(
         name or hidden_name(),
         start_parameter_services=False,

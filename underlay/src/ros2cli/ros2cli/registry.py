@@ -26,7 +26,6 @@ HIDDEN = ("bag", "control", "extension_points", "extensions", "security")
 # What the real command has and this one has not: the package that brings it.
 ELSEWHERE = {
     "bag": "ros-jazzy-ros2bag",
-    "component": "ros-jazzy-ros2component",
     "control": "ros-jazzy-ros2controlcli",
     "extension_points": "ros-jazzy-ros2cli",
     "extensions": "ros-jazzy-ros2cli",
@@ -41,6 +40,13 @@ VERBS = {
         "list": "Output a list of action names",
         "send_goal": "Send an action goal",
         "type": "Print a action's type",
+    },
+    "component": {
+        "list": "Output a list of running containers and components",
+        "load": "Load a component into a container node",
+        "standalone": "Run a component into its own standalone container node",
+        "types": "Output a list of components registered in the ament index",
+        "unload": "Unload a component from a container node",
     },
     "daemon": {
         "start": "Start the daemon if it isn't running",

@@ -6,6 +6,7 @@
 
 #include "rclcpp/node_options.hpp"
 #include "rclcpp_components/node_instance_wrapper.hpp"
+#include "rclcpp_components/visibility_control.hpp"
 
 namespace rclcpp_components
 {
@@ -22,7 +23,7 @@ namespace detail
 {
 
 /// Of all libraries that are loaded, by the name of the class as it was registered.
-inline std::map<std::string, std::shared_ptr<NodeFactory>> & factories()
+RCLCPP_COMPONENTS_PUBLIC inline std::map<std::string, std::shared_ptr<NodeFactory>> & factories()
 {
   static std::map<std::string, std::shared_ptr<NodeFactory>> instance;
   return instance;

@@ -1,0 +1,7 @@
+#pragma once
+
+#define RCLCPP_COMPONENTS_EXPORT __attribute__((visibility("default")))
+#define RCLCPP_COMPONENTS_IMPORT
+#define RCLCPP_COMPONENTS_PUBLIC RCLCPP_COMPONENTS_EXPORT
+#define RCLCPP_COMPONENTS_PUBLIC_TYPE RCLCPP_COMPONENTS_EXPORT
+#define RCLCPP_COMPONENTS_LOCAL __attribute__((visibility("hidden")))
