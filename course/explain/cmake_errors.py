@@ -165,8 +165,21 @@ def _whole_file_name(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
     return None
 
 
+def _home_of_bash(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`PATHS $HOME/opt`: CMake takes `$HOME` as it is, and `${HOME}` is empty."""
+    for one in commands(evidence.sources, evidence.folder, "find_package", "find_library"):
+        if found := re.search(r"\$(?:HOME|\{HOME\})", " ".join(one.words)):
+            return Proven({"wrong": found[0], "right": "$ENV{HOME}"}, (one.where,))
+    return None
+
+
 PROJECTS: tuple[Known[Evidence], ...] = (
     *_SYNTAX,
+    Known(pattern=r'package configuration file provided by "(?P<name>\S+?)"|Could not find (?P<library>\w+)',
+          cause="CMake looks in the wrong folder: `{wrong}` is not your home in CMake.",
+          remedy="Write `{right}` instead of `{wrong}`.", proof=_home_of_bash,
+          given={LISTS: "find_package(door PATHS $HOME/opt)\n"},
+          example='Could not find a package configuration file provided by "door" with any of'),
     Known(pattern=r"NOTFOUND|Could not find", cause="`find_library` does not find `{wrong}`.",
           remedy="Leave out the ending: `NAMES {right}`. CMake adds `lib` and `.so` itself.",
           example="used in this project, but they are set to NOTFOUND.  Set them: DOOR",

@@ -45,6 +45,8 @@ _LONG_NAMES = (
     (re.compile(r" \[with [^\]]*\]"), ""),
     (re.compile("[‘’]"), "'"),  # compilers' quotes on terminals that can show them
     (re.compile(r" \{aka '[^']*'\}"), ""),
+    (re.compile(r"; did you mean '[^']*\bdetail::[^']*'\?$"), ""),
+    (re.compile(r"; did you mean ('[^']*')\?$"), r" (did you mean \1?)"),
 )  # fmt: skip
 
 

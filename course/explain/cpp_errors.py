@@ -31,6 +31,11 @@ def _all_private(evidence: Evidence, symptom: Symptom, words: Words) -> Proven |
     return Proven(where=places[:1]) if places else None
 
 
+def _ends_with_underscore(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A member has this name with `_` at its end."""
+    return Proven() if places_of(evidence.sources, rf"\b{words['name']}_\s*[;={{]") else None
+
+
 def _link_directories_late(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     for file in (name for name in evidence.sources.files if name.endswith(LISTS)):
         every = commands_in(evidence.sources.files[file], file)
@@ -176,6 +181,18 @@ COMPILER: tuple[Known[Evidence], ...] = (
         "'strin' is not a member of 'std'",
     ),
     Known(
+        r"^'(?P<name>\w+)' (?:was not declared|does not name a type).*mean '(?P<full>(?:\w+::)+(?P=name))'",
+        "Write `{full}`.",
+        "'cout' was not declared in this scope; did you mean 'std::cout'?",
+    ),
+    Known(
+        r"^'(?P<name>\w+)' was not declared",
+        "Do you mean `{name}_`, with `_` at the end?",
+        "'timer' was not declared in this scope",
+        proof=_ends_with_underscore,
+        given={"arm.hpp": "class Arm\n{\n  Timer timer_;\n};\n"},
+    ),
+    Known(
         r"was not declared|does not name a type|has not been declared",
         "Is the name spelled right, is its header included, and does it need `std::` before it?",
         "'count' was not declared in this scope",
@@ -194,6 +211,21 @@ COMPILER: tuple[Known[Evidence], ...] = (
         r"does not override",
         "Compare it with the base class: name, arguments and `const` must be the same.",
         "'double Driver::get() const' marked 'override', but does not override",
+    ),
+    Known(
+        r"cannot call member function .* without object",
+        "Call it on an object. If it needs none, write `static` before it in the class.",
+        "cannot call member function 'double Arm::length(double)' without object",
+    ),
+    Known(
+        r"to have static linkage",
+        "Write `static` only in the class, not before the definition in the .cpp file.",
+        "cannot declare member function 'static double Arm::length(double)' to have static linkage",
+    ),
+    Known(
+        r"operator<<\(.* must (?:have|take) (?:exactly|either)",
+        "`operator<<` is not a member: move it below the class, or write `friend` before it.",
+        "'std::ostream& Arm::operator<<(std::ostream&, const Arm&)' must have exactly one argument",
     ),
     Known(
         r"discards qualifiers",

@@ -159,11 +159,14 @@ def _code(error: CppError, package: BuiltPackage, sources: Sources) -> Feedback:
     """The other program uses something that the header does not declare in this form."""
     headers = [Location(file) for file in cpp_files(sources) if "/include/" in file]
     place = (Location(error.file, error.line),) if error.file else tuple(headers[:1])
+    inside = re.search(r"^'(\w+)' was not declared.*mean '(?:\w+::)+\1'", error.text)
     return Feedback(
-        summary=f"Another package cannot use the class as the task says: {error.text[:70]}.",
+        summary=f"Another package cannot use the class as the task says: {error.text}.",
         where=place or (_lists(package),),
         advice=(
-            "Compare the header with the task: names, arguments, `static`, and `const` after "
+            f"`{inside[1]}` is in a namespace. Take it out, in the header and in the .cpp file."
+            if inside
+            else "Compare the header with the task: names, arguments, `static`, and `const` after "
             "functions that change nothing."
         ),
         details=tuple(re.sub(r"^/\S*/", "", line) for line in error.details),

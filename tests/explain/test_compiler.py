@@ -210,6 +210,8 @@ def test_a_function_that_nobody_wrote_is_where_the_header_announces_it(
         ("‘count_’ was not declared in this scope", "`Class::` before its name"),
         ("‘get_logger’ was not declared in this scope; did you mean ‘getdate’?", "`Class::` before its name"),
         ("‘count’ was not declared in this scope", "`std::` before it"),
+        ("‘cout’ was not declared in this scope; did you mean ‘std::cout’?", "Write `std::cout`."),
+        ("‘timer’ was not declared in this scope; did you mean ‘a::detail::timer’?", "`std::` before it"),
         ("no matching function for call to ‘spin(std::shared_ptr<Talker>)’", "with `public` before it"),
         ("invalid operands of types ‘const char*’ and ‘const char [8]’ to binary ‘operator+’", "with `<<`"),
         ("invalid use of non-static member function ‘void Talker::talk()’", "std::bind(&Class::function"),
