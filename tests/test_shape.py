@@ -36,7 +36,8 @@ LIMITS = {
     # Raised by 51 for unused uploads, ids of other columns, ignored packages, and people who are gone.
     # Raised by 24 for the entry point of a program that was handed in alone.
     # Raised by 25 for programs that are built when they are first run.
-    "lines": 48_540,
+    # Raised by 50 for seven causes that a walk through chapters 26, 27 and 33 showed.
+    "lines": 48_590,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,
