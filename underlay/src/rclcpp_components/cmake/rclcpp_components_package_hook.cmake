@@ -1,5 +1,5 @@
-# What the package has registered becomes one entry in each index, from which containers and
-# `ros2 component types` know of it.
+# Writes one entry to each index for what the package has registered. Containers and
+# `ros2 component types` find it there.
 get_property(_rclcpp_components_indices GLOBAL PROPERTY rclcpp_components_indices)
 foreach(_rclcpp_components_index IN LISTS _rclcpp_components_indices)
   get_property(_rclcpp_components_lines GLOBAL PROPERTY rclcpp_components_in_${_rclcpp_components_index})

@@ -18,7 +18,7 @@
 namespace rclcpp_components
 {
 
-/// Why a component cannot be loaded; its text goes to whoever asked for it.
+/// Why a component cannot be loaded; its text goes to the client that asked for it.
 class ComponentManagerException : public std::runtime_error
 {
 public:
