@@ -34,6 +34,16 @@ class Claims:
             return is_caught(result, self._mistakes[proof.exercise, proof.name])
         return earns_all(result)
 
+    def only_follows(self, proven: ProofResult, solution: Result) -> bool:
+        """Whether a mistake's faults only repeat that the solution itself does not pass the same checks."""
+        mistake = self._mistakes[proven.proof.exercise, proven.proof.name]
+        differs = failed_by(proven.result) ^ {mistake.caught_by, *mistake.also_fails}
+        check = next((one for one in proven.result.checks if one.id == mistake.caught_by), None)
+        if check and not all(word in words_of(check.feedback) for word in mistake.says):
+            differs |= {check.id}
+        wrong = {one.id for one in solution.checks if one.outcome is not Outcome.PASSED}
+        return not any(_errors(proven.result)) and differs <= wrong
+
     def deserves_another(self, proven: ProofResult) -> bool:
         """Whether something is wrong that the machine, or a fault of the engine, may be to blame for.
 

@@ -59,7 +59,8 @@ class ProofResults:
             for proof in self._proofs
             if not any(fault_of_grader(one.result) for one in self._proven[proof])
         )
-        found = [finding for proof in judged for finding in self._findings(proof)]
+        followers = {proof for each in map(self._followers, self._exercises) for proof in each}
+        found = [finding for proof in judged if proof not in followers for finding in self._findings(proof)]
         found = [*self._faults_of_graders(), *found]
         return sorted(found, key=lambda one: (str(one.file), one.line or 0))
 
@@ -94,7 +95,27 @@ class ProofResults:
             step = _STEPS[proof.kind]
             if not wrong.laid and wrong.result.fault:
                 step = wrong.result.fault.advice or step
-            yield self._finding(proof, f"{_called(proof)}: {'; '.join(self._claims.faults(wrong))}", step)
+            said = self._claims.faults(wrong)
+            if proof.kind is ProofKind.SOLUTION and (count := len(self._followers(proof.exercise))):
+                some = "1 mistake fails" if count == 1 else f"{count} mistakes fail"
+                said = [*said, f"{some} the same checks, and {'is' if count == 1 else 'are'} not listed"]
+            yield self._finding(proof, f"{_called(proof)}: {'; '.join(said)}", step)
+
+    def _followers(self, exercise: str) -> list[Proof]:
+        """The mistakes that are not judged as claimed because the solution does not pass either."""
+        own = [proof for proof in self._proofs if proof.exercise == exercise]
+        solved = (self._proven[proof] for proof in own if proof.kind is ProofKind.SOLUTION)
+        solution = next((one.result for each in solved for one in each if self._claims.faults(one)), None)
+        wrong = {
+            proof: [one for one in self._proven[proof] if self._claims.faults(one)]
+            for proof in own
+            if proof.kind is ProofKind.MISTAKE
+        }
+        return [
+            proof
+            for proof, each in wrong.items()
+            if solution and each and all(self._claims.only_follows(one, solution) for one in each)
+        ]
 
     def _faults_of_graders(self) -> Iterator[Finding]:
         """One per exercise, even if several of its proofs ended with our error."""

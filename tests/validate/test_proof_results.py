@@ -98,3 +98,15 @@ def test_a_fault_of_the_grader_is_one_finding_at_its_own_line() -> None:
         *(True, True),
         *(False, False, False),
     ]
+
+
+def test_a_mistake_that_only_fails_as_the_solution_does_is_counted_there() -> None:
+    seen = replace(RIGHT[1], outcome=Outcome.FAILED, feedback=Feedback("Nothing was seen."))
+    both = (WRONG[0], seen)
+    (found,) = account(proven(SOLUTION, (RIGHT[0], seen)), proven(MISTAKE, both)).findings()
+    assert found.what.startswith(f"the solution of {QUIZ}: `seen` failed: Nothing was seen.")
+    assert found.what.endswith("; 1 mistake fails the same checks, and is not listed")
+    caught_by_nothing = proven(MISTAKE, (RIGHT[0], seen))
+    solution, mistake = account(proven(SOLUTION, (RIGHT[0], seen)), caught_by_nothing).findings()
+    assert "and is not listed" not in solution.what
+    assert mistake.what.startswith("mistake `saves-oil`: `why` does not catch it: the check passed")
