@@ -37,7 +37,8 @@ LIMITS = {
     # Raised by 24 for the entry point of a program that was handed in alone.
     # Raised by 25 for programs that are built when they are first run.
     # Raised by 50 for seven causes that a walk through chapters 26, 27 and 33 showed.
-    "lines": 48_590,
+    # Raised by 28 for mistakes that only fail as the solution does, which are counted and not listed.
+    "lines": 48_618,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,
