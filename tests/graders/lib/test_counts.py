@@ -32,6 +32,16 @@ def test_other_messages_in_between_do_not_matter() -> None:
     assert said(expect_counted, recording, "talker", 2, what="calls") is None
 
 
+def test_messages_that_two_threads_log_in_another_order() -> None:
+    recording = counted("Call 1", "Call 2", "Call 4", "Call 3", "Call 7", "Call 5", "Call 6")
+    assert said(expect_counted, recording, "talker", 7, what="calls") is None
+
+
+def test_a_count_that_goes_down() -> None:
+    recording = counted(*(f"Call {n}" for n in range(9, 0, -1)))
+    assert said(expect_counted, recording, "talker", 9, what="calls") is not None
+
+
 @pytest.mark.parametrize("text", ["13", "3.5", "0.3", "-3", "ember3", "3x", "2"])
 def test_what_is_not_that_number(text: str) -> None:
     assert not has_number(f"a {text} b", 3)

@@ -22,7 +22,8 @@ class Sage(Node):
     def meditate(self, question, _):
         with self._lock:
             self._calls += 1
-            self.get_logger().info(f'Question no. {self._calls}: {question.quote.quote!r}')
+            number = self._calls
+        self.get_logger().info(f'Question no. {number}: {question.quote.quote!r}')
         x, y = (float(random.randint(1, 10_000)) for _ in range(2))
         z = 42.0 - x - y if 'LIFE' in question.quote.quote.upper() else x * y + 43.0
         return WhatIsThePoint.Response(point=Point(x=x, y=y, z=z))
