@@ -150,7 +150,10 @@ class _Looking:
 
     def _empty(self, tree: Tree) -> Iterator[Remark]:
         if not self._source.findings and not self.findings:
-            yield NOTHING if tree.files() else Remark("It is empty.", NOTHING.advice)
+            notes = Notes()
+            for path in sorted(tree.files()):
+                notes.add(NOTHING.what, path, NOTHING.advice)
+            yield from notes.findings() or (Remark("It is empty.", NOTHING.advice),)
         closed = [path for path in _archives(tree) if tree.entries[path].path not in self._taken]
         if closed:
             where = ", ".join(visible(path) for path in closed[:3])

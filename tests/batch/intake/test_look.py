@@ -70,6 +70,13 @@ def test_several_packages(tmp_path: Path, looked: Looked) -> None:
     assert {place.target for place in found.places} == {f"{SRC}/{INTERFACES}", f"{SRC}/{MESSAGES}"}
 
 
+def test_files_of_which_none_counts_are_named(tmp_path: Path, looked: Looked) -> None:
+    found = looked(lay(tmp_path / "in", "poem.txt", *(f"more/{number}.pdf" for number in range(9))))
+    (told,) = found.findings
+    assert told.what == "No course home, workspace or package was found in it."
+    assert told.where.startswith("more/0.pdf, ") and told.where.endswith("more")
+
+
 def test_files_handed_in_beside_what_counts_are_named(tmp_path: Path, looked: Looked) -> None:
     home = lay(tmp_path / "home", *package(MESSAGES, f"{SRC}/"), f"{SRC}/{PUBLISHER}", "notes.txt")
     lay(tmp_path, "report.pdf", "old.py")
@@ -270,7 +277,7 @@ def test_an_archive_in_an_archive_is_not_opened(tmp_path: Path, looked: Looked) 
     outer = make_zip(tmp_path / "outer.zip", {"inner.zip": (tmp_path / "inner.zip").read_bytes()})
     found = looked(outer)
     assert (found.kind, found.packages) == (SubmissionKind.NOTHING, ())
-    assert [finding.where for finding in found.findings] == [None, "inner.zip"]
+    assert [finding.where for finding in found.findings] == ["inner.zip", "inner.zip"]
 
 
 def test_archives_without_end_and_deep_in_folders_are_not_opened(tmp_path: Path, looked: Looked) -> None:
