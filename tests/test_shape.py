@@ -38,7 +38,8 @@ LIMITS = {
     # Raised by 25 for programs that are built when they are first run.
     # Raised by 50 for seven causes that a walk through chapters 26, 27 and 33 showed.
     # Raised by 28 for mistakes that only fail as the solution does, which are counted and not listed.
-    "lines": 48_618,
+    # Raised by 3 for the names of files in which nothing to grade was found.
+    "lines": 48_621,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,
