@@ -18,8 +18,8 @@ from course.model import replace
 from course.model.gradebook import Person
 
 # Columns by their letters alone, as Canvas, Moodle, Blackboard, Classroom 50 and our own rosters head them.
-_ID = ("identifier", "id", "idnumber", "username", "emailaddress", "email")
-_OTHER_IDS = ("sisuserid", "sisloginid", "studentid", *_ID)
+_ID = ("canvasuserid", "identifier", "id", "idnumber", "username", "emailaddress", "email")
+_OTHER_IDS = ("sisuserid", "sisloginid", "userid", "loginid", "studentid", *_ID)
 _NAME = ("student", "fullname", "name")
 _FIRST, _LAST = ("firstname",), ("lastname", "surname")
 _GROUP = ("group", "groups", "groupname")

@@ -29,6 +29,10 @@ PARTICIPANTS = (
     "First name,Last name,Email address,ID number,Groups\nJane,Doe,j@x.edu,,Team 1\n"
     "Bao,Nguyen,b@x.edu,S2,Team 1\n"
 )
+CANVAS_GROUPS = (
+    "name,canvas_user_id,user_id,login_id,sections,group_name,canvas_group_id,group_id\n"
+    "Jane Doe,12345,S1,jdoe,A,Team 1,55,\nBao Nguyen,12346,S2,bnguyen,A,,,\n"
+)
 BLACKBOARD = '"Last Name"\t"First Name"\t"Username"\t"Student ID"\n"Doe"\t"Jane"\t"jdoe"\t"S1"\n'
 CLASSROOM = "username,first_name,last_name,email,section,github_id\njdoe,Jane,Doe,,A,1\n"
 
@@ -47,6 +51,7 @@ def upload(identity: str, name: str = "", *, late: bool = False, at: datetime | 
     ("text", "people"),
     [
         (CANVAS, [("12345", "Doe, Jane"), ("12346", "Nguyen, Bao")]),
+        (CANVAS_GROUPS, [("12345", "Jane Doe"), ("12346", "Bao Nguyen")]),
         (MOODLE, [("70", "Jane Doe"), ("71", "Bao Nguyen")]),
         (PARTICIPANTS, [("j@x.edu", "Jane Doe"), ("S2", "Bao Nguyen")]),
         (BLACKBOARD, [("jdoe", "Jane Doe")]),
@@ -56,6 +61,10 @@ def upload(identity: str, name: str = "", *, late: bool = False, at: datetime | 
 )
 def test_lists_of_every_kind(tmp_path: Path, text: str, people: list[tuple[str, str]]) -> None:
     assert [(one.id, one.name) for one in listed(tmp_path, text)] == people
+
+
+def test_groups_of_canvas(tmp_path: Path) -> None:
+    assert [one.group for one in listed(tmp_path, CANVAS_GROUPS)] == ["Team 1", ""]
 
 
 def test_moodle_tells_when_it_was_handed_in(tmp_path: Path) -> None:
