@@ -109,7 +109,7 @@ def _one_choice(question: Question, given: Given) -> Feedback | None:
     choice = chosen_by(question, given.texts[0])
     if choice is None:
         return _no_choice(question, given.texts[0])
-    return None if choice.right else Feedback(summary=choice.why or _WRONG)
+    return None if choice.right else Feedback(summary=choice.why or _WRONG, seen=choice.text)
 
 
 def _some_choices(question: Question, given: Given) -> Feedback | None:
@@ -119,7 +119,7 @@ def _some_choices(question: Question, given: Given) -> Feedback | None:
             return _no_choice(question, text)
     wrong = [choice for choice in question.choices if choice in found.values() and not choice.right]
     if wrong:
-        seen = ", ".join(choice.name for choice in wrong)
+        seen = "; ".join(choice.text for choice in wrong)
         return Feedback(summary=" ".join(choice.why or "" for choice in wrong), seen=seen)
     if any(choice.right and choice not in found.values() for choice in question.choices):
         return Feedback(
@@ -139,7 +139,7 @@ def _no_choice(question: Question, text: str) -> Feedback:
     alike = did_you_mean(plain(text), names)
     advice = "Write one of the choices, word for word."
     if len(text) == 1 and text.isalnum():
-        advice += "A letter or number is not enough: every learner sees the choices in a different order."
+        advice += " A letter or number is not enough: every learner sees the choices in a different order."
     summary = f"`{text}` is not one of the choices{alike or '.'}"
     return Feedback(summary=summary, advice=advice, details=tuple(sorted(names)))
 

@@ -160,6 +160,14 @@ def test_a_misspelt_question_is_named() -> None:
     assert "`number`" in (result.feedback.advice or "")
 
 
+def test_a_wrong_choice_is_shown_in_its_words() -> None:
+    choices = (Choice("tick", "Its rhythm", right=True), Choice("nose", "Its smell", right=False, why="No."))
+    feedback = said(Question("one", "Which?", "choice", choices), "nose")
+    assert feedback.seen == "Its smell"
+    assert said(Question("some", "Which?", "choices", choices), "nose").seen == "Its smell"
+    assert ". A letter" in (said(Question("one", "Which?", "choice", choices), "b").advice or "")
+
+
 def test_the_title_is_the_first_paragraph() -> None:
     assert title(Question("a", "# What is **this**?\n\n```\ncode\n```", "text")) == "What is this?"
     assert title(Question("a", "The build works.\nWhat is missing?\n\nThink first.", "text")) == (
