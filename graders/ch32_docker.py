@@ -289,15 +289,18 @@ def grace(recording: Recording) -> None:
             otherwise = "Docker then waits ten seconds."
             raise Failure(lacks(found, name, "stop_grace_period", "20s", otherwise))
         if not lasts(str(value)):
+            none = DURATION.fullmatch(str(value))
             raise Failure(
                 Feedback(
-                    summary=(
-                        f"The service `{name}` waits for `{str(value)[:40]}`, which is not a valid time."
-                    ),
+                    summary=f"The service `{name}` gets no time to shut down."
+                    if none
+                    else f"The service `{name}` waits for `{str(value)[:40]}`, which is not a valid time.",
                     expected="a number and its unit: 20s, or 1m30s",
                     seen=str(value)[:40] or "nothing",
                     where=(place_of(found, name, "stop_grace_period"),),
-                    advice="Write the unit `ms`, `s`, `m` or `h` right after the number, without a space.",
+                    advice="Docker would kill the service at once: write a longer time."
+                    if none
+                    else "Write the unit `ms`, `s`, `m` or `h` right after the number, without a space.",
                 )
             )
 

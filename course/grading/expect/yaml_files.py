@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import yaml
@@ -15,6 +16,7 @@ from course.model.feedback import Failure, Feedback, Location
 
 # With every alias expanded. A few lines of aliases can expand beyond any memory.
 MOST_NODES = 10_000
+_NO_SPACE = re.compile(r"\s*(?:- )?[\w.-]+:[^\s/]")
 _INDENT = (
     "Count the spaces at the beginning of this line and the line before. Entries of the same "
     "level have the same indentation."
@@ -65,12 +67,16 @@ def _expect_no_tab(file: HomeFile) -> None:
 def _unreadable(file: HomeFile, error: yaml.MarkedYAMLError) -> Feedback:
     mark = error.problem_mark or error.context_mark
     number = mark.line + 1 if mark else None
+    # `name:value` is one word, so the parser complains about the next line.
+    near = [n for n in (number or 0, (number or 0) - 1) if 0 < n <= len(file.lines)]
+    joined = next((n for n in near if _NO_SPACE.match(file.lines[n - 1])), None)
+    number = joined or number
     seen = file.lines[number - 1].strip()[:100] if number and number <= len(file.lines) else None
     return Feedback(
         summary="This file cannot be read as YAML.",
         seen=seen or None,
         where=(Location(file.path, number),),
-        advice=_INDENT,
+        advice="Put a space after the `:`." if joined else _INDENT,
         details=(str(error.problem or error.context),),
     )
 
