@@ -11,11 +11,6 @@ namespace
 
 using Type = rcl_interfaces::msg::ParameterType;
 
-std::string number(double value)
-{
-  return std::to_string(value);
-}
-
 template<typename T, typename Format>
 std::string listed(const std::vector<T> & values, Format format)
 {
@@ -33,9 +28,18 @@ std::string byte(std::uint8_t value)
   return text.str();
 }
 
-std::string quoted(const std::string & text)
+// In an array, a number has up to six digits; alone, it has six digits after the point.
+std::string element(double value)
 {
-  return '"' + text + '"';
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string type_and_value(const Parameter & parameter)
+{
+  return "\"type\": \"" + parameter.get_type_name() + "\", \"value\": \"" + parameter.value_to_string() +
+         "\"}";
 }
 
 }  // namespace
@@ -84,7 +88,7 @@ std::string to_string(const ParameterValue & value)
     case PARAMETER_INTEGER:
       return std::to_string(message.integer_value);
     case PARAMETER_DOUBLE:
-      return number(message.double_value);
+      return std::to_string(message.double_value);
     case PARAMETER_STRING:
       return message.string_value;
     case PARAMETER_BYTE_ARRAY:
@@ -95,9 +99,9 @@ std::string to_string(const ParameterValue & value)
     case PARAMETER_INTEGER_ARRAY:
       return listed(message.integer_array_value, [](std::int64_t one) {return std::to_string(one);});
     case PARAMETER_DOUBLE_ARRAY:
-      return listed(message.double_array_value, number);
+      return listed(message.double_array_value, element);
     case PARAMETER_STRING_ARRAY:
-      return listed(message.string_array_value, quoted);
+      return listed(message.string_array_value, [](const std::string & one) {return one;});
     default:
       return "unknown type";
   }
@@ -212,17 +216,15 @@ rcl_interfaces::msg::Parameter Parameter::to_parameter_msg() const
 
 std::string to_string(const Parameter & parameter)
 {
-  std::ostringstream text;
-  text << "{\"name\": \"" << parameter.get_name() << "\", \"type\": \"" << parameter.get_type_name() <<
-    "\", \"value\": \"" << parameter.value_to_string() << "\"}";
-  return text.str();
+  return "{\"name\": \"" + parameter.get_name() + "\", " + type_and_value(parameter);
 }
 
 std::string to_string(const std::vector<Parameter> & parameters)
 {
   std::string text = "{";
   for (const auto & parameter : parameters) {
-    text += (text.size() == 1 ? "\"" : ", \"") + parameter.get_name() + "\": " + to_string(parameter);
+    text += (text.size() == 1 ? "\"" : ", \"") + parameter.get_name() + "\": {" +
+      type_and_value(parameter);
   }
   return text + "}";
 }

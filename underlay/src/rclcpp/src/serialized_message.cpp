@@ -35,9 +35,7 @@ rcl_serialized_message_t copied(const rcl_serialized_message_t & other)
 
 rcl_serialized_message_t taken(rcl_serialized_message_t & other) noexcept
 {
-  auto empty = rmw_get_zero_initialized_serialized_message();
-  empty.allocator = other.allocator;
-  return std::exchange(other, empty);
+  return std::exchange(other, rmw_get_zero_initialized_serialized_message());
 }
 
 }  // namespace

@@ -173,6 +173,10 @@ void bytes_in_wrong_hands()
   EXPECT(!THROWN(IllegalStateException, serialization.deserialize_message(&message, nullptr)).empty());
   other = std::move(message);
   EXPECT(other.size() > 0 && message.capacity() == 0);
+  rcl_serialized_message_t taken = other.get_rcl_serialized_message();
+  other.release_rcl_serialized_message();
+  const rclcpp::SerializedMessage owner(std::move(taken));
+  EXPECT(taken.allocator.allocate == nullptr && owner.size() > 0);
 }
 
 void executors_of_nodes()

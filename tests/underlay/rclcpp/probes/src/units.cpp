@@ -142,6 +142,12 @@ void parameter_values()
     THROWN(rclcpp::ParameterTypeException, Parameter("p", 7).as_bool()) ==
     "expected [bool] got [integer]");
   EXPECT(to_string(ParameterValue(std::vector<bool>{true, false})) == "[true, false]");
+  EXPECT(to_string(ParameterValue(0.1)) == "0.100000");
+  EXPECT(to_string(ParameterValue(std::vector<double>{0.1, 1e300})) == "[0.1, 1e+300]");
+  EXPECT(to_string(ParameterValue(std::vector<std::string>{"R", "2"})) == "[R, 2]");
+  EXPECT(
+    rclcpp::to_string(std::vector<Parameter>{Parameter("p", 7), Parameter("q", true)}) ==
+    "{\"p\": {\"type\": \"integer\", \"value\": \"7\"}, \"q\": {\"type\": \"bool\", \"value\": \"true\"}}");
   std::ostringstream text;
   text << Parameter("p", 7);
   EXPECT(text.str() == "{\"name\": \"p\", \"type\": \"integer\", \"value\": \"7\"}");
