@@ -92,10 +92,9 @@ class ProofResults:
             return
         wrong = next((one for one in judged if self._claims.faults(one)), None)
         if wrong is not None:
-            step = _STEPS[proof.kind]
+            step, said = _STEPS[proof.kind], self._claims.faults(wrong)
             if not wrong.laid and wrong.result.fault:
-                step = wrong.result.fault.advice or step
-            said = self._claims.faults(wrong)
+                step, said = wrong.result.fault.advice or step, [wrong.result.fault.summary]
             if proof.kind is ProofKind.SOLUTION and (count := len(self._followers(proof.exercise))):
                 some = "1 mistake fails" if count == 1 else f"{count} mistakes fail"
                 said = [*said, f"{some} the same checks, and {'is' if count == 1 else 'are'} not listed"]
