@@ -712,6 +712,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "This takes a message of type `{type}`, not `{of}`. Make one with `{type}()`, and put the value "
           "into one of its fields.",
           "TypeError: Expected <class 'talk.msg._quote.Quote'>, got <class 'str'>"),
+    Known(r"must be a string(?:, a bytes-like object)? or a real number, not 'NoneType'",
+          "This needs a number and gets `None`: a value was not set yet, a function returned nothing, or a "
+          "parameter was declared without a default value.",
+          "TypeError: float() argument must be a string or a real number, not 'NoneType'"),
     Known(r"'(?P<of>int|float|str|bool|list|dict|tuple)' object is not callable",
           "The parentheses call something that is a value of type `{of}`. A property or an attribute is read "
           "without parentheses.", "TypeError: 'int' object is not callable"),

@@ -300,6 +300,12 @@ OF_FILES: tuple[Known[Build], ...] = (
           remedy=("Rename {other} to resource/{package}.", "Create it: `touch resource/{package}`."),
           proof=_other_marker, where=(at("resource/{package}"), at("setup.py", r"['\"]resource/")),
           example="error: can't copy 'resource/talk': doesn't exist or not a regular file"),
+    Known(kind="data-file", pattern=r"^error: can't copy '(?P<name>[^']*\*[^']*)': doesn't exist",
+          cause="setup.py of `{package}` takes the pattern {name} for the name of a file.",
+          remedy="`glob` finds the files that match a pattern: write `glob('{name}')` instead of "
+          "`['{name}']`.",
+          where=(at("setup.py", "{name}", "data_files"),),
+          example="error: can't copy 'launch/*launch.py': doesn't exist or not a regular file"),
     Known(kind="data-file", pattern=r"^error: can't copy '(?P<name>(?:.*/)?(?P<base>[^/']*))': doesn't exist",
           cause="setup.py of `{package}` installs {name}, but there is no such file.",
           remedy=("Did you mean `{near}`?", "Create the file, or remove it from `data_files`."),
