@@ -83,7 +83,7 @@ def test_a_typo_stops_regrade_before_anything_moves(term: Path, capsys: pytest.C
     (term / "week3/marks.yaml").write_text(MARKS.replace("Lind, Carla", "Lind, Karla"))
     before = (term / "week3/results.csv").read_bytes()
     assert ros2course("regrade", str(term / "week3")) == 2
-    assert "marks.yaml:4" in capsys.readouterr().err
+    assert "marks.yaml:4" in capsys.readouterr().err.replace("\n", "")  # a long path is wrapped
     assert (term / "week3/results.csv").read_bytes() == before
 
 
