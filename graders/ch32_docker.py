@@ -513,6 +513,7 @@ SEGMENT = "fastrtps_"
 HEARD = "/heard"
 # The middleware's message about a profile that it rejects.
 REFUSED = re.compile(r"XMLPARSER\s*Error\]\s*(.*?)(?:\s*->|$)")
+UNKNOWN_TYPE = re.compile(r"Invalid transport type: '(.*?)'")
 NOT_FOUND = re.compile(r"Transport Node not found\. Given ID: (\S+)")
 
 WHITELISTS = ("interfaceWhiteList", "interfaces")
@@ -613,6 +614,17 @@ def taken(recording: Recording) -> None:
     root = profile(recording)
     lost = next((found[1] for line in said if (found := NOT_FOUND.search(line))), None)
     defined = [text_of(part) for part in named(root, "transport_descriptor", "transport_id")]
+    kind = next((found[1] for line in said if (found := UNKNOWN_TYPE.search(line))), None)
+    if kind is not None:  # the transport that has it is then lost, too
+        raise Failure(
+            Feedback(
+                summary=f"There is no type `{kind[:40]}` of transports.",
+                expected="UDPv4",
+                seen=kind[:40],
+                where=(line_with(recording, f">{kind}<"),),
+                advice="Write `<type>UDPv4</type>`, with exactly these capital letters.",
+            )
+        )
     if lost:
         summary = f"There is no transport `{lost[:40]}`."
         advice = "The name in `userTransports` must be exactly that of the `transport_descriptor`."
