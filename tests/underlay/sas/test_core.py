@@ -57,6 +57,35 @@ def test_figures(facts: dict[str, list[str]]) -> None:
     assert numbers(facts["figures"][0]) == pytest.approx([5, 4, 2, 2, 9])
 
 
+def test_the_last_round_by_the_kind_of_time(facts: dict[str, list[str]]) -> None:
+    assert numbers(facts["unasked"][0]) == [0]
+    assert numbers(facts["time"][0]) == pytest.approx([0], abs=1e-9)
+    assert facts["order"] == ["012"]
+    assert "enable_statistics = false" in facts["unkept"][0]
+
+
+def test_when_a_clock_began_and_woke_up(facts: dict[str, list[str]]) -> None:
+    began, woke_up = numbers(facts["wall"][0])
+    assert 0 <= began < 60
+    assert PERIOD * 0.99 <= woke_up < 60
+    assert numbers(facts["blocked"][0])[0] >= 0.1
+
+
+def test_matrices(facts: dict[str, list[str]]) -> None:
+    assert facts["concatenated"] == ["1 2 3 4 5", "3 4 5 1 2"]
+    assert facts["stacked"] == ["1 1 / 1 1 / 3 3", "3 3"]
+    assert facts["diagonal"] == ["3 3 0 0 / 0 0 1 1 / 0 0 1 1"]
+    assert facts["part"] == ["1", "", "2 3 4"]
+    assert "they have 2 and 1" in facts["columns"][0]
+    assert "no part of 2 elements from element 1 on" in facts["parts"][0]
+    assert "must not be negative" in facts["samples"][0]
+
+
+def test_names_and_ends(facts: dict[str, list[str]]) -> None:
+    assert facts["named"] == ["Named"]
+    assert facts["ends"] == ["0011"]
+
+
 def test_vectors(facts: dict[str, list[str]]) -> None:
     assert numbers(facts["radians"][0]) == pytest.approx([math.pi, -math.pi / 2, math.radians(0.5)])
     assert numbers(facts["degrees"][0]) == pytest.approx([180, -90, 0.5, 30])

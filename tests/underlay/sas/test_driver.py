@@ -121,9 +121,16 @@ def test_it_is_disconnected_though_deinitialize_throws() -> None:
     assert "the probe fails in deinitialize" in errors(report)[0]
 
 
+def test_a_list_can_be_given_as_empty() -> None:
+    empty = ["EMPTY_LIST"]
+    report = ended(driver(joint_limits_min=empty, joint_limits_max=empty, fail_in="connect"))
+    assert "connect failed" in errors(report)[0]
+
+
 @pytest.mark.parametrize(
     ("parameters", "said"),
     [
+        ({"joint_limits_min": ["EMPTY_LIST", "x"]}, "The parameter joint_limits_min of the node myrobot_1"),
         ({"ip": None}, "The parameter ip of the node myrobot_1 must be set"),
         ({"joint_limits_max": "none"}, "The parameter joint_limits_max of the node myrobot_1"),
         ({"thread_sampling_time_sec": 0.0}, "the sampling time must be positive"),

@@ -85,6 +85,7 @@ def test_figures_of_all_rounds(time: Time, clock: Clock, statistics: type[Statis
     assert clock.get_statistics(statistics.Mean, kinds.EffectiveSampling) == pytest.approx(0.01)
     last = (clock.get_computation_time(), clock.get_sleep_time())
     assert last == pytest.approx((0.006, 0.004))
+    assert [clock.get_time(kind) for kind in kinds] == pytest.approx([0.006, 0.01, 0.004])
     assert clock.get_effective_thread_sampling_time_sec() == pytest.approx(0.01)
     assert clock.get_desired_thread_sampling_time_sec() == 0.01
 

@@ -18,11 +18,11 @@ class Clock:
     """
 
     class TimeType(Enum):
-        """Of each round: the loop's own work, the sleep after it, and both together."""
+        """Of each round: the loop's own work, that and the sleep after it together, and the sleep."""
 
         Computational = 0
-        Idle = 1
-        EffectiveSampling = 2
+        EffectiveSampling = 1
+        Idle = 2
 
     def __init__(self, thread_sampling_time_sec: float) -> None:
         """Raise ValueError for a sampling time that is not positive."""
@@ -58,6 +58,15 @@ class Clock:
     def safe_sleep_seconds(seconds: float) -> None:
         """Sleep for that long; Ctrl+C ends it."""
         time.sleep(max(seconds, 0.0))
+
+    @staticmethod
+    def blocking_sleep_seconds(seconds: float) -> None:
+        """Sleep for that long; Ctrl+C ends it."""
+        time.sleep(max(seconds, 0.0))
+
+    def get_time(self, time_type: TimeType) -> float:
+        """Of the last round, in seconds; 0 before the first."""
+        return self._last[time_type]
 
     def get_desired_thread_sampling_time_sec(self) -> float:
         return self._sampling_time / _NANO

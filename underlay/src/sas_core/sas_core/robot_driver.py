@@ -9,7 +9,7 @@ class RobotDriver:
     """Holds the names that sas::RobotDriver has in C++ and that its clients use."""
 
     class Functionality(Enum):
-        Unavailable = 0
+        Unavailable = 0  # None in C++, which is a word of Python's own
         PositionControl = 1
         VelocityControl = 2
         ForceControl = 3

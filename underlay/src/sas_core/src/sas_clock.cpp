@@ -55,14 +55,15 @@ void sleep_until(Steady::time_point moment)
 namespace sas
 {
 
-Clock::Clock(const double & thread_sampling_time_sec)
-: sampling_time_(valid_sampling_time(thread_sampling_time_sec))
+Clock::Clock(const double & thread_sampling_time_sec, const bool & enable_statistics)
+: sampling_time_(valid_sampling_time(thread_sampling_time_sec)), enable_statistics_(enable_statistics)
 {
 }
 
 void Clock::init()
 {
   initial_ = Steady::now();
+  initial_on_the_wall_ = std::chrono::system_clock::now();
   deadline_ = initial_;
   woke_up_ = initial_;
   overrun_count_ = 0;
@@ -101,6 +102,26 @@ void Clock::safe_sleep_seconds(const double & seconds, std::atomic_bool * break_
   }
 }
 
+void Clock::blocking_sleep_seconds(const double & seconds)
+{
+  safe_sleep_seconds(seconds, nullptr);
+}
+
+Clock::TimePoint Clock::get_initial_time() const
+{
+  return initial_on_the_wall_;
+}
+
+Clock::TimePoint Clock::get_last_update_time() const
+{
+  return on_the_wall(woke_up_);
+}
+
+double Clock::get_time(const TimeType & time_type) const
+{
+  return series(time_type).last;
+}
+
 double Clock::get_desired_thread_sampling_time_sec() const
 {
   return in_seconds(sampling_time_);
@@ -108,17 +129,17 @@ double Clock::get_desired_thread_sampling_time_sec() const
 
 double Clock::get_effective_thread_sampling_time_sec() const
 {
-  return series(TimeType::EffectiveSampling).last;
+  return get_time(TimeType::EffectiveSampling);
 }
 
 double Clock::get_computation_time() const
 {
-  return series(TimeType::Computational).last;
+  return get_time(TimeType::Computational);
 }
 
 double Clock::get_sleep_time() const
 {
-  return series(TimeType::Idle).last;
+  return get_time(TimeType::Idle);
 }
 
 double Clock::get_elapsed_time_sec() const
@@ -133,6 +154,9 @@ long Clock::get_overrun_count() const
 
 double Clock::get_statistics(const Statistics & statistics, const TimeType & time_type) const
 {
+  if (!enable_statistics_) {
+    throw std::runtime_error("sas::Clock: this clock was made with enable_statistics = false.");
+  }
   return series(time_type).statistics.get(statistics);
 }
 
@@ -140,7 +164,15 @@ void Clock::record(TimeType time_type, Steady::duration duration)
 {
   Series & one = series_.at(static_cast<std::size_t>(time_type));
   one.last = in_seconds(duration);
-  one.statistics.add(one.last);
+  if (enable_statistics_) {
+    one.statistics.add(one.last);
+  }
+}
+
+/// As if the wall's clock had not been set since the beginning.
+Clock::TimePoint Clock::on_the_wall(Steady::time_point moment) const
+{
+  return initial_on_the_wall_ + std::chrono::duration_cast<std::chrono::nanoseconds>(moment - initial_);
 }
 
 const Clock::Series & Clock::series(TimeType time_type) const

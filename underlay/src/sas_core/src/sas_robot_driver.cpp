@@ -6,9 +6,16 @@
 namespace sas
 {
 
-RobotDriver::RobotDriver(std::atomic_bool * break_loops)
-: break_loops_(break_loops)
+RobotDriver::RobotDriver(const std::shared_ptr<ShutdownSignaler> & shutdown_signaler)
+: shutdown_signaler_(shutdown_signaler ? shutdown_signaler : std::make_shared<ShutdownSignaler>()),
+  break_loops_(shutdown_signaler_->flag())
 {
+}
+
+RobotDriver::RobotDriver(std::atomic_bool * break_loops)
+: RobotDriver(std::make_shared<ShutdownSignaler>(break_loops))
+{
+  break_loops_ = break_loops;
 }
 
 Eigen::VectorXd RobotDriver::get_joint_velocities()

@@ -23,9 +23,19 @@ namespace sas
 RobotDriverROS::RobotDriverROS(
   const std::shared_ptr<rclcpp::Node> & node, const std::shared_ptr<RobotDriver> & robot_driver,
   const RobotDriverROSConfiguration & configuration, std::atomic_bool * kill_this_node)
+: RobotDriverROS(
+    node, robot_driver, configuration,
+    std::make_shared<ShutdownSignaler>(present(kill_this_node, "kill_this_node")))
+{
+}
+
+RobotDriverROS::RobotDriverROS(
+  const std::shared_ptr<rclcpp::Node> & node, const std::shared_ptr<RobotDriver> & robot_driver,
+  const RobotDriverROSConfiguration & configuration,
+  const std::shared_ptr<ShutdownSignaler> & shutdown_signaler)
 : node_(present(node, "node")),
   robot_driver_(present(robot_driver, "robot_driver")),
-  kill_this_node_(present(kill_this_node, "kill_this_node")),
+  shutdown_signaler_(present(shutdown_signaler, "shutdown_signaler")),
   clock_(configuration.thread_sampling_time_sec),
   robot_driver_server_(node_, configuration.robot_driver_provider_prefix)
 {
@@ -39,7 +49,7 @@ int RobotDriverROS::control_loop()
       carry_out("control loop", [this] {loop();});
   }
   if (!well) {
-    *kill_this_node_ = true;
+    shutdown_signaler_->shutdown();
   }
   well = carry_out("deinitialize", [this] {robot_driver_->deinitialize();}) && well;
   well = carry_out("disconnect", [this] {robot_driver_->disconnect();}) && well;
@@ -65,7 +75,7 @@ bool RobotDriverROS::carry_out(const std::string & step, const std::function<voi
 
 bool RobotDriverROS::should_shutdown() const
 {
-  return *kill_this_node_ || !rclcpp::ok();
+  return shutdown_signaler_->should_shutdown() || !rclcpp::ok();
 }
 
 void RobotDriverROS::loop()
@@ -103,7 +113,7 @@ void RobotDriverROS::obey()
     case RobotDriver::Functionality::ForceControl:
       robot_driver_->set_target_joint_torques(robot_driver_server_.get_target_joint_forces());
       break;
-    case RobotDriver::Functionality::Unavailable:
+    case RobotDriver::Functionality::None:
     case RobotDriver::Functionality::Homing:
     case RobotDriver::Functionality::ClearPositions:
       break;

@@ -21,14 +21,17 @@ class Clock
 public:
   enum class TimeType
   {
-    Computational,     ///< from waking up to the next update_and_sleep()
-    Idle,              ///< asleep in update_and_sleep()
-    EffectiveSampling  ///< from waking up to waking up
+    Computational,      ///< from waking up to the next update_and_sleep()
+    EffectiveSampling,  ///< from waking up to waking up
+    Idle                ///< asleep in update_and_sleep()
   };
 
+  using TimePoint = std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds>;
+
   /// Throws std::invalid_argument for a sampling time that is not positive.
-  explicit Clock(const double & thread_sampling_time_sec);
+  explicit Clock(const double & thread_sampling_time_sec, const bool & enable_statistics = true);
   Clock() = delete;
+  Clock(const int &) = delete;  // NOLINT: Clock(1) would be a whole second, which is hardly meant
   Clock(const Clock &) = delete;
   Clock & operator=(const Clock &) = delete;
 
@@ -41,6 +44,16 @@ public:
   /// Sleep for that long, or until *break_loops is true (looked at a hundred times per second).
   static void safe_sleep_seconds(const double & seconds, std::atomic_bool * break_loops);
 
+  /// Sleep for that long, whatever happens.
+  static void blocking_sleep_seconds(const double & seconds);
+
+  /// When init() was called, and when update_and_sleep() woke up last.
+  TimePoint get_initial_time() const;
+  TimePoint get_last_update_time() const;
+
+  /// Of the last round, in seconds; 0 before the first.
+  double get_time(const TimeType & time_type) const;
+
   double get_desired_thread_sampling_time_sec() const;
   double get_effective_thread_sampling_time_sec() const;  ///< of the last round, in seconds
   double get_computation_time() const;                    ///< of the last round, in seconds
@@ -48,7 +61,8 @@ public:
   double get_elapsed_time_sec() const;                    ///< since init()
   long get_overrun_count() const;                         ///< moments that were missed since init()
 
-  /// A figure in seconds over all rounds since init(); NaN before the first.
+  /// A figure in seconds over all rounds since init(); NaN before the first. Throws std::runtime_error for a
+  /// clock that was told to take none.
   double get_statistics(const Statistics & statistics, const TimeType & time_type) const;
 
 private:
@@ -63,9 +77,13 @@ private:
   void record(TimeType time_type, Steady::duration duration);
   const Series & series(TimeType time_type) const;
 
+  TimePoint on_the_wall(Steady::time_point moment) const;
+
   Steady::duration sampling_time_;
+  bool enable_statistics_;
   bool started_ = false;
   Steady::time_point initial_;
+  TimePoint initial_on_the_wall_;
   Steady::time_point deadline_;
   Steady::time_point woke_up_;
   long overrun_count_ = 0;

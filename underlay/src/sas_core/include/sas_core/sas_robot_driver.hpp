@@ -3,9 +3,11 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <tuple>
 
 #include <Eigen/Dense>
+#include <sas_core/sas_shutdown_signaler.hpp>
 
 namespace sas
 {
@@ -20,7 +22,8 @@ public:
   /// What a robot can be told to do.
   enum class Functionality
   {
-    Unavailable,
+    None = 0,
+    Unavailable = None,
     PositionControl,
     VelocityControl,
     ForceControl,
@@ -59,10 +62,14 @@ public:
   virtual void set_joint_limits(const std::tuple<Eigen::VectorXd, Eigen::VectorXd> & joint_limits);
 
 protected:
+  /// A driver's own loops end when `shutdown_signaler` says so.
+  explicit RobotDriver(const std::shared_ptr<ShutdownSignaler> & shutdown_signaler);
+
   /// `break_loops` belongs to the program: a driver's own loops end when it is true.
   explicit RobotDriver(std::atomic_bool * break_loops);
 
-  std::atomic_bool * break_loops_;
+  std::shared_ptr<ShutdownSignaler> shutdown_signaler_;
+  std::atomic_bool * break_loops_;  // the same, as a flag
   std::tuple<Eigen::VectorXd, Eigen::VectorXd> joint_limits_;
 };
 

@@ -6,10 +6,12 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <rclcpp/rclcpp.hpp>
 #include <sas_core/sas_clock.hpp>
 #include <sas_core/sas_robot_driver.hpp>
+#include <sas_core/sas_shutdown_signaler.hpp>
 #include <sas_robot_driver/sas_robot_driver_server.hpp>
 
 namespace sas
@@ -19,6 +21,9 @@ struct RobotDriverROSConfiguration
 {
   std::string robot_driver_provider_prefix;  ///< what the robot's topics begin with
   double thread_sampling_time_sec = 0.0;     ///< the robot is read and commanded once in this time
+  double watchdog_period_in_seconds = 0.0;   ///< not used: there is no watchdog
+  std::vector<double> q_min = {};            ///< least positions, for the program's own use
+  std::vector<double> q_max = {};            ///< greatest positions, for the program's own use
 };
 
 /// Reads and commands the robot at a fixed rate, and speaks for it on the topics of RobotDriverServer.
@@ -30,6 +35,11 @@ public:
   RobotDriverROS(
     const std::shared_ptr<rclcpp::Node> & node, const std::shared_ptr<RobotDriver> & robot_driver,
     const RobotDriverROSConfiguration & configuration, std::atomic_bool * kill_this_node);
+  /// The same; `shutdown_signaler` ends the loop, and is told when the driver fails.
+  RobotDriverROS(
+    const std::shared_ptr<rclcpp::Node> & node, const std::shared_ptr<RobotDriver> & robot_driver,
+    const RobotDriverROSConfiguration & configuration,
+    const std::shared_ptr<ShutdownSignaler> & shutdown_signaler);
   RobotDriverROS() = delete;
   RobotDriverROS(const RobotDriverROS &) = delete;
   RobotDriverROS & operator=(const RobotDriverROS &) = delete;
@@ -49,7 +59,7 @@ private:
 
   std::shared_ptr<rclcpp::Node> node_;
   std::shared_ptr<RobotDriver> robot_driver_;
-  std::atomic_bool * kill_this_node_;
+  std::shared_ptr<ShutdownSignaler> shutdown_signaler_;
   Clock clock_;
   RobotDriverServer robot_driver_server_;
 };

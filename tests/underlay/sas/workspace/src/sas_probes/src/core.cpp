@@ -56,6 +56,55 @@ void steady_clock_of_rounds(int rounds)
   std::cout << "desired " << clock.get_desired_thread_sampling_time_sec() << "\n";
 }
 
+void newer_clock()
+{
+  const auto began = std::chrono::system_clock::now();
+  Clock clock(0.05, false);
+  std::cout << "unasked " << clock.get_time(Clock::TimeType::Idle) << "\n";
+  clock.init();
+  clock.update_and_sleep();
+  std::cout << "time " << clock.get_time(Clock::TimeType::Idle) + clock.get_time(
+    Clock::TimeType::Computational) - clock.get_time(Clock::TimeType::EffectiveSampling) << "\n";
+  const auto seconds = [](auto duration) {return std::chrono::duration<double>(duration).count();};
+  std::cout << "wall " << seconds(clock.get_initial_time() - began) << " " <<
+    seconds(clock.get_last_update_time() - clock.get_initial_time()) << "\n";
+  std::cout << "unkept " << what_of(
+    [&] {clock.get_statistics(Statistics::Mean, Clock::TimeType::Idle);}) << "\n";
+  const auto before = std::chrono::steady_clock::now();
+  clock.blocking_sleep_seconds(0.1);
+  std::cout << "blocked " << seconds(std::chrono::steady_clock::now() - before) << "\n";
+  std::cout << "order " << static_cast<int>(Clock::TimeType::Computational) <<
+    static_cast<int>(Clock::TimeType::EffectiveSampling) << static_cast<int>(Clock::TimeType::Idle) << "\n";
+}
+
+void matrices()
+{
+  const auto line = [](const std::string & name, const Eigen::MatrixXd & matrix) {
+      const Eigen::IOFormat format(Eigen::StreamPrecision, Eigen::DontAlignCols, " ", " / ");
+      std::cout << name << " " << matrix.format(format) << "\n";
+    };
+  const VectorXd a = VectorXd::LinSpaced(2, 1.0, 2.0), b = VectorXd::LinSpaced(3, 3.0, 5.0);
+  const Eigen::MatrixXd square = Eigen::MatrixXd::Ones(2, 2), row = 3.0 * Eigen::MatrixXd::Ones(1, 2);
+  line("concatenated", sas::concatenate(a, b).transpose());
+  line("concatenated", sas::concatenate(std::vector<VectorXd>{b, VectorXd(), a}).transpose());
+  line("stacked", sas::vstack(square, row));
+  line("stacked", sas::vstack(Eigen::MatrixXd(), row));
+  line("diagonal", sas::block_diag({row, square}));
+  for (const auto & part : sas::split(sas::concatenate(a, b), {1, 0, 3})) {
+    line("part", part.transpose());
+  }
+  std::cout << "columns " << what_of([&] {sas::vstack(square, b);}) << "\n";
+  std::cout << "parts " << what_of([&] {sas::split(a, {1, 2});}) << "\n";
+  static_assert(sas::incremental_mean(2.0, 3, 6.0) == 3.0);
+  std::cout << "samples " << what_of([] {sas::incremental_mean(2.0, -1, 6.0);}) << "\n";
+}
+
+class Named : public sas::Object
+{
+public:
+  Named() : Object("Named") {}
+};
+
 void late_clock()
 {
   Clock clock(0.01);
@@ -98,6 +147,11 @@ class Driver : public sas::RobotDriver
 public:
   explicit Driver(std::atomic_bool * break_loops)
   : RobotDriver(break_loops) {}
+  explicit Driver(const std::shared_ptr<sas::ShutdownSignaler> & shutdown_signaler)
+  : RobotDriver(shutdown_signaler) {}
+
+  /// Whether both ways to ask say the same.
+  bool ends() const {return *break_loops_ && shutdown_signaler_->should_shutdown();}
 
   VectorXd get_joint_positions() override {return {};}
   void set_target_joint_positions(const VectorXd &) override {}
@@ -117,6 +171,14 @@ void driver()
   std::cout << "torques " << what_of([&] {driver.set_target_joint_torques(VectorXd(1));}) << "\n";
   std::cout << "limits " << what_of([&] {driver.set_joint_limits({VectorXd(2), VectorXd(3)});}) << "\n";
   driver.set_joint_limits({VectorXd::Zero(2), VectorXd::Ones(2)});
+  std::cout << "named " << Named().get_class_name() << "\n";
+  const auto signaler = std::make_shared<sas::ShutdownSignaler>();
+  Driver second(signaler);
+  std::cout << "ends " << driver.ends() << second.ends();
+  signaler->shutdown();
+  sas::ShutdownSignaler(&break_loops).shutdown();
+  std::cout << driver.ends() << second.ends() << "\n";
+  static_assert(sas::RobotDriver::Functionality::None == sas::RobotDriver::Functionality::Unavailable);
   std::cout << "greatest " << std::get<1>(driver.get_joint_limits()).transpose() << "\n";
 }
 
@@ -126,6 +188,8 @@ int main()
 {
   std::cout << std::setprecision(17);
   steady_clock_of_rounds(20);
+  newer_clock();
+  matrices();
   late_clock();
   std::cout << "invalid " << what_of([] {Clock clock(0.0);}) << "\n";
   figures();
