@@ -1,0 +1,7 @@
+#pragma once
+
+#define RCLCPP_LIFECYCLE_EXPORT __attribute__((visibility("default")))
+#define RCLCPP_LIFECYCLE_IMPORT
+#define RCLCPP_LIFECYCLE_PUBLIC RCLCPP_LIFECYCLE_EXPORT
+#define RCLCPP_LIFECYCLE_PUBLIC_TYPE RCLCPP_LIFECYCLE_EXPORT
+#define RCLCPP_LIFECYCLE_LOCAL __attribute__((visibility("hidden")))
