@@ -14,7 +14,9 @@ def cases(program: str) -> list[str]:
     return re.findall(r'^    \{"(\w+)", ', (PROBES / "src" / f"{program}.cpp").read_text(), re.MULTILINE)
 
 
-PROGRAMS = ("units", "executors", "further", "actions")
+PROGRAMS = (
+    "units", "executors", "further", "local", "wait_sets", "adapters", "small", "lifecycle", "actions",
+)  # fmt: skip
 
 
 @pytest.mark.slow

@@ -46,7 +46,30 @@ ClientBase::ClientBase(
 {
 }
 
-ClientBase::~ClientBase() = default;
+ClientBase::~ClientBase()
+{
+  try {
+    clear_on_new_response_callback();  // others may hold the handle for longer
+  } catch (const std::exception &) {
+    rcl_reset_error();
+  }
+}
+
+void ClientBase::set_on_new_response_callback(std::function<void(std::size_t)> callback)
+{
+  on_new_.set(
+    std::move(callback), [this](rcl_event_callback_t function, const void * data) {
+      return rcl_client_set_on_new_response_callback(handle_.get(), function, data);
+    }, "set_on_new_response_callback");
+}
+
+void ClientBase::clear_on_new_response_callback()
+{
+  on_new_.clear(
+    [this](rcl_event_callback_t function, const void * data) {
+      return rcl_client_set_on_new_response_callback(handle_.get(), function, data);
+    });
+}
 
 const char * ClientBase::get_service_name() const
 {
@@ -104,20 +127,24 @@ void ClientBase::configure_introspection(
   clock_ = std::move(clock);
 }
 
-void ClientBase::execute()
+bool ClientBase::take_type_erased_response(void * response_out, rmw_request_id_t & request_header_out)
 {
-  rmw_request_id_t header{};
-  auto response = create_response();
-  const rcl_ret_t ret = rcl_take_response(handle_.get(), &header, response.get());
+  const rcl_ret_t ret = rcl_take_response(handle_.get(), &request_header_out, response_out);
   if (ret == RCL_RET_CLIENT_TAKE_FAILED) {
     rcl_reset_error();
-    return;
+    return false;
   }
   detail::check(ret, "failed to take a response");
+  return true;
+}
+
+void ClientBase::handle_response(
+  std::shared_ptr<rmw_request_id_t> request_header, std::shared_ptr<void> response)
+{
   Answered answered;
   {
     const std::lock_guard lock(pending_mutex_);
-    const auto found = pending_.find(header.sequence_number);
+    const auto found = pending_.find(request_header->sequence_number);
     if (found == pending_.end()) {
       RCLCPP_DEBUG(get_logger("rclcpp"), "Received invalid sequence number. Ignoring...");
       return;
@@ -126,6 +153,15 @@ void ClientBase::execute()
     pending_.erase(found);
   }
   answered(std::move(response));
+}
+
+void ClientBase::execute()
+{
+  auto header = std::make_shared<rmw_request_id_t>();
+  auto response = create_response();
+  if (take_type_erased_response(response.get(), *header)) {
+    handle_response(std::move(header), std::move(response));
+  }
 }
 
 bool ClientBase::remove_pending_request(std::int64_t request_id)

@@ -1,8 +1,10 @@
 #include "rclcpp/clock.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <utility>
+#include <vector>
 
 #include "rclcpp/detail/check.hpp"
 
@@ -60,6 +62,32 @@ struct Clock::Impl
   rcl_clock_t clock;
   rcl_allocator_t allocator;
   std::mutex mutex;
+
+  /// Whether the context is still valid.
+  bool sleep(const Context::SharedPtr & context, std::chrono::nanoseconds time)
+  {
+    {
+      const std::lock_guard lock(sleepers_mutex);
+      sleepers.push_back(context);
+    }
+    const bool alive = context->sleep_unless(time, stop);
+    const std::lock_guard lock(sleepers_mutex);
+    sleepers.erase(std::find(sleepers.begin(), sleepers.end(), context));
+    return alive;
+  }
+
+  void wake()
+  {
+    const std::lock_guard lock(sleepers_mutex);
+    stop = true;
+    for (const auto & context : sleepers) {
+      context->wake_sleepers();
+    }
+  }
+
+  std::atomic_bool stop{false};
+  std::mutex sleepers_mutex;
+  std::vector<Context::SharedPtr> sleepers;  // one for each sleep
 };
 
 Clock::Clock(rcl_clock_type_t clock_type)
@@ -83,14 +111,19 @@ bool Clock::sleep_until(Time until, Context::SharedPtr context)
   const bool simulated = get_clock_type() == RCL_ROS_TIME && ros_time_is_active();
   for (auto left = until - now(); left > Duration(0, 0); left = until - now()) {
     const auto rest = left.to_chrono<std::chrono::nanoseconds>();
-    const bool alive = context->sleep_for(simulated ? tick : rest);
+    const bool alive = impl_->sleep(context, simulated ? tick : rest);
     const bool switched =
       get_clock_type() == RCL_ROS_TIME && simulated != ros_time_is_active();
-    if (!alive || switched) {
+    if (!alive || switched || impl_->stop.exchange(false)) {
       return false;
     }
   }
   return true;
+}
+
+void Clock::cancel_sleep_or_wait()
+{
+  impl_->wake();
 }
 
 bool Clock::sleep_for(Duration rel_time, Context::SharedPtr context)

@@ -251,14 +251,26 @@ bool Context::remove_pre_shutdown_callback(const PreShutdownCallbackHandle & han
 
 bool Context::sleep_for(const std::chrono::nanoseconds & nanoseconds)
 {
+  const std::atomic_bool never{false};
+  return sleep_unless(nanoseconds, never);
+}
+
+bool Context::sleep_unless(const std::chrono::nanoseconds & nanoseconds, const std::atomic_bool & stop)
+{
   const auto until = std::chrono::steady_clock::now() + nanoseconds;
   {
     std::unique_lock lock(impl_->sleep_mutex);
     const auto before = impl_->interruptions;
     impl_->awake.wait_until(
-      lock, until, [&] {return impl_->interruptions != before || !is_valid();});
+      lock, until, [&] {return impl_->interruptions != before || !is_valid() || stop;});
   }
   return is_valid();
+}
+
+void Context::wake_sleepers()
+{
+  const std::lock_guard lock(impl_->sleep_mutex);
+  impl_->awake.notify_all();
 }
 
 void Context::interrupt_all_sleep()

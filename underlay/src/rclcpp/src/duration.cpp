@@ -115,4 +115,27 @@ rmw_time_t Duration::to_rmw_time() const
   return {all / 1000000000u, all % 1000000000u};
 }
 
+namespace
+{
+
+std::int64_t nanoseconds_of(const builtin_interfaces::msg::Time & time)
+{
+  if (time.sec < 0) {
+    throw std::runtime_error("message time is negative");
+  }
+  return RCL_S_TO_NS(static_cast<std::int64_t>(time.sec)) + time.nanosec;
+}
+
+}  // namespace
+
+builtin_interfaces::msg::Time operator+(const builtin_interfaces::msg::Time & lhs, const Duration & rhs)
+{
+  return convert_rcl_time_to_sec_nanos(detail::sum(nanoseconds_of(lhs), rhs.nanoseconds(), "time"));
+}
+
+builtin_interfaces::msg::Time operator-(const builtin_interfaces::msg::Time & lhs, const Duration & rhs)
+{
+  return convert_rcl_time_to_sec_nanos(detail::difference(nanoseconds_of(lhs), rhs.nanoseconds(), "time"));
+}
+
 }  // namespace rclcpp

@@ -86,7 +86,7 @@ GenericSubscription::GenericSubscription(
   const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
   const std::string & topic_type, const QoS & qos, detail::MessageHandler<SerializedMessage> handler,
   const SubscriptionOptionsBase & options)
-: SubscriptionBase(node, topic, detail::load_type(topic_type), qos, options, true),
+: SubscriptionBase(node, topic, detail::load_type(topic_type), qos, options, Form::bytes),
   handler_(std::move(handler))
 {
 }

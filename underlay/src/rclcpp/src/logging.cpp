@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "deallocate.hpp"
 #include "logging_lock.hpp"
 #include "rcl/logging_rosout.h"
+#include "rcl_logging_interface/rcl_logging_interface.h"
 #include "rclcpp/detail/check.hpp"
 
 namespace rclcpp
@@ -128,6 +130,16 @@ bool detail::is_due(std::atomic<std::int64_t> & last, std::int64_t now, double m
   std::int64_t before = last.load();
   const bool due = now >= before + period || now < before;
   return due && last.compare_exchange_strong(before, now);
+}
+
+std::filesystem::path get_logging_directory()
+{
+  char * found = nullptr;
+  detail::check(
+    rcl_logging_get_logging_directory(rcl_get_default_allocator(), &found),
+    "failed to get the logging directory");
+  const std::unique_ptr<char, detail::Deallocate> directory(found);
+  return directory.get();
 }
 
 }  // namespace rclcpp

@@ -73,7 +73,7 @@ std::shared_ptr<rcl_node_t> make_node(
 
 NodeBaseInterface::NodeBaseInterface(
   const std::string & node_name, const std::string & node_namespace, const NodeOptions & options)
-: context_(options.context())
+: context_(options.context()), use_intra_process_default_(options.use_intra_process_comms())
 {
   const GuardCondition tried(context_);  // it says in the usual words when rclcpp::init() was not called
   handle_ = make_node(node_name, node_namespace, options, context_->get_rcl_context());
@@ -131,6 +131,9 @@ void NodeBaseInterface::add(
     throw std::runtime_error("Cannot create it: the callback group is not in the node.");
   }
   (group ? group : default_group_)->add(entity);
+  if (const auto companion = entity->companion()) {
+    (group ? group : default_group_)->add(companion);
+  }
   std::shared_ptr<GuardCondition> waker;
   {
     const std::lock_guard lock(mutex_);

@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "intra_process.hpp"
 #include "names.hpp"
 #include "qos_actual.hpp"
 #include "qos_events.hpp"
 #include "rclcpp/detail/check.hpp"
+#include "rclcpp/detail/local_topic.hpp"
 #include "rclcpp/logging.hpp"
 #include "rmw/rmw.h"
 
@@ -39,7 +41,8 @@ std::shared_ptr<rcl_publisher_t> make_publisher(
 
 PublisherBase::PublisherBase(
   const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
-  const rosidl_message_type_support_t & type_support, const QoS & qos, const PublisherOptionsBase & options)
+  const rosidl_message_type_support_t & type_support, const QoS & qos, const PublisherOptionsBase & options,
+  detail::CloneMessage clone)
 : context_(node->get_context()),
   handle_(make_publisher(node->get_shared_rcl_node_handle(), topic, type_support, qos)),
   events_(detail::publisher_events(handle_, *node->get_rcl_node_handle(), options))
@@ -47,6 +50,13 @@ PublisherBase::PublisherBase(
   const rmw_publisher_t * at_rmw = rcl_publisher_get_rmw_handle(handle_.get());
   if (!at_rmw || rmw_get_gid_for_publisher(at_rmw, &gid_) != RMW_RET_OK) {
     exceptions::throw_from_rcl_error(RCL_RET_ERROR, "failed to get publisher gid");
+  }
+  if (clone && detail::uses_intra_process(options.use_intra_process_comm, *node)) {
+    detail::check_local_qos(get_actual_qos(), get_topic_name());
+    local_ = detail::LocalTopic::get(context_->get_rcl_context(), get_topic_name(), type_support);
+    outbox_ = std::make_shared<detail::LocalOutbox>(
+      detail::LocalOutbox{gid_, get_actual_qos(), clone, {}});
+    local_->add(outbox_);
   }
   for (const auto & event : events_) {
     node->add(event, options.callback_group);
@@ -82,6 +92,17 @@ std::size_t PublisherBase::get_subscription_count() const
   return count;
 }
 
+std::size_t PublisherBase::get_intra_process_subscription_count() const
+{
+  return local_ ? local_->count(*outbox_) : 0;
+}
+
+bool PublisherBase::needs_middleware() const
+{
+  // What is kept may be asked for later, by others as well.
+  return outbox_->keeps() || get_subscription_count() > get_intra_process_subscription_count();
+}
+
 bool PublisherBase::assert_liveliness() const
 {
   const bool asserted = rcl_publisher_assert_liveliness(handle_.get()) == RCL_RET_OK;
@@ -98,7 +119,7 @@ QoS PublisherBase::get_actual_qos() const
 
 bool PublisherBase::can_loan_messages() const
 {
-  return rcl_publisher_can_loan_messages(handle_.get());
+  return !local_ && rcl_publisher_can_loan_messages(handle_.get());
 }
 
 bool PublisherBase::wait_for_all_acked(std::chrono::nanoseconds timeout) const
@@ -132,11 +153,32 @@ void PublisherBase::check_published(rcl_ret_t ret, const char * doing) const
 
 void PublisherBase::publish_untyped(const void * message)
 {
+  if (local_ && (outbox_->keeps() || get_intra_process_subscription_count() > 0)) {
+    publish_owned(outbox_->clone(message));
+  } else {
+    publish_elsewhere(message);
+  }
+}
+
+void PublisherBase::publish_owned(std::shared_ptr<void> message)
+{
+  const bool is_needed = needs_middleware();
+  const auto shared = local_->publish(*outbox_, std::move(message), is_needed);
+  if (is_needed) {
+    publish_elsewhere(shared.get());
+  }
+}
+
+void PublisherBase::publish_elsewhere(const void * message)
+{
   check_published(rcl_publish(handle_.get(), message, nullptr), "failed to publish message");
 }
 
 void PublisherBase::publish_serialized(const rcl_serialized_message_t & message)
 {
+  if (local_) {
+    throw std::runtime_error("storing serialized messages in intra process is not supported yet");
+  }
   check_published(
     rcl_publish_serialized_message(handle_.get(), &message, nullptr),
     "failed to publish serialized message");

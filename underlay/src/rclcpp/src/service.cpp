@@ -43,7 +43,30 @@ ServiceBase::ServiceBase(
 {
 }
 
-ServiceBase::~ServiceBase() = default;
+ServiceBase::~ServiceBase()
+{
+  try {
+    clear_on_new_request_callback();  // others may hold the handle for longer
+  } catch (const std::exception &) {
+    rcl_reset_error();
+  }
+}
+
+void ServiceBase::set_on_new_request_callback(std::function<void(std::size_t)> callback)
+{
+  on_new_.set(
+    std::move(callback), [this](rcl_event_callback_t function, const void * data) {
+      return rcl_service_set_on_new_request_callback(handle_.get(), function, data);
+    }, "set_on_new_request_callback");
+}
+
+void ServiceBase::clear_on_new_request_callback()
+{
+  on_new_.clear(
+    [this](rcl_event_callback_t function, const void * data) {
+      return rcl_service_set_on_new_request_callback(handle_.get(), function, data);
+    });
+}
 
 const char * ServiceBase::get_service_name()
 {
@@ -74,17 +97,24 @@ void ServiceBase::configure_introspection(
   clock_ = std::move(clock);
 }
 
+bool ServiceBase::take_type_erased_request(void * request_out, rmw_request_id_t & request_id_out)
+{
+  const rcl_ret_t ret = rcl_take_request(handle_.get(), &request_id_out, request_out);
+  if (ret == RCL_RET_SERVICE_TAKE_FAILED) {
+    rcl_reset_error();
+    return false;
+  }
+  detail::check(ret, "failed to take a request");
+  return true;
+}
+
 void ServiceBase::execute()
 {
   auto header = std::make_shared<rmw_request_id_t>();
   auto request = create_request();
-  const rcl_ret_t ret = rcl_take_request(handle_.get(), header.get(), request.get());
-  if (ret == RCL_RET_SERVICE_TAKE_FAILED) {
-    rcl_reset_error();
-    return;
+  if (take_type_erased_request(request.get(), *header)) {
+    handle_request(std::move(header), std::move(request));
   }
-  detail::check(ret, "failed to take a request");
-  handle_request(std::move(header), std::move(request));
 }
 
 void ServiceBase::send_untyped(rmw_request_id_t & request_id, void * response)

@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "intra_process.hpp"
 #include "names.hpp"
 #include "qos_actual.hpp"
 #include "qos_events.hpp"
 #include "rclcpp/detail/check.hpp"
+#include "rclcpp/detail/local_topic.hpp"
 
 namespace rclcpp
 {
@@ -94,17 +96,45 @@ bool was_taken(rcl_ret_t ret)
 SubscriptionBase::SubscriptionBase(
   const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
   const rosidl_message_type_support_t & type_support, const QoS & qos,
-  const SubscriptionOptionsBase & options, bool is_serialized)
+  const SubscriptionOptionsBase & options, Form form)
 : handle_(make_subscription(node->get_shared_rcl_node_handle(), topic, type_support, qos, options)),
   events_(detail::subscription_events(handle_, *node->get_rcl_node_handle(), options)),
-  is_serialized_(is_serialized)
+  form_(form),
+  context_(node->get_context())
 {
+  if (detail::uses_intra_process(options.use_intra_process_comm, *node) && form != Form::bytes) {
+    detail::check_local_qos(get_actual_qos(), get_topic_name());
+    local_ = detail::LocalTopic::get(context_->get_rcl_context(), get_topic_name(), type_support);
+  }
   for (const auto & event : events_) {
     node->add(event, options.callback_group);
   }
 }
 
-SubscriptionBase::~SubscriptionBase() = default;
+SubscriptionBase::~SubscriptionBase()
+{
+  try {
+    clear_on_new_message_callback();  // others may hold the handle for longer
+  } catch (const std::exception &) {
+    rcl_reset_error();
+  }
+}
+
+void SubscriptionBase::set_on_new_message_callback(std::function<void(std::size_t)> callback)
+{
+  on_new_.set(
+    std::move(callback), [this](rcl_event_callback_t function, const void * data) {
+      return rcl_subscription_set_on_new_message_callback(handle_.get(), function, data);
+    }, "set_on_new_message_callback");
+}
+
+void SubscriptionBase::clear_on_new_message_callback()
+{
+  on_new_.clear(
+    [this](rcl_event_callback_t function, const void * data) {
+      return rcl_subscription_set_on_new_message_callback(handle_.get(), function, data);
+    });
+}
 
 const char * SubscriptionBase::get_topic_name() const
 {
@@ -168,6 +198,21 @@ bool SubscriptionBase::take_serialized(SerializedMessage & message_out, MessageI
       nullptr));
 }
 
+std::shared_ptr<detail::Entity> SubscriptionBase::companion()
+{
+  if (local_ && !inbox_) {
+    inbox_ = std::make_shared<detail::LocalInbox>(
+      context_, weak_from_this(), get_actual_qos(), form_ == Form::owned);
+    local_->add(inbox_);
+  }
+  return inbox_;
+}
+
+bool SubscriptionBase::is_handed_over(const MessageInfo & info) const
+{
+  return local_ && local_->has_publisher(info.get_rmw_message_info().publisher_gid);
+}
+
 void SubscriptionBase::execute()
 {
   MessageInfo info;
@@ -179,7 +224,7 @@ void SubscriptionBase::execute()
     return;
   }
   auto message = create_message();
-  if (take_type_erased(message.get(), info)) {
+  if (take_type_erased(message.get(), info) && !is_handed_over(info)) {
     handle_message(message, info);
   }
 }

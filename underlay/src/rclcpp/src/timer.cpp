@@ -47,7 +47,37 @@ TimerBase::TimerBase(
   handle_ = {owned, &owned->timer};
 }
 
-TimerBase::~TimerBase() = default;
+TimerBase::~TimerBase()
+{
+  try {
+    clear_on_reset_callback();  // others may hold the handle for longer
+  } catch (const std::exception &) {
+    rcl_reset_error();
+  }
+}
+
+void TimerBase::set_on_reset_callback(std::function<void(std::size_t)> callback)
+{
+  on_reset_.set(
+    std::move(callback), [this](rcl_event_callback_t function, const void * data) {
+      return rcl_timer_set_on_reset_callback(handle_.get(), function, data);
+    }, "set_on_reset_callback");
+}
+
+void TimerBase::clear_on_reset_callback()
+{
+  on_reset_.clear(
+    [this](rcl_event_callback_t function, const void * data) {
+      return rcl_timer_set_on_reset_callback(handle_.get(), function, data);
+    });
+}
+
+TimerInfo TimerBase::last_call() const
+{
+  const std::lock_guard lock(call_mutex_);
+  const auto type = clock_->get_clock_type();
+  return {Time(last_call_.expected_call_time, type), Time(last_call_.actual_call_time, type)};
+}
 
 void TimerBase::cancel()
 {
@@ -69,7 +99,8 @@ void TimerBase::reset()
 
 bool TimerBase::call()
 {
-  const rcl_ret_t ret = rcl_timer_call(handle_.get());
+  const std::lock_guard lock(call_mutex_);
+  const rcl_ret_t ret = rcl_timer_call_with_info(handle_.get(), &last_call_);
   if (ret == RCL_RET_TIMER_CANCELED) {
     rcl_reset_error();
     return false;

@@ -16,7 +16,9 @@ const T * as(const Entity & entity)
   return static_cast<const T *>(entity.rcl_entity());
 }
 
-rcl_ret_t add(rcl_wait_set_t & set, const Entity & entity, std::size_t & index)
+}  // namespace
+
+rcl_ret_t add_to_wait_set(rcl_wait_set_t & set, const Entity & entity, std::size_t & index)
 {
   switch (entity.kind()) {
     case EntityKind::timer:
@@ -33,8 +35,6 @@ rcl_ret_t add(rcl_wait_set_t & set, const Entity & entity, std::size_t & index)
       return rcl_wait_set_add_guard_condition(&set, as<rcl_guard_condition_t>(entity), &index);
   }
 }
-
-}  // namespace
 
 WaitSet::WaitSet(const Context::SharedPtr & context)
 : context_(context->get_rcl_context())
@@ -95,7 +95,8 @@ void WaitSet::fill(
   places_.resize(entities.size());
   for (std::size_t i = 0; i < entities.size(); ++i) {
     places_[i].kind = entities[i]->kind();
-    check(add(set_, *entities[i], places_[i].index), "failed to add to the wait set");
+    entities[i]->before_wait();
+    check(add_to_wait_set(set_, *entities[i], places_[i].index), "failed to add to the wait set");
   }
 }
 

@@ -13,6 +13,9 @@
 namespace rclcpp::detail
 {
 
+/// `index` becomes its place among those of its kind.
+rcl_ret_t add_to_wait_set(rcl_wait_set_t & set, const Entity & entity, std::size_t & index);
+
 /// rcl's wait set. All of it is for one thread at a time.
 class WaitSet
 {

@@ -5,14 +5,33 @@
 #include <type_traits>
 #include <utility>
 
+#include "rclcpp/detail/local_message.hpp"
 #include "rclcpp/message_info.hpp"
 #include "rclcpp/serialized_message.hpp"
+#include "rclcpp/type_adapter.hpp"
 
 namespace rclcpp::detail
 {
 
+/// What is done with a message. With `owns_messages`, it may be changed: nobody else may have it.
 template<typename MessageT>
-using MessageHandler = std::function<void(std::shared_ptr<MessageT> &&, const MessageInfo &)>;
+struct MessageHandler : std::function<void(std::shared_ptr<MessageT> &&, const MessageInfo &)>
+{
+  using Function = std::function<void(std::shared_ptr<MessageT> &&, const MessageInfo &)>;
+
+  MessageHandler() = default;
+  MessageHandler(Function function, bool owns)
+  : Function(std::move(function)), owns_messages(owns) {}
+  /// A function that takes the shared pointer itself may do with the message what it wants.
+  template<
+    typename FunctionT,
+    std::enable_if_t<
+      !std::is_base_of_v<MessageHandler, FunctionT> && std::is_constructible_v<Function, FunctionT>, int> = 0>
+  MessageHandler(FunctionT function)  // NOLINT: it stands for one
+  : MessageHandler(Function(std::move(function)), true) {}
+
+  bool owns_messages = false;
+};
 
 using SerializedHandler = MessageHandler<SerializedMessage>;
 
@@ -30,7 +49,18 @@ void call_with(CallbackT & callback, std::shared_ptr<MessageT> && message, const
   } else if constexpr (std::is_invocable_v<CallbackT &, std::shared_ptr<MessageT>, const Info &...>) {
     callback(std::move(message), info ...);
   } else {
-    callback(std::make_unique<MessageT>(std::move(*message)), info ...);
+    callback(unique_from_shared(std::move(message)), info ...);
+  }
+}
+
+/// Whether it takes the message in a form that it may change. Step by step, as in call_with.
+template<typename MessageT, typename CallbackT, typename ... Info>
+constexpr bool may_change()
+{
+  if constexpr (std::is_invocable_v<CallbackT &, const MessageT &, const Info &...>) {
+    return false;
+  } else {
+    return !std::is_invocable_v<CallbackT &, std::shared_ptr<const MessageT>, const Info &...>;
   }
 }
 
@@ -63,15 +93,17 @@ MessageHandler<MessageT> message_handler(CallbackT && callback)
 {
   using Given = std::decay_t<CallbackT>;
   if constexpr (takes<MessageT, Given>) {
-    return [callback = Given(std::forward<CallbackT>(callback))](
-      std::shared_ptr<MessageT> && message, const MessageInfo &) mutable {
-             call_with<MessageT>(callback, std::move(message));
-           };
+    return {
+      [callback = Given(std::forward<CallbackT>(callback))](
+        std::shared_ptr<MessageT> && message, const MessageInfo &) mutable {
+        call_with<MessageT>(callback, std::move(message));
+      }, may_change<MessageT, Given>()};
   } else if constexpr (takes<MessageT, Given, MessageInfo>) {
-    return [callback = Given(std::forward<CallbackT>(callback))](
-      std::shared_ptr<MessageT> && message, const MessageInfo & info) mutable {
-             call_with<MessageT>(callback, std::move(message), info);
-           };
+    return {
+      [callback = Given(std::forward<CallbackT>(callback))](
+        std::shared_ptr<MessageT> && message, const MessageInfo & info) mutable {
+        call_with<MessageT>(callback, std::move(message), info);
+      }, may_change<MessageT, Given, MessageInfo>()};
   } else {
     static_assert(
       always_false<Given>,
@@ -79,12 +111,45 @@ MessageHandler<MessageT> message_handler(CallbackT && callback)
   }
 }
 
+/// Gives what the adapter makes of a message to a callback that takes that.
+template<typename AdapterT, typename CallbackT>
+auto adapting_handler(CallbackT && callback)
+{
+  using Custom = typename AdapterT::custom_type;
+  using Message = typename AdapterT::ros_message_type;
+  return MessageHandler<Message>(
+    [handler = message_handler<Custom>(std::forward<CallbackT>(callback))](
+      std::shared_ptr<Message> && message, const MessageInfo & info) {
+      auto custom = std::make_unique<Custom>();
+      AdapterT::convert_to_custom(*message, *custom);
+      handler(shared_from_unique(std::move(custom)), info);
+    }, false);
+}
+
+/// Of a message or what an adapter makes of it. Step by step, as above.
+template<typename AdapterT, typename CallbackT>
+auto adapted_handler(CallbackT && callback)
+{
+  using Given = std::decay_t<CallbackT>;
+  using Custom = typename AdapterT::custom_type;
+  if constexpr (takes<Custom, Given>) {
+    return adapting_handler<AdapterT>(std::forward<CallbackT>(callback));
+  } else if constexpr (takes<Custom, Given, MessageInfo>) {
+    return adapting_handler<AdapterT>(std::forward<CallbackT>(callback));
+  } else {
+    return message_handler<typename AdapterT::ros_message_type>(std::forward<CallbackT>(callback));
+  }
+}
+
 /// The same, and for callbacks that take the bytes.
 template<typename MessageT, typename CallbackT>
 auto subscription_handler(CallbackT && callback)
 {
-  if constexpr (may_take_serialized<std::decay_t<CallbackT>, MessageT>()) {
+  using Adapter = TypeAdapter<MessageT>;
+  if constexpr (may_take_serialized<std::decay_t<CallbackT>, typename Adapter::custom_type>()) {
     return message_handler<SerializedMessage>(std::forward<CallbackT>(callback));
+  } else if constexpr (Adapter::is_specialized::value) {
+    return adapted_handler<Adapter>(std::forward<CallbackT>(callback));
   } else {
     return message_handler<MessageT>(std::forward<CallbackT>(callback));
   }

@@ -17,6 +17,7 @@
 #include "rclcpp/any_subscription_callback.hpp"
 #include "rclcpp/clock.hpp"
 #include "rclcpp/detail/entity.hpp"
+#include "rclcpp/detail/event_callback.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/qos.hpp"
@@ -71,6 +72,7 @@ public:
 
   const char * get_service_name() const;
   std::shared_ptr<rcl_client_t> get_client_handle() {return handle_;}
+  std::shared_ptr<const rcl_client_t> get_client_handle() const {return handle_;}
   QoS get_request_publisher_actual_qos() const;
   QoS get_response_subscription_actual_qos() const;
 
@@ -96,7 +98,18 @@ public:
     Clock::SharedPtr clock, const QoS & qos_service_event_pub,
     rcl_service_introspection_state_t introspection_state);
 
+  /// Takes the next answer without an executor; false when there is none.
+  bool take_type_erased_response(void * response_out, rmw_request_id_t & request_header_out);
+
   virtual std::shared_ptr<void> create_response() = 0;
+
+  /// Gives an answer to the one who waits for it.
+  void handle_response(std::shared_ptr<rmw_request_id_t> request_header, std::shared_ptr<void> response);
+
+  /// Called with the number of responses that have come, from a thread of the middleware, also for those that
+  /// came before. Throws std::invalid_argument for an empty function, RCLError.
+  void set_on_new_response_callback(std::function<void(std::size_t)> callback);
+  void clear_on_new_response_callback();
 
   detail::EntityKind kind() const noexcept override {return detail::EntityKind::client;}
   const void * rcl_entity() const noexcept override {return handle_.get();}
@@ -121,6 +134,7 @@ private:
   Context::SharedPtr context_;
   Clock::SharedPtr clock_;
   std::shared_ptr<rcl_client_t> handle_;
+  detail::EventCallback on_new_;
   std::mutex pending_mutex_;
   std::map<std::int64_t, Pending> pending_;
 };
@@ -164,6 +178,12 @@ public:
   : ClientBase(
       node, service_name, *rosidl_typesupport_cpp::get_service_type_support_handle<ServiceT>(), qos)
   {
+  }
+
+  /// Takes the next answer without an executor; false when there is none.
+  bool take_response(Response & response_out, rmw_request_id_t & request_header_out)
+  {
+    return take_type_erased_response(&response_out, request_header_out);
   }
 
   std::shared_ptr<void> create_response() override {return std::make_shared<Response>();}

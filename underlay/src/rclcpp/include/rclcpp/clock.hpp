@@ -45,6 +45,9 @@ public:
   bool sleep_for(
     Duration rel_time, Context::SharedPtr context = contexts::get_global_default_context());
 
+  /// Ends a sleep by this clock, or the next one if nobody sleeps: it gives back false.
+  void cancel_sleep_or_wait();
+
   /// Whether it shows a time other than zero: simulated time begins with the first message on /clock.
   bool started();
   bool wait_until_started(Context::SharedPtr context = contexts::get_global_default_context());

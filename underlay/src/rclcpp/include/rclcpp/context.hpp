@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -62,6 +63,10 @@ public:
   /// Sleeps until the time is over or the context ends; true when it is still valid.
   bool sleep_for(const std::chrono::nanoseconds & nanoseconds);
   void interrupt_all_sleep();
+
+  /// Sleeps until then, unless `stop` becomes true, which wake_sleepers() has it look at. Whether it is valid.
+  bool sleep_unless(const std::chrono::nanoseconds & nanoseconds, const std::atomic_bool & stop);
+  void wake_sleepers();
 
   std::shared_ptr<rcl_context_t> get_rcl_context();
 

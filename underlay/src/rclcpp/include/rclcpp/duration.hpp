@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "builtin_interfaces/msg/detail/duration__struct.hpp"
+#include "builtin_interfaces/msg/detail/time__struct.hpp"
 #include "rcl/time.h"
 #include "rmw/types.h"
 
@@ -66,5 +67,9 @@ public:
 private:
   std::int64_t nanoseconds_ = 0;
 };
+
+// Of a message. These throw std::runtime_error for a negative time, std::overflow_error, std::underflow_error.
+builtin_interfaces::msg::Time operator+(const builtin_interfaces::msg::Time & lhs, const Duration & rhs);
+builtin_interfaces::msg::Time operator-(const builtin_interfaces::msg::Time & lhs, const Duration & rhs);
 
 }  // namespace rclcpp

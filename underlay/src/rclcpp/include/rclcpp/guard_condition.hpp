@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 
 #include "rcl/guard_condition.h"
@@ -20,12 +21,15 @@ public:
   ~GuardCondition();
 
   void trigger();
+  /// Whether a wait set has it; the answer is as before.
+  bool exchange_in_use_by_wait_set_state(bool in_use_state) {return in_use_.exchange(in_use_state);}
   rcl_guard_condition_t & get_rcl_guard_condition() {return guard_condition_;}
   const rcl_guard_condition_t & get_rcl_guard_condition() const {return guard_condition_;}
 
 private:
   std::shared_ptr<rcl_context_t> context_;
   rcl_guard_condition_t guard_condition_;
+  std::atomic_bool in_use_{false};
 };
 
 }  // namespace rclcpp

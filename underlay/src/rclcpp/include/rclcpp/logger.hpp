@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -12,6 +13,9 @@ namespace rclcpp
 class Logger;
 
 Logger get_logger(const std::string & name);
+
+/// Where files of the log are written. Throws RCLError.
+std::filesystem::path get_logging_directory();
 
 /// The logger of a node, by its handle at rcl; `rclcpp` when there is none.
 Logger get_node_logger(const rcl_node_t * node);

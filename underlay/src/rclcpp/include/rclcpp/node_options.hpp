@@ -18,7 +18,7 @@ namespace rclcpp
 class NodeOptions
 {
 public:
-  NodeOptions() = default;
+  explicit NodeOptions(rcl_allocator_t allocator = rcl_get_default_allocator()) : allocator_(allocator) {}
 
   /// Throws UnknownROSArgsError for arguments of this node that ROS does not know.
   const rcl_node_options_t * get_rcl_node_options() const;
@@ -49,7 +49,7 @@ public:
   bool enable_logger_service() const {return enable_logger_service_;}
   NodeOptions & enable_logger_service(bool enable_logger_service);
 
-  /// Messages take the same way in every case: nothing depends on it.
+  /// Whether messages to nodes of this process are handed over without the middleware.
   bool use_intra_process_comms() const {return use_intra_process_comms_;}
   NodeOptions & use_intra_process_comms(bool use_intra_process_comms);
 
@@ -107,7 +107,7 @@ private:
   PublisherOptionsBase parameter_event_publisher_options_;
   bool allow_undeclared_parameters_ = false;
   bool automatically_declare_ = false;
-  rcl_allocator_t allocator_ = rcl_get_default_allocator();
+  rcl_allocator_t allocator_;
 
   // Made when it is asked for, and shared by copies; a setter throws it away.
   mutable std::shared_ptr<rcl_node_options_t> rcl_options_;

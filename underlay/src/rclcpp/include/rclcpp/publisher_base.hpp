@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "rcl/publisher.h"
+#include "rclcpp/detail/entity.hpp"
+#include "rclcpp/detail/local_message.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/publisher_options.hpp"
@@ -16,6 +18,12 @@
 namespace rclcpp
 {
 
+namespace detail
+{
+class LocalTopic;
+struct LocalOutbox;
+}  // namespace detail
+
 /// What publishers of all types have in common.
 class PublisherBase
 {
@@ -23,18 +31,20 @@ public:
   RCLCPP_SMART_PTR_ALIASES_ONLY(PublisherBase)
   RCLCPP_DISABLE_COPY(PublisherBase)
 
-  /// Throws InvalidTopicNameError, RCLError.
+  /// Throws InvalidTopicNameError, RCLError, and std::invalid_argument where messages cannot be handed over
+  /// to subscriptions of this process as the QoS demands. Without `clone` they are not handed over at all.
   PublisherBase(
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
     const rosidl_message_type_support_t & type_support, const QoS & qos,
-    const PublisherOptionsBase & options);
+    const PublisherOptionsBase & options, detail::CloneMessage clone = nullptr);
   virtual ~PublisherBase();
 
   const char * get_topic_name() const;
   std::size_t get_queue_size() const;
   const rmw_gid_t & get_gid() const;
   std::size_t get_subscription_count() const;
-  std::size_t get_intra_process_subscription_count() const {return 0;}
+  /// Of those in this process to which messages are handed over.
+  std::size_t get_intra_process_subscription_count() const;
   bool assert_liveliness() const;
   QoS get_actual_qos() const;
   bool can_loan_messages() const;
@@ -42,6 +52,7 @@ public:
   /// Logs once when the middleware cannot loan messages.
   void tell_of_loans() const;
   std::shared_ptr<rcl_publisher_t> get_publisher_handle() {return handle_;}
+  std::shared_ptr<const rcl_publisher_t> get_publisher_handle() const {return handle_;}
 
   /// Waits until every reliable subscription has what was published; a negative time waits for ever.
   template<typename Rep = std::int64_t, typename Period = std::milli>
@@ -53,16 +64,23 @@ public:
   bool wait_for_all_acked(std::chrono::nanoseconds timeout) const;
 
 protected:
+  bool hands_over() const {return local_ != nullptr;}
   void publish_untyped(const void * message);
+  void publish_owned(std::shared_ptr<void> message);
   void publish_serialized(const rcl_serialized_message_t & message);
 
 private:
+  bool needs_middleware() const;
+  void publish_elsewhere(const void * message);
   void check_published(rcl_ret_t ret, const char * doing) const;
 
   Context::SharedPtr context_;
   std::shared_ptr<rcl_publisher_t> handle_;
   std::vector<std::shared_ptr<detail::Entity>> events_;
   rmw_gid_t gid_;
+  // Only where messages are handed over to subscriptions of this process.
+  std::shared_ptr<detail::LocalTopic> local_;
+  std::shared_ptr<detail::LocalOutbox> outbox_;
 };
 
 }  // namespace rclcpp

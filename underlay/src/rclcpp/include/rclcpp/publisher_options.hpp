@@ -12,7 +12,7 @@ namespace rclcpp
 
 struct PublisherOptionsBase
 {
-  /// Messages take the same way in every case: nothing depends on it.
+  /// Messages are handed over within the process where both ends want it.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
   PublisherEventCallbacks event_callbacks;
   /// Whether incompatible subscriptions are warned of where no callback is given for that.

@@ -37,3 +37,4 @@
 #include "rclcpp/utilities.hpp"
 #include "rclcpp/visibility_control.hpp"
 #include "rclcpp/wait_for_message.hpp"
+#include "rclcpp/wait_set.hpp"

@@ -11,6 +11,7 @@
 #include "rclcpp/any_subscription_callback.hpp"
 #include "rclcpp/clock.hpp"
 #include "rclcpp/detail/entity.hpp"
+#include "rclcpp/detail/event_callback.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/qos.hpp"
@@ -35,6 +36,7 @@ public:
 
   const char * get_service_name();
   std::shared_ptr<rcl_service_t> get_service_handle() {return handle_;}
+  std::shared_ptr<const rcl_service_t> get_service_handle() const {return handle_;}
   QoS get_request_subscription_actual_qos() const;
   QoS get_response_publisher_actual_qos() const;
 
@@ -43,9 +45,17 @@ public:
     Clock::SharedPtr clock, const QoS & qos_service_event_pub,
     rcl_service_introspection_state_t introspection_state);
 
+  /// Takes the next request without an executor; false when there is none.
+  bool take_type_erased_request(void * request_out, rmw_request_id_t & request_id_out);
+
   virtual std::shared_ptr<void> create_request() = 0;
   virtual void handle_request(
     std::shared_ptr<rmw_request_id_t> request_header, std::shared_ptr<void> request) = 0;
+
+  /// Called with the number of requests that have come, from a thread of the middleware, also for those that
+  /// came before. Throws std::invalid_argument for an empty function, RCLError.
+  void set_on_new_request_callback(std::function<void(std::size_t)> callback);
+  void clear_on_new_request_callback();
 
   detail::EntityKind kind() const noexcept override {return detail::EntityKind::service;}
   const void * rcl_entity() const noexcept override {return handle_.get();}
@@ -59,6 +69,7 @@ private:
   std::shared_ptr<rcl_node_t> node_handle_;
   Clock::SharedPtr clock_;
   std::shared_ptr<rcl_service_t> handle_;
+  detail::EventCallback on_new_;
 };
 
 template<typename ServiceT>
@@ -80,6 +91,12 @@ public:
       node, service_name, *rosidl_typesupport_cpp::get_service_type_support_handle<ServiceT>(), qos),
     handler_(std::move(handler))
   {
+  }
+
+  /// Takes the next request without an executor; false when there is none.
+  bool take_request(Request & request_out, rmw_request_id_t & request_id_out)
+  {
+    return take_type_erased_request(&request_out, request_id_out);
   }
 
   std::shared_ptr<void> create_request() override {return std::make_shared<Request>();}

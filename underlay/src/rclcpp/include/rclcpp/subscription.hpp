@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "rclcpp/any_subscription_callback.hpp"
@@ -16,15 +17,17 @@ class Subscription : public SubscriptionBase
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Subscription<MessageT, AllocatorT>)
-  using SubscribedType = MessageT;
-  using ROSMessageType = MessageT;
-  using MessageUniquePtr = std::unique_ptr<MessageT>;
+  using SubscribedType = typename TypeAdapter<MessageT>::custom_type;
+  using ROSMessageType = typename TypeAdapter<MessageT>::ros_message_type;
+  using MessageUniquePtr = std::unique_ptr<SubscribedType>;
 
   Subscription(
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic, const QoS & qos,
-    detail::MessageHandler<MessageT> handler, const SubscriptionOptionsWithAllocator<AllocatorT> & options)
+    detail::MessageHandler<ROSMessageType> handler, const SubscriptionOptionsWithAllocator<AllocatorT> & options)
   : SubscriptionBase(
-      node, topic, *rosidl_typesupport_cpp::get_message_type_support_handle<MessageT>(), qos, options),
+      node, topic, *rosidl_typesupport_cpp::get_message_type_support_handle<ROSMessageType>(), qos,
+      options,
+      handler.owns_messages ? Form::owned : Form::shared),
     handler_(std::move(handler))
   {
   }
@@ -34,22 +37,40 @@ public:
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic, const QoS & qos,
     detail::SerializedHandler handler, const SubscriptionOptionsWithAllocator<AllocatorT> & options)
   : SubscriptionBase(
-      node, topic, *rosidl_typesupport_cpp::get_message_type_support_handle<MessageT>(), qos, options, true),
+      node, topic, *rosidl_typesupport_cpp::get_message_type_support_handle<ROSMessageType>(), qos,
+      options,
+      Form::bytes),
     serialized_handler_(std::move(handler))
   {
   }
 
   /// Takes the next message without an executor; false when there is none.
-  bool take(MessageT & message_out, MessageInfo & message_info_out)
+  bool take(ROSMessageType & message_out, MessageInfo & message_info_out)
   {
     return take_type_erased(&message_out, message_info_out);
   }
 
-  std::shared_ptr<void> create_message() override {return std::make_shared<MessageT>();}
+  /// The same, as the adapter has it.
+  template<
+    typename T, std::enable_if_t<
+      TypeAdapter<MessageT>::is_specialized::value && std::is_same_v<T, SubscribedType>, int> = 0>
+  bool take(T & message_out, MessageInfo & message_info_out)
+  {
+    ROSMessageType message;
+    const bool is_there = take(message, message_info_out);
+    if (is_there) {
+      TypeAdapter<MessageT>::convert_to_custom(message, message_out);
+    }
+    return is_there;
+  }
+
+  std::shared_ptr<void> create_message() override {return std::make_shared<ROSMessageType>();}
 
   void handle_message(std::shared_ptr<void> & message, const MessageInfo & message_info) override
   {
-    handler_(std::static_pointer_cast<MessageT>(std::move(message)), message_info);
+    auto only = std::static_pointer_cast<ROSMessageType>(message);
+    message.reset();  // so that the callback may have it to itself
+    handler_(std::move(only), message_info);
   }
 
   void handle_serialized_message(
@@ -59,7 +80,7 @@ public:
   }
 
 private:
-  detail::MessageHandler<MessageT> handler_;
+  detail::MessageHandler<ROSMessageType> handler_;
   detail::SerializedHandler serialized_handler_;
 };
 

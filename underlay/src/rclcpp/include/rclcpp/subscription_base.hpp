@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "rcl/subscription.h"
 #include "rclcpp/detail/entity.hpp"
+#include "rclcpp/detail/event_callback.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/message_info.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
@@ -18,6 +20,12 @@
 namespace rclcpp
 {
 
+namespace detail
+{
+class LocalInbox;
+class LocalTopic;
+}  // namespace detail
+
 /// What subscriptions of all types have in common.
 class SubscriptionBase : public detail::Entity, public std::enable_shared_from_this<SubscriptionBase>
 {
@@ -25,20 +33,25 @@ public:
   RCLCPP_SMART_PTR_ALIASES_ONLY(SubscriptionBase)
   RCLCPP_DISABLE_COPY(SubscriptionBase)
 
-  /// Throws InvalidTopicNameError, RCLError.
+  /// How a callback wants its messages.
+  enum class Form {shared, owned, bytes};
+
+  /// Throws InvalidTopicNameError, RCLError, and std::invalid_argument where messages of this process cannot
+  /// be handed over as the QoS demands.
   SubscriptionBase(
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
     const rosidl_message_type_support_t & type_support, const QoS & qos,
-    const SubscriptionOptionsBase & options, bool is_serialized = false);
+    const SubscriptionOptionsBase & options, Form form = Form::shared);
   ~SubscriptionBase() override;
 
   const char * get_topic_name() const;
   std::size_t get_publisher_count() const;
   QoS get_actual_qos() const;
   std::shared_ptr<rcl_subscription_t> get_subscription_handle() {return handle_;}
+  std::shared_ptr<const rcl_subscription_t> get_subscription_handle() const {return handle_;}
 
   /// Whether messages are given to the callback as bytes.
-  bool is_serialized() const {return is_serialized_;}
+  bool is_serialized() const {return form_ == Form::bytes;}
 
   /// Whether the middleware leaves messages away by the filter of the options.
   bool is_cft_enabled() const;
@@ -56,14 +69,29 @@ public:
   virtual void handle_serialized_message(
     const std::shared_ptr<SerializedMessage> & message, const MessageInfo & message_info) = 0;
 
+  /// Called with the number of messages that have come, from a thread of the middleware, also for those that
+  /// came before. Throws std::invalid_argument for an empty function, RCLError.
+  void set_on_new_message_callback(std::function<void(std::size_t)> callback);
+  void clear_on_new_message_callback();
+
   detail::EntityKind kind() const noexcept override {return detail::EntityKind::subscription;}
   const void * rcl_entity() const noexcept override {return handle_.get();}
+  std::shared_ptr<detail::Entity> companion() override;
+  /// Those of the QoS that are looked at.
+  const std::vector<std::shared_ptr<detail::Entity>> & events() const {return events_;}
   void execute() override;
 
 private:
+  bool is_handed_over(const MessageInfo & info) const;
+
   std::shared_ptr<rcl_subscription_t> handle_;
+  detail::EventCallback on_new_;
   std::vector<std::shared_ptr<detail::Entity>> events_;
-  bool is_serialized_;
+  Form form_;
+  Context::SharedPtr context_;
+  // Only where messages of this process are handed over without the middleware.
+  std::shared_ptr<detail::LocalTopic> local_;
+  std::shared_ptr<detail::LocalInbox> inbox_;
 };
 
 }  // namespace rclcpp

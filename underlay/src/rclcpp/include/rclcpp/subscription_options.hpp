@@ -28,7 +28,7 @@ struct SubscriptionOptionsBase
   bool use_default_callbacks = true;
   bool ignore_local_publications = false;
   CallbackGroup::SharedPtr callback_group;
-  /// Messages take the same way in every case: nothing depends on it.
+  /// Messages are handed over within the process where both ends want it.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
 
   /// Statistics are not taken.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -13,6 +14,7 @@
 #include "rclcpp/clock.hpp"
 #include "rclcpp/context.hpp"
 #include "rclcpp/detail/entity.hpp"
+#include "rclcpp/detail/event_callback.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 
@@ -43,6 +45,13 @@ public:
   bool is_canceled();
   void reset();
 
+  /// Called when the timer was reset.
+  void set_on_reset_callback(std::function<void(std::size_t)> callback);
+  void clear_on_reset_callback();
+
+  /// When the last period began, and when it was due to.
+  TimerInfo last_call() const;
+
   /// Begins a period, unless it was cancelled: then false.
   bool call();
   void execute_callback();
@@ -63,6 +72,9 @@ private:
   Clock::SharedPtr clock_;
   std::shared_ptr<rcl_timer_t> handle_;
   Callback callback_;
+  mutable std::mutex call_mutex_;
+  rcl_timer_call_info_t last_call_{};
+  detail::EventCallback on_reset_;
 };
 
 // Whatever its callback is, a timer is of one class; the names are for sources that write them down.
@@ -72,6 +84,7 @@ template<typename FunctorT = TimerBase::Callback>
 using WallTimer = TimerBase;
 using VoidCallbackType = std::function<void()>;
 using TimerCallbackType = std::function<void(TimerBase &)>;
+using TimerInfoCallbackType = std::function<void(const TimerInfo &)>;
 
 namespace detail
 {
@@ -96,8 +109,14 @@ TimerBase::Callback timer_callback(CallbackT && callback)
   using Given = std::decay_t<CallbackT>;
   if constexpr (std::is_invocable_v<Given &, TimerBase &>) {
     return std::forward<CallbackT>(callback);
+  } else if constexpr (std::is_invocable_v<Given &, const TimerInfo &>) {
+    return [callback = Given(std::forward<CallbackT>(callback))](TimerBase & timer) mutable {
+             callback(timer.last_call());
+           };
   } else {
-    static_assert(std::is_invocable_v<Given &>, "a timer's callback takes nothing, or rclcpp::TimerBase &");
+    static_assert(
+      std::is_invocable_v<Given &>,
+      "a timer's callback takes nothing, rclcpp::TimerBase &, or const rclcpp::TimerInfo &");
     return [callback = Given(std::forward<CallbackT>(callback))](TimerBase &) mutable {callback();};
   }
 }

@@ -40,6 +40,7 @@ bool wait_for_message(
 {
   // In a group of no executor, which would take the message away.
   SubscriptionOptions options;
+  options.use_intra_process_comm = IntraProcessSetting::Disable;
   options.callback_group =
     node->create_callback_group(CallbackGroupType::MutuallyExclusive, false);
   const auto subscription = node->create_subscription<MsgT>(topic, qos, [](const MsgT &) {}, options);

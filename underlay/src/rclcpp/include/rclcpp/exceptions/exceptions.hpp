@@ -19,6 +19,12 @@ public:
   explicit UnimplementedError(const std::string & message) : std::runtime_error(message) {}
 };
 
+class InvalidNodeError : public std::runtime_error
+{
+public:
+  InvalidNodeError() : std::runtime_error("node is invalid") {}
+};
+
 /// A name of a node, namespace, topic or service is not allowed; tells where it goes wrong.
 class NameValidationError : public std::invalid_argument
 {

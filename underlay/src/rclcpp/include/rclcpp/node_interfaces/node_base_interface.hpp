@@ -44,6 +44,9 @@ public:
   bool callback_group_in_node(const CallbackGroup::SharedPtr & group);
   void for_each_callback_group(const std::function<void(CallbackGroup::SharedPtr)> & function);
 
+  /// Whether messages are handed over within the process where an entity does not say otherwise.
+  bool get_use_intra_process_default() const {return use_intra_process_default_;}
+
   /// Whether an executor has it; set by the executor alone.
   std::atomic_bool & get_associated_with_executor_atomic() {return associated_;}
 
@@ -58,6 +61,7 @@ public:
 
 private:
   Context::SharedPtr context_;
+  const bool use_intra_process_default_;
   std::shared_ptr<rcl_node_t> handle_;
   CallbackGroup::SharedPtr default_group_;
   std::atomic_bool associated_{false};

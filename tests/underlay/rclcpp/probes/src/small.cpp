@@ -1,0 +1,237 @@
+// small CASE: small functions of all parts; 0 when it holds.
+
+#include "rclcpp/rclcpp.hpp"
+
+#include "case.hpp"
+#include "rclcpp/expand_topic_or_service_name.hpp"
+#include "rclcpp/node_interfaces/node_interfaces.hpp"
+#include "std_msgs/msg/string.hpp"
+#include "std_srvs/srv/trigger.hpp"
+
+using namespace std::chrono_literals;
+using std_msgs::msg::String;
+using std_srvs::srv::Trigger;
+namespace exceptions = rclcpp::exceptions;
+namespace parts = rclcpp::node_interfaces;
+
+namespace
+{
+
+std::shared_ptr<rclcpp::Node> node()
+{
+  return std::make_shared<rclcpp::Node>("node");
+}
+
+template<typename Condition>
+void wait_until(Condition holds)
+{
+  const auto limit = std::chrono::steady_clock::now() + 60s;
+  while (!holds()) {
+    EXPECT(std::chrono::steady_clock::now() < limit);
+    std::this_thread::sleep_for(5ms);
+  }
+}
+
+void times_of_messages()
+{
+  builtin_interfaces::msg::Time time;
+  time.sec = 1;
+  time.nanosec = 500000000;
+  const auto later = time + rclcpp::Duration(1, 600000000), earlier = time - rclcpp::Duration(1, 0);
+  EXPECT(later.sec == 3 && later.nanosec == 100000000);
+  EXPECT(earlier.sec == 0 && earlier.nanosec == 500000000);
+  EXPECT(!THROWN(std::overflow_error, time + rclcpp::Duration::from_nanoseconds(INT64_MAX)).empty());
+  time.sec = -1;
+  EXPECT(THROWN(std::runtime_error, time + rclcpp::Duration(1, 0)) == "message time is negative");
+}
+
+void rates()
+{
+  EXPECT(!rclcpp::Rate(10.0).is_steady() && rclcpp::WallRate(10.0).is_steady());
+  rclcpp::GenericRate<std::chrono::steady_clock> rate(50ms);
+  EXPECT(rate.is_steady() && rate.period() == 50ms && rate.get_type() == RCL_STEADY_TIME);
+  EXPECT(!rclcpp::GenericRate<std::chrono::system_clock>(10.0).is_steady());
+  const auto began = std::chrono::steady_clock::now();
+  rate.reset();
+  EXPECT(rate.sleep() && std::chrono::steady_clock::now() - began >= 49ms);
+}
+
+void where_logs_go()
+{
+  EXPECT(rclcpp::get_logging_directory().is_absolute());
+  EXPECT(rclcpp::NodeOptions(rcl_get_default_allocator()).allocator().allocate != nullptr);
+  EXPECT(exceptions::InvalidNodeError().what() == std::string("node is invalid"));
+}
+
+void a_sleep_that_is_cancelled()
+{
+  for (const auto type : {RCL_SYSTEM_TIME, RCL_STEADY_TIME, RCL_ROS_TIME}) {
+    rclcpp::Clock clock(type);
+    std::atomic<bool> result{true}, is_over{false};
+    std::thread sleeping([&]() {
+        result = clock.sleep_for(rclcpp::Duration(3600, 0));
+        is_over = true;
+      });
+    std::this_thread::sleep_for(50ms);
+    EXPECT(!is_over);
+    clock.cancel_sleep_or_wait();
+    sleeping.join();
+    EXPECT(!result);
+    clock.cancel_sleep_or_wait();
+    EXPECT(!clock.sleep_for(rclcpp::Duration(3600, 0)));  // the next one, where nobody slept
+    EXPECT(clock.sleep_for(rclcpp::Duration(0, 1000)));
+  }
+}
+
+/// One clock's sleep ends, and nobody else's.
+void others_sleep_on()
+{
+  rclcpp::Clock one, other;
+  const auto began = std::chrono::steady_clock::now();
+  std::thread first([&]() {EXPECT(!one.sleep_for(rclcpp::Duration(3600, 0)));});
+  std::thread second([&]() {EXPECT(other.sleep_for(rclcpp::Duration(0, 300000000)));});
+  std::this_thread::sleep_for(50ms);
+  one.cancel_sleep_or_wait();
+  first.join();
+  second.join();
+  EXPECT(std::chrono::steady_clock::now() - began >= 299ms);
+}
+
+void what_timers_tell()
+{
+  auto here = node();
+  rclcpp::TimerInfo told;
+  int resets = 0;
+  auto timer = here->create_wall_timer(20ms, [&](const rclcpp::TimerInfo & info) {told = info;});
+  timer->set_on_reset_callback([&](std::size_t count) {resets += static_cast<int>(count);});
+  timer->reset();
+  EXPECT(resets == 1);
+  timer->clear_on_reset_callback();
+  timer->reset();
+  EXPECT(resets == 1);
+  EXPECT(!THROWN(std::invalid_argument, timer->set_on_reset_callback(nullptr)).empty());
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(here);
+  const auto limit = std::chrono::steady_clock::now() + 60s;
+  while (told.actual_call_time.nanoseconds() == 0) {
+    EXPECT(std::chrono::steady_clock::now() < limit);
+    executor.spin_once(10ms);
+  }
+  EXPECT(told.expected_call_time.nanoseconds() > 0 && told.actual_call_time >= told.expected_call_time);
+  EXPECT(told.actual_call_time.get_clock_type() == RCL_STEADY_TIME);
+}
+
+void what_is_told_of_new_things()
+{
+  auto here = node();
+  std::atomic<std::size_t> messages{0}, requests{0}, responses{0};
+  auto publisher = here->create_publisher<String>("topic", 10);
+  auto subscription = here->create_subscription<String>("topic", 10, [](const String &) {});
+  auto service = here->create_service<Trigger>(
+    "go", [](const Trigger::Request::SharedPtr, Trigger::Response::SharedPtr) {});
+  auto client = here->create_client<Trigger>("go");
+  EXPECT(client->wait_for_service(60s));
+  subscription->set_on_new_message_callback([&](std::size_t count) {messages += count;});
+  service->set_on_new_request_callback([&](std::size_t count) {requests += count;});
+  client->set_on_new_response_callback([&](std::size_t count) {responses += count;});
+  wait_until([&]() {return publisher->get_subscription_count() == 1;});
+  publisher->publish(String());
+  publisher->publish(String());
+  auto future = client->async_send_request(std::make_shared<Trigger::Request>());
+  wait_until([&]() {return messages == 2 && requests == 1;});
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(here);
+  EXPECT(executor.spin_until_future_complete(future, 60s) == rclcpp::FutureReturnCode::SUCCESS);
+  wait_until([&]() {return responses == 1;});
+  subscription->clear_on_new_message_callback();
+  publisher->publish(String());
+  subscription->set_on_new_message_callback([](std::size_t) {throw std::runtime_error("is only logged");});
+  publisher->publish(String());
+  executor.spin_some();
+  EXPECT(messages == 2);
+  EXPECT(
+    THROWN(std::invalid_argument, subscription->set_on_new_message_callback(nullptr)) ==
+    "The callback passed to set_on_new_message_callback is not callable.");
+}
+
+void handles_of_what_is_constant()
+{
+  auto here = node();
+  const auto publisher = here->create_publisher<String>("topic", 10);
+  const auto subscription = here->create_subscription<String>("topic", 10, [](const String &) {});
+  const auto client = here->create_client<Trigger>("go");
+  const rclcpp::PublisherBase & constant = *publisher;
+  std::shared_ptr<const rcl_publisher_t> handle = constant.get_publisher_handle();
+  EXPECT(handle == publisher->get_publisher_handle());
+  EXPECT(std::as_const(*subscription).get_subscription_handle() && std::as_const(*client).get_client_handle());
+}
+
+void made_of_parts_of_a_node()
+{
+  auto here = node();
+  const parts::NodeInterfaces<
+    parts::NodeBaseInterface, parts::NodeServicesInterface, parts::NodeTimersInterface,
+    parts::NodeGraphInterface, parts::NodeClockInterface, parts::NodeLoggingInterface,
+    parts::NodeTopicsInterface> some(*here);
+  EXPECT(some.get_node_base_interface() == here->get_node_base_interface());
+  EXPECT(some.get<parts::NodeTopicsInterface>() == here->get_node_topics_interface());
+  const parts::NodeInterfaces<parts::NodeBaseInterface, parts::NodeLoggingInterface> fewer(some);
+  EXPECT(fewer.get_node_base_interface()->get_name() == std::string("node"));
+  const auto base = some.get_node_base_interface();
+  const auto services = some.get_node_services_interface();
+  auto service = rclcpp::create_service<Trigger>(
+    base, services, "go", [](const Trigger::Request::SharedPtr, Trigger::Response::SharedPtr response) {
+      response->success = true;
+    }, rclcpp::ServicesQoS(), nullptr);
+  auto client = rclcpp::create_client<Trigger>(base, some.get_node_graph_interface(), services, "go");
+  int calls = 0;
+  const auto count = [&]() {++calls;};
+  auto first = rclcpp::create_timer(
+    base, some.get_node_timers_interface(), here->get_clock(), rclcpp::Duration(1ms), count);
+  auto second = rclcpp::create_timer(
+    here->get_clock(), 1ms, count, nullptr, base.get(), some.get_node_timers_interface().get());
+  EXPECT(client->wait_for_service(60s));
+  auto future = client->async_send_request(std::make_shared<Trigger::Request>());
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(base);
+  EXPECT(executor.spin_until_future_complete(future, 60s) == rclcpp::FutureReturnCode::SUCCESS);
+  EXPECT(future.get()->success);
+  while (calls < 4) {
+    executor.spin_once(60s);
+  }
+}
+
+void names_in_full()
+{
+  using rclcpp::expand_topic_or_service_name;
+  EXPECT(expand_topic_or_service_name("chatter", "node", "/space") == "/space/chatter");
+  EXPECT(expand_topic_or_service_name("~/chatter", "node", "/space", true) == "/space/node/chatter");
+  EXPECT(expand_topic_or_service_name("{node}/x", "node", "/") == "/node/x");
+  EXPECT(!THROWN(exceptions::InvalidTopicNameError, expand_topic_or_service_name("a?", "n", "/")).empty());
+  EXPECT(
+    !THROWN(exceptions::InvalidServiceNameError, expand_topic_or_service_name("a?", "n", "/", true)).empty());
+  EXPECT(!THROWN(exceptions::InvalidNodeNameError, expand_topic_or_service_name("a", "n?", "/")).empty());
+  EXPECT(!THROWN(exceptions::InvalidNamespaceError, expand_topic_or_service_name("a", "n", "/s?")).empty());
+}
+
+}  // namespace
+
+int main(int argc, char * argv[])
+{
+  rclcpp::init(argc, argv);
+  const Cases cases{
+    {"times_of_messages", times_of_messages},
+    {"rates", rates},
+    {"where_logs_go", where_logs_go},
+    {"a_sleep_that_is_cancelled", a_sleep_that_is_cancelled},
+    {"others_sleep_on", others_sleep_on},
+    {"what_timers_tell", what_timers_tell},
+    {"what_is_told_of_new_things", what_is_told_of_new_things},
+    {"handles_of_what_is_constant", handles_of_what_is_constant},
+    {"made_of_parts_of_a_node", made_of_parts_of_a_node},
+    {"names_in_full", names_in_full},
+  };
+  const int code = run_case(cases, argv[1]);
+  rclcpp::shutdown();
+  return code;
+}
