@@ -158,11 +158,11 @@ void fixed_members()
   Set set(
     std::array<Set::SubscriptionEntry, 1>{{{subscription}}},
     std::array<rclcpp::GuardCondition::SharedPtr, 1>{{guard}});
-  EXPECT(set.wait(0s).kind() == WaitResultKind::Timeout);
   const std::weak_ptr<rclcpp::GuardCondition> known = guard;
   guard->trigger();
   guard.reset();
   EXPECT(!known.expired() && set.wait(60s).get_wait_set().get_rcl_wait_set().guard_conditions[0]);
+  EXPECT(set.wait(0s).kind() == WaitResultKind::Timeout);
 }
 
 /// A member that comes during the wait is waited for.
