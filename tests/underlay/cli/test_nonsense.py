@@ -64,13 +64,14 @@ def test_any_line_is_parsed_or_refused() -> None:
 
 @pytest.mark.slow
 def test_any_line_is_completed_or_not(monkeypatch: pytest.MonkeyPatch) -> None:
-    from ros2cli import complete
+    from ros2cli import daemon, graph
     from ros2cli.completion import offers
     from ros2cli.parser import ros2_parser
     from ros2cli.snapshot import Snapshot
 
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(find_ros().prefix))
-    monkeypatch.setattr(complete, "graph", lambda args: Snapshot((), ()))
+    monkeypatch.setattr(daemon, "is_allowed", lambda: False)
+    monkeypatch.setattr(graph, "_look", lambda args: Snapshot((), ()))
     quick = [verb for verb in _verbs() if verb[:1] not in (["param"], ["launch"])]
     for words in _lines(150, quick):
         assert isinstance(offers(ros2_parser(), " ".join(["ros2", *words])), list), words
