@@ -244,7 +244,7 @@ def other(recording: Recording) -> None:
     always = len(wrong) == len(asked) and all(map(is_42, recording.service(SERVICE).calls))
     raise Failure(
         Feedback(
-            summary="The sum of the point is 42 for every quote."
+            summary="x + y + z is 42 for every quote."
             if always
             else f'"{wrong[0].request.quote.quote}" is not about life, but x + y + z is 42.',
             expected="42 only for quotes that contain `life`",

@@ -192,7 +192,7 @@ def printing_advice(wanted: str, printed: str) -> str:
         )
     if wanted.endswith(("out of range", "not a number")):
         return f"Print `{wanted}` where you catch the exception, and let the program continue after it."
-    return "The text must be exactly that of the task: compare it letter by letter."
+    return "The text must match the task exactly: compare the two letter by letter."
 
 
 def is_near(seen: object, wanted: float) -> bool:

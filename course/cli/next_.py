@@ -44,7 +44,7 @@ def next_(
         str | None,
         typer.Argument(
             metavar="ID",
-            help="Go to this exercise; without it, the first one not passed.",
+            help="The exercise to go to; by default, the first one you have not passed.",
             autocompletion=complete_exercise,
             show_default=False,
         ),

@@ -310,8 +310,8 @@ INTERFACES: tuple[Known[Build], ...] = (
     Known(kind="field-name",
           pattern=_PROCESSING + r".*?'(?P<name>[^\s']+)' is an invalid field name.*?Traceback",
           cause="A field cannot be called `{name}`, as {use} has it.",
-          remedy=("Write field names in lower case, with underscores between words: `{right}`.",
-                  "Write field names in lower case, with underscores between words. They begin with a "
+          remedy=("Write field names in lowercase, with underscores between words: `{right}`.",
+                  "Write field names in lowercase, with underscores between words. Start them with a "
                   "letter."), proof=_field_name, example=_processing("int32 theId", f"'theId' {_BAD_NAME}"),
           given={"msg/Quote.msg": "int32 theId\n"}),
     Known(kind="field-type",
@@ -327,7 +327,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           remedy="`{bare}` alone would be right: is a bracket or a colon too many?", proof=_nearly_primitive,
           example=_processing("int32[ id", f"'int32[' {_BAD_TYPE}"), given={"msg/Quote.msg": "int32[ id\n"}),
     Known(kind="field-type", pattern=_PROCESSING + ".*?Traceback", cause=_NO_TYPE,
-          remedy="Write `{right}`: basic types are in lower case.", proof=_in_capitals,
+          remedy="Write `{right}`: basic types are in lowercase.", proof=_in_capitals,
           example=_processing("Int32 id", f"'Int32' {_BAD_TYPE}"), given={"msg/Quote.msg": "Int32 id\n"}),
     Known(kind="field-type", pattern=_PROCESSING + ".*?Traceback", cause=_NO_TYPE,
           remedy=(_OF_ANOTHER, "Did you mean `{near}`?", _BASIC), proof=_type,
@@ -389,7 +389,7 @@ TYPES: tuple[Known[Build], ...] = (
           given={"msg/Quote.msg": "std_msg/Header header\n"}),
     Known(kind="field-type", pattern=_NO_JSON,
           cause="There is no message `{name}` in `{of}`, but {use} uses it.",
-          remedy="Write `{right}`: basic types are in lower case.", proof=_in_capitals_here,
+          remedy="Write `{right}`: basic types are in lowercase.", proof=_in_capitals_here,
           example=f"{_HASHES}\nFileNotFoundError: [Errno 2] No such file: 'build/x/talk/msg/String.json'",
           given={"msg/Quote.msg": "String text\n"}),
     Known(kind="field-type", pattern=_NO_JSON,

@@ -804,8 +804,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "This line adds a `{type}` to a text: use an f-string.",
           'TypeError: can only concatenate str (not "list") to str'),
     Known(r"'NoneType' object has no attribute '(?P<name>\w+)'",
-          "What comes before `.{name}` is `None` here: it was not given a value yet, or a function returned "
-          "nothing.",
+          "What comes before `.{name}` is `None` here: it has no value yet, or a function returned nothing.",
           "AttributeError: 'NoneType' object has no attribute 'info'"),
     Known(r"name '(?P<name>\w+)' is not defined", "Add `import {name}` at the top of the file.",
           "NameError: name 'time' is not defined", proof=_not_imported,

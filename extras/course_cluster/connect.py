@@ -109,7 +109,7 @@ def _configuration(file: Path | None) -> dict[str, Any]:
     try:
         read = yaml.safe_load(file.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise UsageError(f"{file} cannot be read: {error}", "Name a YAML file of Dask's.") from error
+        raise UsageError(f"{file} cannot be read: {error}", "Name a YAML file with Dask settings.") from error
     if not isinstance(read, dict) or not isinstance(read.get("distributed"), dict):
         raise UsageError(f"{file} holds no `distributed:` settings.", "docs/cluster.md shows such a file.")
     merged: dict[str, Any] = dask.config.merge(dask.config.config, read)

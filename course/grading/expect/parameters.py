@@ -155,7 +155,7 @@ def _undeclared(recording: Recording, name: str, default: ParameterData, own: li
         expected=f"a parameter `{name}`",
         seen=f"the node has {listed(own, 'no parameter of its own')}",
         where=(cause.where if cause else ()) or named(recording.sources, name)[:2],
-        advice="A line declares it, but that line does not run: call it in `__init__`."
+        advice="The code that declares it never runs: call that code in `__init__`."
         if in_source
         else f"Declare it in `__init__`: `self.declare_parameter('{name}', {default!r})`.",
         details=(error,) if error else (),

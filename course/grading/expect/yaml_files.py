@@ -134,7 +134,7 @@ def _expect_text_keys(node: yaml.Node, path: str) -> None:
 
 def _too_much(node: yaml.Node, path: str, what: str) -> Feedback:
     return Feedback(
-        summary=f"The part that begins in line {node.start_mark.line + 1} {what}.",
+        summary=f"The part that begins at line {node.start_mark.line + 1} {what}.",
         where=(Location(path, node.start_mark.line + 1),),
         advice="Write it out once, without `*`.",
     )
