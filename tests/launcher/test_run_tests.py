@@ -16,7 +16,7 @@ from tests.launcher.machine import GUARD, REPO, Machine
 
 PACKAGES = {"git": "git", "g++": "g++", "cmake": "cmake", "make": "make", "bwrap": "bubblewrap", "zsh": "zsh"}
 PACKAGES |= {"chromium": "chromium"}
-PYTEST = "python -m pytest -n 3 --dist worksteal --durations 30"
+PYTEST = "python -m pytest -n 4 --dist worksteal --durations 30"
 
 
 @pytest.fixture
