@@ -15,7 +15,6 @@ from course.explain.engine import Cause
 from course.explain.python_code import text_places
 from course.model.events import Observed, ProcessExited
 from course.model.feedback import Feedback, Location
-from course.model.result import CheckResult, Outcome
 
 _ADDRESS = re.compile(r"ERROR: AddressSanitizer:? (?P<kind>attempting [\w-]+|[\w-]+)")
 _UNDEFINED = re.compile(r"^(?P<file>[^:\s][^:]*):(?P<line>\d+):\d+: runtime error: (?P<text>.+)$")
@@ -128,12 +127,6 @@ def _shortened(report: Sequence[str], sources: Sources) -> tuple[str, ...]:
     """Its first line, and the calls in the learner's files."""
     own = (line.strip() for line in report if next(_own_frames((line,), sources), None))
     return (report[0].partition("ERROR: ")[2][:160], *islice(own, _MOST_CALLS))
-
-
-def asks_where(check: CheckResult) -> bool:
-    """Whether it failed because C++ crashed, and its feedback says that the line is unknown."""
-    advice = check.feedback.advice if check.feedback else None
-    return check.outcome is Outcome.FAILED and (advice or "").startswith(NO_LINE)
 
 
 def crash_notes(report: Sequence[str]) -> Iterator[Observed]:

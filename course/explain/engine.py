@@ -16,6 +16,7 @@ from typing import Any, Generic, TypeVar
 from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
 from course.model.feedback import Location
+from course.model.result import CheckResult, Outcome
 from course.spelling import LOOSELY, nearest
 
 Words = Mapping[str, str]
@@ -29,6 +30,12 @@ class Cause:
 
     text: str
     where: tuple[Location, ...] = ()
+
+
+def failed_with(check: CheckResult, *beginnings: str) -> bool:
+    """Whether it failed, with advice that begins with one of these."""
+    advice = check.feedback.advice if check.feedback else None
+    return check.outcome is Outcome.FAILED and (advice or "").startswith(beginnings)
 
 
 @dataclass(frozen=True)

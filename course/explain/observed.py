@@ -17,7 +17,6 @@ from course.explain.python_code import called_name, nodes
 from course.explain.python_errors import EXCEPTIONS, learners_file
 from course.model.events import Observed
 from course.model.feedback import Location
-from course.model.result import CheckResult, Outcome
 
 # Precedes what to look at if no cause is proven. Advice that begins like this triggers the second run.
 UNKNOWN = "The cause is not known. Here is what to look at:"
@@ -31,12 +30,6 @@ _MAKERS = ("create_timer", "create_publisher", "create_subscription", "create_se
 _WAITS = {"join", "wait", "sleep", "input", "pause"}
 _WORKERS = ("Thread", "Timer", "start", "start_new_thread", "submit")
 _LONGEST, _MOST, _MOST_ERRORS = 160, 500, 30
-
-
-def asks_why(check: CheckResult) -> bool:
-    """Whether it failed, and its feedback says that the cause is unknown."""
-    advice = check.feedback.advice if check.feedback else None
-    return check.outcome is Outcome.FAILED and (advice or "").startswith(UNKNOWN)
 
 
 def unproven(

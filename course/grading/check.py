@@ -29,8 +29,9 @@ from course.content.layout import STATE
 from course.errors import CourseError, MissingHere, OurFault, StorageError
 from course.evidence.mcap_file import keep as keep_recording
 from course.evidence.packages import BuiltPackage, BuiltPackages
-from course.explain.cpp_crashes import asks_where
-from course.explain.observed import asks_why
+from course.explain.cpp_crashes import NO_LINE
+from course.explain.engine import failed_with
+from course.explain.observed import UNKNOWN
 from course.grading import trial
 from course.grading.attempts import concluded, deserves_another, doubt_of
 from course.grading.judge.judges import Judge
@@ -179,7 +180,7 @@ def attempt_exercise(request: Request, helpers: Helpers) -> Result:
                 request.so_far(result)
 
                 def again() -> RecordingTask:
-                    if not any(map(asks_where, result.checks)):
+                    if not any(failed_with(check, NO_LINE) for check in result.checks):
                         return task
                     rebuilt = pool.submit(_build, request, ros, stop, keep, sanitized=True)
                     return _task(request, ros, rebuilt.result(), where)
@@ -192,8 +193,8 @@ def _lacks_a_cause(result: Result, task: RecordingTask) -> bool:
     """Whether Python ran and a check failed without a known cause, or C++ crashed in an unknown line."""
     built = (f"{task.home}/{package.source}/setup.py" for package in task.packages.built)
     python = any(map(os.path.exists, built)) or not task.packages.built
-    asks = any(map(asks_where, result.checks)) or (python and any(map(asks_why, result.checks)))
-    return asks and result.fault is None
+    asking = (NO_LINE, UNKNOWN) if python else (NO_LINE,)
+    return result.fault is None and any(failed_with(check, *asking) for check in result.checks)
 
 
 def _with_causes(
@@ -223,7 +224,7 @@ def _with_causes(
     found = {check.id: check.feedback for check in again.checks if check.feedback}
     checks = tuple(
         replace(check, feedback=replace(check.feedback, advice=cause.advice, where=cause.where))
-        if (asks_why(check) or asks_where(check)) and check.feedback and (cause := found.get(check.id))
+        if failed_with(check, UNKNOWN, NO_LINE) and check.feedback and (cause := found.get(check.id))
         else check
         for check in result.checks
     )

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from course.evidence.sources import Sources
-from course.explain.cpp_crashes import NO_LINE, asks_where, cpp_crash, crash_notes, own_place, trouble
+from course.explain.cpp_crashes import NO_LINE, cpp_crash, crash_notes, own_place, trouble
+from course.explain.engine import failed_with
 from course.model.events import Observed, ProcessExited
 from course.model.feedback import Feedback, Location
 from course.model.result import CheckResult, Outcome
@@ -216,7 +217,7 @@ def test_only_a_second_run_can_be_asked_for() -> None:
     asks, cannot = after_a_second_run(11, notes=False), told(number=11)
     assert asks and cannot and asks.advice == f"{NO_LINE} {cannot.advice}"
     checks = (CheckResult("starts", "It starts", 1, Outcome.FAILED, feedback=one) for one in (asks, cannot))
-    assert [asks_where(check) for check in checks] == [True, False]
+    assert [failed_with(check, NO_LINE) for check in checks] == [True, False]
 
 
 def test_a_report_without_an_error_has_no_notes() -> None:

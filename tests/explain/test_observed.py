@@ -8,8 +8,8 @@ import course.explain.observed as observed
 from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
-from course.explain.engine import Cause
-from course.explain.observed import UNKNOWN, asks_why, observed_cause, unproven
+from course.explain.engine import Cause, failed_with
+from course.explain.observed import UNKNOWN, observed_cause, unproven
 from course.model.events import Observed
 from course.model.feedback import Feedback, Location
 from course.model.result import CheckResult, Outcome
@@ -225,8 +225,8 @@ def test_what_asks_for_a_second_run() -> None:
     def check(outcome: Outcome, advice: str | None) -> CheckResult:
         return CheckResult("rate", "rate", 1, outcome, feedback=Feedback("x", advice=advice))
 
-    assert asks_why(check(Outcome.FAILED, f"{UNKNOWN} the timer?"))
-    assert not asks_why(check(Outcome.FAILED, "Write `0.5`."))
-    assert not asks_why(check(Outcome.FAILED, None))
-    assert not asks_why(check(Outcome.ERROR, f"{UNKNOWN} the timer?"))
-    assert not asks_why(CheckResult("rate", "rate", 1, Outcome.PASSED))
+    assert failed_with(check(Outcome.FAILED, f"{UNKNOWN} the timer?"), UNKNOWN)
+    assert not failed_with(check(Outcome.FAILED, "Write `0.5`."), UNKNOWN)
+    assert not failed_with(check(Outcome.FAILED, None), UNKNOWN)
+    assert not failed_with(check(Outcome.ERROR, f"{UNKNOWN} the timer?"), UNKNOWN)
+    assert not failed_with(CheckResult("rate", "rate", 1, Outcome.PASSED), UNKNOWN)
