@@ -130,7 +130,7 @@ def appended(recording: Recording) -> None:
     glued = bool(lines) and lines[-1].endswith("done")
     raise Failure(
         Feedback(
-            summary=f"`done` is in line {elsewhere}, not at the end."
+            summary=f"`done` is on line {elsewhere}, not at the end."
             if elsewhere
             else f"The last line of the file is `{lines[-1][:60]}`, not `done`."
             if lines

@@ -53,7 +53,7 @@ class Document:
         for index, name in enumerate(ids):
             here = (*place, index, "id")
             if name in first:
-                what = f"`{name}` is used twice; the first is in line {first[name]}"
+                what = f"`{name}` is used twice; the first is on line {first[name]}"
                 yield self.error(what, f"give each {kind} an id of its own", place=here)
             first.setdefault(name, self.line(here))
 
@@ -140,6 +140,6 @@ def _repeated_here(file: Path, node: yaml.MappingNode) -> Iterator[ContentError]
             continue
         line = key.start_mark.line + 1
         if key.value in first:
-            what = f"`{key.value}` is given twice here; the first is in line {first[key.value]}"
+            what = f"`{key.value}` is given twice here; the first is on line {first[key.value]}"
             yield ContentError(what, "keep one of them", file=file, line=line, key=key.value)
         first.setdefault(key.value, line)

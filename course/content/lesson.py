@@ -111,7 +111,7 @@ def _choice_problems(document: Document, item: dict[str, Any], place: Place) -> 
             yield document.error("a wrong choice needs `why`", step, place=here)
         for name in {_plain(choice["text"]), _plain(choice["id"] or choice["text"])}:
             if name in first:
-                what = f"this choice is there already, in line {first[name]}"
+                what = f"this choice is there already, on line {first[name]}"
                 yield document.error(what, "give each a text and an id of its own", place=here)
             first[name] = document.line(here)
 

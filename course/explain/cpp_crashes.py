@@ -147,7 +147,7 @@ def _located(advice: str, notes: Iterable[Observed] | None, sources: Sources) ->
             # The signal has said already what the first one means here.
             said = words[-1:] if "SEGV" in note.error else words
             file = place.file.rpartition("/")[2]
-            text = f"It happens in line {place.line} of `{file}`. {' '.join(said) or advice}"
+            text = f"It happens on line {place.line} of `{file}`. {' '.join(said) or advice}"
             return Cause(text, (place,))
     return Cause(advice if notes is None else f"{NO_LINE} {advice}")
 

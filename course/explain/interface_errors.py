@@ -271,7 +271,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           example='add_custom_target called with invalid target name "msg/Quote.msg".  Target names'),
     Known(kind="find-package-missing", pattern=r"the passed dependency '(?P<name>\S+)' has not been found",
           cause=f"{LISTS} names `{{name}}` in DEPENDENCIES, but does not look for it first.",
-          remedy=("Correct `find_package` in line {found}: it must be `find_package({name} REQUIRED)`.",
+          remedy=("Correct `find_package` on line {found}: it must be `find_package({name} REQUIRED)`.",
                   "Add `find_package({name} REQUIRED)` above `rosidl_generate_interfaces`."),
           proof=_looked_for, where=(at(LISTS, _LOOKED_FOR),),
           example="the passed dependency 'std_msgs' has not been found before using find_package()"),
@@ -378,7 +378,7 @@ INTERFACES: tuple[Known[Build], ...] = (
 TYPES: tuple[Known[Build], ...] = (
     Known(kind="dependencies", pattern=r"^KeyError: '(?P<name>\w+)'",
           cause=f"{LISTS} does not name `{{name}}` in DEPENDENCIES, but {{use}} needs it.",
-          remedy=("Add `{name}` after `DEPENDENCIES` in line {dependencies}{also}.",
+          remedy=("Add `{name}` after `DEPENDENCIES` on line {dependencies}{also}.",
                   "Write `DEPENDENCIES {name}` at the end of `rosidl_generate_interfaces(...)`{also}."),
           proof=_uses, example=f"{_HASHES}\nKeyError: 'std_msgs'",
           given={"msg/Quote.msg": "std_msgs/Header header\n"}),

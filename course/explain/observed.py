@@ -94,7 +94,7 @@ class _Note:
         error = f"`{self.error[:_LONGEST]}`"
         if self.raised:
             of = "" if self.by and self.by.file == self.raised.file else f" of `{_name(self.raised)}`"
-            error += f", raised in line {self.raised.line}{of}"
+            error += f", raised on line {self.raised.line}{of}"
         places = (*(known.where if known else ()), *((self.raised,) if self.raised else ()))
         return f"{error}. {known.remedy if known else 'Correct that line.'}", tuple(dict.fromkeys(places))
 
@@ -110,7 +110,7 @@ def _hidden(note: _Note) -> Cause | None:
     if raises or asked_for or not note.error or _HARMLESS.match(note.error):
         return None
     told, places = note.told()
-    return Cause(f"Your `except` in line {note.by.line} hides this error: {told}", (*places, note.by)[:2])
+    return Cause(f"Your `except` on line {note.by.line} hides this error: {told}", (*places, note.by)[:2])
 
 
 def _died(note: _Note) -> Cause | None:
@@ -132,7 +132,7 @@ def _halted(note: _Note, ran: dict[str, set[int]]) -> Cause | None:
         if not called_back or not isinstance(loop, ast.While | ast.For):
             return None
         return Cause(
-            f"The loop in line {loop.lineno} goes on and on: {note.event.seconds:.0f} s later the callback "
+            f"The loop on line {loop.lineno} goes on and on: {note.event.seconds:.0f} s later the callback "
             "was still in it. Until a callback returns, the node can do nothing else.",
             (Location(note.by.file, loop.lineno),),
         )
@@ -193,7 +193,7 @@ def _never_looped(recording: Recording) -> Cause | None:
     for file, loop in nodes(recording.sources):
         lines = ran.get(file, set())
         if isinstance(loop, ast.While) and loop.lineno in lines and not _came_to(loop.body, lines):
-            text = f"The loop in line {loop.lineno} never ran: `{ast.unparse(loop.test)}` was false at once."
+            text = f"The loop on line {loop.lineno} never ran: `{ast.unparse(loop.test)}` was false at once."
             return Cause(text, (Location(file, loop.lineno),))
     return None
 

@@ -544,7 +544,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           given={"talk/talker.py": "class Talker(Node):\n    pass\n\ndef tick(self):\n    pass\n"}),
     Known(r"object has no attribute|object is not callable|(?:access|referenced).* variable",
           "Line {line} gives the name `{hidden}` to something else, and so hides what is called "
-          "`{hidden}` otherwise. Choose another name in line {line}.",
+          "`{hidden}` otherwise. Choose another name on line {line}.",
           "AttributeError: 'float' object has no attribute 'sleep'", proof=_hidden_name, where=(here,),
           given={"talk/talker.py": "import time; time = 0.5; time.sleep(time)\n"}),
     Known(r"float\(\) argument must be|_TYPE_SUPPORT|incompatible function arguments|is not valid|msg_type",
@@ -814,7 +814,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "NameError: name 'count' is not defined", proof=_given_elsewhere, where=(here,),
           given={"talk/talker.py": "print(count)\n\ndef main():\n    count = 0\n"}),
     Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",
-          "`{name}` in line {line} is a variable of that function only. Write `self.{name}` there, too.",
+          "`{name}` on line {line} is a variable of that function only. Write `self.{name}` there, too.",
           "AttributeError: 'Talker' object has no attribute 'publisher'", proof=_only_local, where=(here,),
           given={"talk/talker.py": "class Talker(Node):\n    def __init__(self):\n        publisher = 0\n"}),
     Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",

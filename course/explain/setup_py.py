@@ -351,7 +351,7 @@ OF_SETUP: tuple[Known[Build], ...] = (
           remedy="Each string needs a quote at its beginning and the same one at its end.",
           example="SyntaxError: unterminated string literal (detected at line 22)"),
     Known(kind="setup-py", pattern=r"^SyntaxError: ",
-          cause="In setup.py of `{package}`, the entry point in line {line} has no quotes.",
+          cause="In setup.py of `{package}`, the entry point on line {line} has no quotes.",
           remedy="An entry point is a string: put quotes around `{entry}`.", proof=_bare_entry,
           example="SyntaxError: invalid syntax. Perhaps you forgot a comma?",
           given={"setup.py": "scripts = [\n    talk = talk.talker:main,\n]\n"}),
@@ -395,7 +395,7 @@ OF_SETUP: tuple[Known[Build], ...] = (
           remedy="Run `python3 setup.py --name` in the package's folder to see the error yourself.",
           example="ValueError: odd"),
     Known(kind="entry-point", pattern=_REFUSED,
-          cause="A comma is missing in setup.py of `{package}`, after the entry point in line {line}.",
+          cause="A comma is missing in setup.py of `{package}`, after the entry point on line {line}.",
           remedy=("Add one at the end of line {line}: without it, Python joins the strings of lines "
                  "{line} and {second} into one."), proof=_joined_entry,
           example="error in talk setup command: ('Invalid entry point', 'a = m:fb = m:g')",

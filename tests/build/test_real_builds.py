@@ -112,7 +112,7 @@ PYTHON: dict[str, tuple[Break, str, str, str, str]] = {
     "comma between entry points": (
         replace("setup.py", ENTRY, ENTRY.rstrip(",")),
         "entry-point", "setup.py:21",
-        "A comma is missing in setup.py of `small_node`, after the entry point in line 21", "lines 21 and 22",
+        "A comma is missing in setup.py of `small_node`, after the entry point on line 21", "lines 21 and 22",
     ),
     "an entry point without =": (
         replace("setup.py", "small_talker = ", "small_talker "),

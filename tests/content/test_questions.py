@@ -83,8 +83,8 @@ WRONG = [
         "choices[1]",
         "a wrong choice needs `why`",
     ),
-    ("text: It saves oil", "text: The keeper is asleep", "choices[3]", "is there already, in line 19"),
-    ("id: seen", "id: why", "id", "used twice; the first is in line 9"),
+    ("text: It saves oil", "text: The keeper is asleep", "choices[3]", "is there already, on line 19"),
+    ("id: seen", "id: why", "id", "used twice; the first is on line 9"),
     ("id: seen", "id: Seen", "id", "must be small letters"),
     ("        number: 5\n", "", "questions[3]", "exactly one of choices, text, all_of, number, computed"),
     (

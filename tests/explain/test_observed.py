@@ -60,7 +60,7 @@ def test_a_hidden_error() -> None:
     found = cause_of(ran(9, 12), caught(at(9), at(17)))
     assert found is not None
     assert found.text == (
-        f"Your `except` in line 17 hides this error: `{ERROR}`, raised in line 9. "
+        f"Your `except` on line 17 hides this error: `{ERROR}`, raised on line 9. "
         "This line adds a number to a text: use an f-string."
     )
     assert found.where == (Location(FILE, 9), Location(FILE, 17))
@@ -125,7 +125,7 @@ def test_a_halt_that_was_over() -> None:
 
 def test_a_loop_in_a_callback() -> None:
     found = cause_of(Observed(0.0, "looped", "called back", by=at(8), seconds=3))
-    assert found and found.text.startswith("The loop in line 7 goes on and on: 3 s later")
+    assert found and found.text.startswith("The loop on line 7 goes on and on: 3 s later")
     assert found.where == (Location(FILE, 7),)
 
 
@@ -208,7 +208,7 @@ def test_a_line_that_is_not_come_to() -> None:
 def test_a_loop_that_never_ran() -> None:
     packages = BuiltPackages((BuiltPackage("talk", "ws/src/talk", "/store/talk"),))
     text = "def work():\n    while rclpy.ok:\n        work()\n"
-    for lines, told in (((1, 2), "The loop in line 2 never ran"), ((1, 2, 3), UNKNOWN), ((1,), UNKNOWN)):
+    for lines, told in (((1, 2), "The loop on line 2 never ran"), ((1, 2, 3), UNKNOWN), ((1,), UNKNOWN)):
         notes = (ran(*lines),)
         recording = Recording("x", notes, sources=Sources({FILE: text}), packages=packages)
         assert unproven(recording, "the loop?", ended=True).text.startswith(told)

@@ -113,8 +113,8 @@ def test_a_hidden_error_is_found(
 ) -> None:
     result = grade(HIDES)
     assert result.verdict is Verdict.NOT_PASSED
-    assert advice(result).startswith("Your `except` in line 11 hides this error: `TypeError: can only")
-    assert "raised in line 4" in advice(result)
+    assert advice(result).startswith("Your `except` on line 11 hides this error: `TypeError: can only")
+    assert "raised on line 4" in advice(result)
     assert advice(so_far[0]).startswith(UNKNOWN) and len(so_far) == 1
     assert outcomes(so_far[0]) == outcomes(result)
     kept = load(tmp_path / "evidence.mcap")
@@ -163,7 +163,7 @@ def test_the_line_in_which_cpp_crashes(tmp_path: Path) -> None:
     with contextlib.closing(Helpers()) as helpers:
         result = attempt_exercise(request, helpers)
     line = main.read_text().splitlines().index("  std::stoi(argv[0]);") + 1
-    assert advice(result).startswith(f"It happens in line {line} of `{main.name}`. The text does not begin")
+    assert advice(result).startswith(f"It happens on line {line} of `{main.name}`. The text does not begin")
     feedback = the(result, "starts").feedback
     assert feedback and [(place.file, place.line) for place in feedback.where] == [
         (str(main.relative_to(home)), line)

@@ -32,7 +32,7 @@ def _declaration_findings(file: Path, declared: Declaration) -> Iterator[Finding
     first = {BUILDS: declared.line} if declared.builds else {}
     for check in declared.checks:
         if check.id in first:
-            what = f"{declared.exercise} has two checks `{check.id}`; the first is in line {first[check.id]}"
+            what = f"{declared.exercise} has two checks `{check.id}`; the first is on line {first[check.id]}"
             step = "give each an id of its own (`builds` comes by itself unless `builds=None`)"
             yield Finding(file, check.line, what, step, declared.exercise)
         first.setdefault(check.id, check.line)
@@ -62,7 +62,7 @@ def _need_problem(
         what = f"check `{check.id}` needs itself: {' -> '.join((check.id, *circle))}"
         return what, "take one of them out of `needs`"
     if lines[need] > check.line:
-        what = f"check `{check.id}` needs `{need}`, which is only in line {lines[need]}"
+        what = f"check `{check.id}` needs `{need}`, which is only on line {lines[need]}"
         return what, f"move `{need}` before it: checks are made in their order"
     return None
 

@@ -88,5 +88,5 @@ def id_findings(subject: Subject) -> Iterator[Finding]:
             name, line = exercise["id"], reading.document.line(("exercises", index, "id"))
             other, there = first.setdefault(name, (chapter, line))
             if other != chapter:
-                what = f"`{name}` is an exercise of {other.name} too, in line {there} of its lesson.yaml"
+                what = f"`{name}` is an exercise of {other.name} too, on line {there} of its lesson.yaml"
                 yield Finding(reading.document.file, line, what, "give each an id of its own", name)

@@ -64,7 +64,7 @@ def test_all_wrong_declarations_of_a_module(change: Change, tell: Tell) -> None:
     )
     assert tell() == [
         f"{NAME}:10: check `is_bright` needs itself: is_bright -> is_bright",
-        f"{NAME}:20: 04-dim has two checks `there`; the first is in line 15",
+        f"{NAME}:20: 04-dim has two checks `there`; the first is on line 15",
         f"{NAME}:25: check `dims` needs `ther`, which is not a check; did you mean `there`?",
     ]
 
@@ -77,7 +77,7 @@ def test_a_circle_of_checks_is_told_once(change: Change, tell: Tell) -> None:
 def test_a_check_that_stands_too_late(change: Change, tell: Tell) -> None:
     late = '\n\n@dim.check("late", "late")\ndef late(recording: Recording) -> None:\n    pass\n'
     change(NAME, "", GRADER.replace('needs="there"', 'needs="late"') + late)
-    assert tell() == [f"{NAME}:20: check `dims` needs `late`, which is only in line 25"]
+    assert tell() == [f"{NAME}:20: check `dims` needs `late`, which is only on line 25"]
 
 
 def test_two_scenarios_are_a_fault_of_loading(change: Change, tell: Tell) -> None:

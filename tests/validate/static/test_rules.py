@@ -105,7 +105,7 @@ def test_no_course_at_all(tmp_path: Path) -> None:
 def test_one_id_in_two_chapters(root: Path, tell: Tell) -> None:
     shutil.copytree(root / "chapters/04-lanterns", root / "chapters/04-lamps")
     told = tell()
-    what = "`04-light` is an exercise of 04-lamps too, in line 5 of its lesson.yaml"
+    what = "`04-light` is an exercise of 04-lamps too, on line 5 of its lesson.yaml"
     assert f"chapters/04-lanterns/lesson.yaml:5: {what}" in told
     assert any("have the same number" in line for line in told)
 
