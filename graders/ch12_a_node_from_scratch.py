@@ -75,8 +75,8 @@ def counts(recording: Recording) -> None:
         LINE,
         terminal=recording.process(NODE).text,
         first=FIRST,
-        begin="Start with a count of 0, and add one after you log the message, not before.",
-        step="Keep the count in the node (`self.count`), and add one in each call of the timer.",
+        begin="Start with a count of 0, and add one after each message that you log, not before it.",
+        step="Keep the count in the node (`self.count`), and add one each time the callback runs.",
         cause=slips.compared(recording.sources),
     )
     if len(lines) < ENOUGH:
@@ -114,7 +114,7 @@ def old_executable(recording: Recording) -> None:
     if GREETING not in (line.strip() for line in text):
         raise Failure(
             Feedback(
-                summary=f"`{OLD}` no longer prints `{GREETING}`",
+                summary=f"`{OLD}` no longer prints `{GREETING}`.",
                 expected=GREETING,
                 seen=text[0] if text else "nothing",
                 advice=f"Leave `{OLD}.py` as it was. The new node has its own module.",

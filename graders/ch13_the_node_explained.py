@@ -1,4 +1,4 @@
-"""Graders of chapter 13: three nodes that were broken, and questions on what a node is made of."""
+"""Graders of chapter 13: three nodes to repair, and questions about the parts of a node."""
 
 from __future__ import annotations
 
@@ -130,23 +130,23 @@ def countdown_counts(recording: Recording) -> None:
                 expected=f"one every {PERIOD} s",
                 seen=", ".join(f"{gap:.2f} s" for gap in gaps),
                 where=timer_places(recording.sources),
-                advice="Let the timer alone call `count_down`, and leave its period at 0.5 seconds.",
+                advice="Only the timer should call `count_down`. Leave its period at 0.5 seconds.",
             )
         )
 
 
 def has_two_at_once(gaps: Sequence[float]) -> bool:
-    """Whether two words come at once: then the whole takes a period less.
+    """Whether two words come at once, which makes the whole countdown a period shorter.
 
-    A word that only comes late, close to the next one, does not change the total time.
+    A word that is only late, close to the next one, does not change the total time.
     """
     return min(gaps) < PERIOD / 10 and sum(gaps) < (len(gaps) - 0.5) * PERIOD
 
 
 def spoken_at(recording: Recording) -> tuple[float, ...]:
-    """When each word appeared, on the terminal if possible.
+    """When each word appeared: on the terminal, if possible.
 
-    The log delivers everything at once that a node logs before others have found it.
+    If a node logs before the other nodes have found it, `/rosout` delivers those lines all at once.
     """
     lines = recording.process(program(COUNTDOWN)).lines
     ends = tuple(f": {word}" for word in COUNTED)
@@ -160,7 +160,7 @@ def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
     cause = cause_of_silence(
         recording,
         program(COUNTDOWN),
-        look_at="only one thing was wrong in this file. Compare the rest with its docstring.",
+        look_at="only one thing was wrong in this file. Compare the file with its docstring.",
     )
     return Feedback(
         summary=f"The countdown logs {listed(said[:6])}.",
@@ -191,14 +191,13 @@ def laser(recording: Recording) -> None:
         Feedback(
             summary="The scanner switches off its laser before Ctrl+C."
             if before
-            else "After Ctrl+C the laser stays on: the program ends before it switches it off.",
+            else "After Ctrl+C, the laser stays on, because the program ends before switching it off.",
             expected=f"{LASER} after Ctrl+C, and not before",
             seen=f"{LASER} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",
             where=places[:2],
             advice=(
-                "The laser must go off after `rclpy.spin`, once Ctrl+C is caught: put `spin` in a "
-                "`try:` block, add `except KeyboardInterrupt:` with `pass`, and call "
-                "`switch_off_the_laser()` after it."
+                "Put `rclpy.spin` in a `try:` block, and add `except KeyboardInterrupt:` with `pass`. After "
+                "that, call `switch_off_the_laser()`. It then runs once Ctrl+C has been caught."
             ),
         )
     )

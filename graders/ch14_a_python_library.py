@@ -1,4 +1,4 @@
-"""Graders of chapter 14: libraries, used as installed, from a folder without its sources."""
+"""Graders of chapter 14: libraries, as installed, used from a folder without their sources."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def ask_the_installed_library(arena: Arena) -> None:
 
 
 def given(recording: Recording) -> dict[str, Any]:
-    """The values that the scenario drew, from its own notes: the probe runs beside the learner's code."""
+    """The values that the scenario drew, from its own notes: the probe runs with the learner's code."""
     mark = recording.marked(GIVEN)
     if mark is None:
         raise OurFault("the scenario did not note what it drew")
@@ -110,7 +110,7 @@ def answer(recording: Recording, question: str) -> ProbeAnswer:
                 summary="A program that uses the library never ends.",
                 where=(Location(f"{folder(recording)}/{PACKAGE}/{LIBRARY}"),),
                 advice=(
-                    "Look for an endless loop, `input()` and `sys.exit()`. A library only defines "
+                    "Look for an endless loop, `input()`, or `sys.exit()`. A library only defines "
                     "functions and classes."
                 ),
             )
@@ -124,7 +124,7 @@ def folder(recording: Recording) -> str:
 
 
 def place_of_error(recording: Recording, question: str) -> tuple[Location, ...]:
-    """The learner's line that led to the exception, from the frames that the probe saw."""
+    """The line of the learner's code that led to the exception, from the frames that the probe saw."""
     frames = recording.probe().answer(f"{question} places")
     for frame in reversed(frames.value if frames and isinstance(frames.value, list) else []):
         match frame:  # the learner's code runs where this answer comes from
@@ -147,11 +147,11 @@ def installed(recording: Recording) -> None:
     if not str(found.value).startswith(built.prefix):
         raise Failure(
             Feedback(
-                summary=f"`import {MODULE}` gives something other than the installed library.",
+                summary=f"`import {MODULE}` loads something other than the installed library.",
                 expected=f"a module whose `__file__` is in the installed `{PACKAGE}`",
                 seen=str(found.value)[:200],
                 where=(Location(f"{folder(recording)}/{PACKAGE}/__init__.py"),),
-                advice="Let Python set `__file__`, and leave `sys.modules` and `sys.path` as they are.",
+                advice="Let Python set `__file__`, and don't change `sys.modules` or `sys.path`.",
             )
         )
 
@@ -206,7 +206,7 @@ def not_offered(recording: Recording, name: str, kind: str, *, is_module: bool) 
     return Feedback(
         summary=f"`{name}` is a file here, not the {kind} in it."
         if is_module
-        else f"The library has no `{name}`" + (f"; it has `{near}`." if near else "."),
+        else f"The library does not offer `{name}`" + (f", but it offers `{near}`." if near else "."),
         expected=f"from {MODULE} import {name}",
         seen=f"it offers {listed(offered, 'nothing')}",
         where=(*defined_at(recording, near or name)[:1], Location(init)),
@@ -216,9 +216,9 @@ def not_offered(recording: Recording, name: str, kind: str, *, is_module: bool) 
 
 def advice_to_offer(recording: Recording, name: str, kind: str, near: str | None) -> str:
     if near:
-        return f"Correct the name of the {kind} where it is defined and where it is imported."
+        return f"Correct the {kind}'s name where you define it and where you import it."
     if not defined_at(recording, name):
-        return f"Write the {kind} in its file, then import it in `__init__.py`."
+        return f"Write the {kind} in its own file, then import it in `__init__.py`."
     return f"In `__init__.py`, import it from its file: `from {MODULE}._... import {name}`."
 
 
@@ -244,11 +244,11 @@ def class_(recording: Recording) -> None:
     getter = functions(recording.sources, "get_name")
     if seen == [wanted[1], wanted[1]]:
         summary, advice = (
-            f"Two objects of `{CLASS}` share one name: the last that was given.",
+            f"Two objects of `{CLASS}` share one name, the one given last.",
             ("Store it in the object: `self._name = name` in `__init__`, not `SampleClass._name = ...`."),
         )
     elif seen == [None, None]:
-        summary, advice = "`get_name()` returns nothing.", "It must `return self._name`, not just print it."
+        summary, advice = "`get_name()` returns nothing.", "Add `return self._name`. Printing is not enough."
     elif "bound method" in str(seen[:1]):
         summary, advice = (
             "`get_name()` returns the method itself, not the name.",
@@ -256,7 +256,7 @@ def class_(recording: Recording) -> None:
         )
     else:
         summary, advice = (
-            "`get_name()` does not return the name that was given to the object.",
+            "`get_name()` does not return the name that the object was given.",
             ("Store the name in `__init__` (`self._name = name`), and return it unchanged in `get_name`."),
         )
     raise Failure(
@@ -281,7 +281,7 @@ def broken(recording: Recording, call: str, error: str, where: tuple[Location, .
 
 def remedy(error: str) -> str:
     every = (text for words, text in REMEDIES if all(word in error for word in words))
-    return next(every, "The error came from this line of your code.")
+    return next(every, "This line of your code caused the error.")
 
 
 REMEDIES = (
@@ -290,19 +290,19 @@ REMEDIES = (
         "Two files import each other. The private files must not import from the library.",
     ),
     (("cannot import name",), "Is that name spelled the same here and where it is defined?"),
-    (("SyntaxError",), "Python cannot read the file. Check this line and the end of the line before it."),
+    (("SyntaxError",), "Python can't read the file. Check this line and the end of the line before it."),
     (("NameError",), "Is that name spelled the same everywhere? Upper and lower case matter."),
     (("for ^",), "Powers in Python need two asterisks: `a**2`."),
     (("takes no arguments",), "`__init__` has two underscores on each side, and belongs inside the class."),
     ((f"{FUNCTION}()",), f"It takes two numbers: `def {FUNCTION}(a, b):`."),
     (("takes", "given"), "The first argument of each method is `self`: `def get_name(self):`."),
-    (("has no attribute 'get_name'",), "The class needs a method `get_name`, indented below `class`."),
+    (("has no attribute 'get_name'",), "The class needs a method `get_name`, indented under `class`."),
     (("has no attribute",), "Is it set in `__init__` with `self.`, and spelled the same in both places?"),
-    (("missing", "argument"), "Compare its arguments with those in the task."),
+    (("missing", "argument"), "Compare the arguments with those in the task."),
     (
         ("'str' object is not callable",),
-        "The parentheses call a text. A property is read without parentheses, and a method and an attribute "
-        "need different names: `self._name`.",
+        "The parentheses try to call a string. Read a property without parentheses. Give a method and an "
+        "attribute different names, such as `self._name` for the attribute.",
     ),
 )
 # Python adds the installed file's path to some messages, which does not help a learner.
@@ -330,7 +330,7 @@ def function(recording: Recording) -> None:
                 seen=f"{len(values)}",
                 where=where,
                 advice=(
-                    "A library only defines functions and classes: do not change other modules or open files."
+                    "A library only defines functions and classes: don't change other modules or open files."
                 ),
             )
         )
@@ -344,11 +344,11 @@ def same(value: object, wanted: float) -> bool:
 
 FORMULAS: tuple[tuple[Callable[[float, float], float], str], ...] = (
     (lambda a, b: a**2 + b**2, "The middle term is missing: 2·a·b."),
-    (lambda a, b: a**2 + a * b + b**2, "The middle term must be 2·a·b, not a·b."),
-    (lambda a, b: (a - b) ** 2, "The middle term is added, not subtracted."),
-    (lambda a, b: a + b, "That is the sum of both numbers. The task asks for the square of the sum."),
+    (lambda a, b: a**2 + a * b + b**2, "The middle term should be 2·a·b, not a·b."),
+    (lambda a, b: (a - b) ** 2, "The middle term must be added, not subtracted."),
+    (lambda a, b: a + b, "This is the sum of the two numbers. The task asks for its square."),
     (lambda a, b: 2 * a + 2 * a * b + 2 * b, "`a * 2` doubles a. The square is `a**2`."),
-    (lambda a, b: a**2 + 2 * a + b + b**2, "Write a `*` between 2, a and b: `2 * a * b`."),
+    (lambda a, b: a**2 + 2 * a + b + b**2, "Write a `*` between 2, a, and b: `2 * a * b`."),
 )
 
 
@@ -361,7 +361,7 @@ def miscalculated(
         (text for formula, text in FORMULAS if all(same(each, formula(*pair)) for pair, each in every)), None
     )
     if value is None:
-        cause = "It returns nothing: begin the line with `return`. Printing the result is not enough."
+        cause = "It returns nothing: start the line with `return`. Printing the result is not enough."
     elif isinstance(value, str):
         cause = "It returns a string. Return the number itself."
     elif isinstance(value, int) or (isinstance(value, float) and round(value, 6) == value):
@@ -371,7 +371,7 @@ def miscalculated(
         expected=f"{(a + b) ** 2!r}",
         seen=f"{value!r}"[:200],
         where=where,
-        advice=cause or "Write the three terms, `a**2`, `2 * a * b` and `b**2`, and add them.",
+        advice=cause or "Add up the three terms `a**2`, `2 * a * b`, and `b**2`.",
     )
 
 
@@ -383,11 +383,11 @@ def no_tests(recording: Recording) -> None:
         return
     raise Failure(
         Feedback(
-            summary="The folder test is installed like a library.",
-            expected=f"{PACKAGE} alone",
+            summary="The folder `test` is installed along with the library.",
+            expected=f"only {PACKAGE}",
             seen=listed(name for name in found if "." not in name),
             where=packages_place(recording.sources, folder(recording)),
-            advice="Leave it out: `packages=find_packages(exclude=['test'])`.",
+            advice="Exclude it in `setup.py`: `packages=find_packages(exclude=['test'])`.",
         )
     )
 
@@ -427,14 +427,14 @@ def driving_installed(recording: Recording) -> None:
     answered(recording, "library", IMPORT)
 
 
-@driving.check("defaults", "without more arguments, it stops at 0.5 m and drives 0.5 m/s", needs="installed")
+@driving.check("defaults", "by default, it stops at 0.5 m and drives at 0.5 m/s", needs="installed")
 def defaults(recording: Recording) -> None:
     expect_speeds(
         recording, "usual", [(d, rover.STOP_AT, rover.FULL_SPEED) for d in given(recording)["DISTANCES"]]
     )
 
 
-@driving.check("arguments", "`stop_at` and `full_speed` set both", points=2, needs="installed")
+@driving.check("arguments", "`stop_at` and `full_speed` change both limits", points=2, needs="installed")
 def arguments(recording: Recording) -> None:
     expect_speeds(recording, "given", given(recording)["CASES"])
 
@@ -446,7 +446,7 @@ def expect_speeds(recording: Recording, question: str, cases: list[Any]) -> None
         if not same(speed, rover.safe_speed(*case)):
             raise Failure(wrong_speed(recording, case, speed))
     if len(speeds) != len(cases):
-        advice = "A library only defines functions and classes: do not change other modules."
+        advice = "A library only defines functions and classes: don't change other modules."
         raise Failure(Feedback(summary=f"`{SPEED}` could not be called with all test values.", advice=advice))
 
 
@@ -467,9 +467,9 @@ def advice_on_speed(distance: float, stop_at: float, wanted: float, speed: objec
     if speed is None:
         return "It returns nothing: use `return`. Printing the result is not enough."
     if isinstance(speed, float | int) and speed < 0.0:
-        return "The rover must not drive backward: `max(0.0, ...)` is never below zero."
+        return "The rover must not drive backward. Use `max(0.0, ...)`, which is never below zero."
     if distance <= stop_at:
-        return "At `stop_at` or closer, the speed is 0.0."
+        return "At a distance of `stop_at` or less, the speed must be 0.0."
     if wanted < distance - stop_at:
-        return "The speed is never more than `full_speed`: `min(full_speed, ...)`."
-    return "Between these two, the speed is `distance - stop_at`."
+        return "The speed must never exceed `full_speed`. Use `min(full_speed, ...)`."
+    return "Between those two limits, the speed must be `distance - stop_at`."

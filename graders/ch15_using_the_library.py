@@ -1,4 +1,4 @@
-"""Grader of chapter 15: a node that uses the library of chapter 14.
+"""Grader of chapter 15: a node that uses the library from chapter 14.
 
 The log may use any words. A line with three numbers belongs to the function, any other to the class.
 """
@@ -46,7 +46,7 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?!\w)"
 DECIMAL = re.compile(r"\d\.\d|\{")  # what is not in a line with a name
 LIST = re.compile(r"\[(['\"]).\1, ")  # how Python shows a list of letters
 WHOLE = ("randint", "randrange", "choice", "getrandbits")
-MOST_NUMBERS = 6  # of a line that are looked at
+MOST_NUMBERS = 6  # per line that we look at
 TEN_LETTERS = re.compile(rf"(?<![A-Za-z0-9_])[A-Za-z]{{{LETTERS}}}(?![A-Za-z0-9_])")
 
 user = Grader("15-use-library")
@@ -132,7 +132,7 @@ def node_name(recording: Recording) -> None:
     expect_node(recording, f"/{NODE}")
 
 
-@user.check("function", "it logs A, B and the function's result", needs="starts")
+@user.check("function", "it logs A, B, and the function's result", needs="starts")
 def function(recording: Recording) -> None:
     lines = tuple(found.line for found in sums(recording))
     if not lines and recording.log:
@@ -147,15 +147,15 @@ def no_numbers(recording: Recording) -> Feedback:
     decimal = next((text for text in texts if DECIMAL.search(text)), None)
     printed = tuple(call.where for call in calls(recording.sources, "print"))
     if braces:
-        advice = "The braces were logged as they are. Put an `f` before the string: `f'...'`."
+        advice = "The log shows the braces as they are. Put an `f` before the string: `f'...'`."
     elif decimal:
-        advice = "Log A, B and the function's result, all in one line."
+        advice = "Log A, B, and the function's result, all on one line."
     elif printed:
         advice = "Use the node's logger instead of `print`: `self.get_logger().info(...)`."
     else:
         advice = f"In the callback, call `{FUNCTION}`, and log both numbers and its result."
     return Feedback(
-        summary="The node never logs a line with the three numbers A, B and C.",
+        summary="The node never logs a line with the three numbers A, B, and C.",
         expected=FUNCTION_LINE,
         seen=(braces or decimal or texts[0])[:200],
         where=printed[:2] or tuple(call.where for call in calls(recording.sources, FUNCTION))[:2],
@@ -163,7 +163,7 @@ def no_numbers(recording: Recording) -> Feedback:
     )
 
 
-@user.check("ranges", "A is in [0, 1], B in [1, 2]", needs="function")
+@user.check("ranges", "A is in [0, 1], and B is in [1, 2]", needs="function")
 def ranges(recording: Recording) -> None:
     for found in sums(recording):
         if not (within(found.a, A_RANGE) and within(found.b, B_RANGE)):
@@ -182,8 +182,8 @@ def outside(recording: Recording, found: Sum) -> Feedback:
         seen=found.line.text[:200],
         where=drawn_at(recording)[:2],
         advice=(
-            f"`random.uniform({low}, {high})` draws {name} from that range. A is the first number in "
-            "the line."
+            f"Draw {name} with `random.uniform({low}, {high})`. The first number on the line counts as A, "
+            "and the second as B."
         ),
     )
 
@@ -215,7 +215,7 @@ def wrong(recording: Recording, found: Sum) -> Feedback:
         seen=found.line.text[:200],
         where=tuple(call.where for call in calls(recording.sources, FUNCTION))[:2],
         advice=(
-            "Pass the numbers that you log to the function of the library. If you already do, the "
+            "Pass the numbers that you log to the library's function. If you already do, the "
             "library is wrong: run `ros2course check 14-library`."
         ),
     )
@@ -237,23 +237,23 @@ def random_numbers(recording: Recording) -> None:
 
 def whole_numbers(found: Sum, where: Location) -> Feedback:
     return Feedback(
-        summary="Only integers are drawn: A is 0 or 1, and B is 1 or 2.",
-        expected="any number in between, like 0.3745401188473625",
+        summary="Your program draws only integers: A is 0 or 1, and B is 1 or 2.",
+        expected="any number in between, such as 0.3745401188473625",
         seen=found.line.text[:200],
         where=(where,),
-        advice="`random.uniform(0, 1)` draws any number between 0 and 1.",
+        advice="Use `random.uniform(0, 1)`, which draws any number between 0 and 1.",
     )
 
 
 def always(recording: Recording, what: str, value: str) -> Feedback:
     return Feedback(
         summary=f"{what} always the same: {value}.",
-        expected="a different one in each line",
+        expected="a different one on each line",
         seen=value,
         where=drawn_at(recording)[:2],
         advice=(
-            "Draw in the timer's callback, so that it happens each time. A number drawn in "
-            "`__init__`, or at the top of the file, never changes."
+            "Draw it in the timer's callback, which runs each time. A value drawn in `__init__`, or at "
+            "the top of the file, never changes."
         ),
     )
 
@@ -263,7 +263,7 @@ def too_few(recording: Recording, line: LogLine) -> Feedback:
         recording, NODE, slips.logged_seldom, look_at="does a timer of 0.5 s call the function that logs?"
     )
     return Feedback(
-        summary="The node says this only once; it should repeat it forever.",
+        summary="The node logs this only once. It should log a new line forever.",
         expected="a line every 0.5 s",
         seen=line.text[:200],
         where=cause.where,
@@ -296,7 +296,7 @@ def random_names(recording: Recording) -> None:
 
 
 def name_lines(recording: Recording) -> list[LogLine]:
-    """Lines that are not from the function: the most frequent kind of those."""
+    """The most frequent kind of lines, among those that are not from the function."""
     every = (line for line in lines_of(recording) if line.text.strip())
     lines = [line for line in every if not as_sum(line) and not DECIMAL.search(line.text)]
     firsts = Counter(line.text.split()[0] for line in lines)
@@ -305,14 +305,14 @@ def name_lines(recording: Recording) -> list[LogLine]:
 
 
 def varying_names(lines: list[LogLine]) -> list[str]:
-    """Words of ten letters that are not in every line; those in every line are not names."""
+    """Words of ten letters, except for those on every line, which are not names."""
     found = [set(TEN_LETTERS.findall(line.text)) for line in lines]
     wording = set.intersection(*found) if len(found) > 1 else set()
     return [name for names in found for name in names - wording]
 
 
 def odd_name(recording: Recording, lines: list[LogLine]) -> Feedback | None:
-    """Why there is no name of ten letters; None if there is one that is always the same."""
+    """Why there is no name of ten letters, or None if there is one that is always the same."""
     text = lines[0].text
     if "bound method" in text or " object at 0x" in text:
         return misread(recording, lines[0], "method" if "bound method" in text else "object")
@@ -336,7 +336,7 @@ def misread(recording: Recording, line: LogLine, what: str) -> Feedback:
         expected=CLASS_LINE,
         seen=line.text[:200],
         where=places[:2],
-        advice="Add parentheses: `get_name()` returns the name.",
+        advice="Call `get_name()`, with parentheses. It returns the name.",
     )
 
 
@@ -354,7 +354,7 @@ def misspelt(recording: Recording, line: LogLine, name: str) -> Feedback:
     if not (name.isascii() and name.isalpha()):
         strange = [sign for sign in dict.fromkeys(name) if not (sign.isascii() and sign.isalpha())]
         summary = f"The name `{name[:40]}` contains {listed(strange[:3])}, which are not ASCII letters."
-        advice = "Draw from `string.ascii_letters`, which is a to z and A to Z."
+        advice = "Draw from `string.ascii_letters`, which contains a to z and A to Z."
     else:
         summary = f"The name `{name[:40]}` has {len(name)} letters, not {LETTERS}."
         advice = f"`random.choices(string.ascii_letters, k={LETTERS})` draws {LETTERS} of them."
@@ -370,7 +370,7 @@ def misspelt(recording: Recording, line: LogLine, name: str) -> Feedback:
 def no_names(recording: Recording) -> Feedback:
     printed = tuple(call.where for call in calls(recording.sources, "print"))
     return Feedback(
-        summary="The node never logs the second kind of line, the one with the name.",
+        summary="The node never logs the second kind of line, with the name.",
         expected=CLASS_LINE,
         seen="printed, not logged" if printed else "lines with numbers only" if recording.log else "nothing",
         where=printed[:2] or tuple(call.where for call in calls(recording.sources, "SampleClass"))[:2],

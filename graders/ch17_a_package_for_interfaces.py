@@ -1,7 +1,7 @@
 """Grader of chapter 17: a package that defines a message and a service.
 
-The types are recognized by the hashes that ROS itself announces for them (RIHS01); the .msg
-and .srv files only serve to say what differs.
+It recognizes the types by the hashes that ROS itself announces for them (RIHS01). The .msg and .srv
+files only serve to say what is different.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from lib.interfaces import Section, compare, interface_file
 PACKAGE = "package_with_interfaces"
 MESSAGE = f"{PACKAGE}/msg/AmazingQuote"
 SERVICE = f"{PACKAGE}/srv/WhatIsThePoint"
-NEWER = f"{PACKAGE}/srv/AddPoints"  # what the tutorial has in its place since Jazzy
+NEWER = f"{PACKAGE}/srv/AddPoints"  # what the tutorial's Jazzy edition has instead
 MESSAGE_HASH = "RIHS01_6eb8a339124c22e6ee8541e6132c3bccee5a2125c643270c85cae174a4aaeb21"
 REQUEST_HASH = "RIHS01_e87c30d67764861fc30a04b9d64414ff99bc5be6e31bdc2e5e5e18ea106f8ab4"
 RESPONSE_HASH = "RIHS01_c11b8860d83662096ca56a010676029161709fabb468dace3e4f362bd1d2c29c"
@@ -47,7 +47,7 @@ interfaces = Grader("17-interfaces")
 
 @interfaces.scenario
 def offer_the_types(arena: Arena) -> None:
-    """Use the learner's types in a program of ours; the graph shows their hashes."""
+    """Use the learner's types in a program of ours. The graph shows their hashes."""
     arena.keep(PACKAGE, EXPORTS)
     probe = arena.probe_types(MESSAGE, SERVICE, NEWER)
     if arena.until(lambda: arena.printed("ready"), timeout=15, while_running=probe):
@@ -75,7 +75,7 @@ def message(recording: Recording) -> None:
 
 @interfaces.check("service", "WhatIsThePoint is as the task defines it", points=2, needs="message")
 def service(recording: Recording) -> None:
-    """Accept AddPoints in its place: the tutorial's edition for Jazzy has only that."""
+    """Accept AddPoints instead: the tutorial's Jazzy edition has only that."""
     offered = {found.name: found for found in recording.seen_graph().services if found.request_hash}
     wrong = []
     for probe, name, hashes, fields in SERVICES:
@@ -97,7 +97,7 @@ def called_with(recording: Recording, package: str) -> str | None:
 
 
 def unknown(recording: Recording, type_name: str) -> Feedback:
-    """The package builds without this type: the file is not listed, or has another name."""
+    """The package builds without this type, because the file is not listed or has a different name."""
     _, kind, short = type_name.split("/")
     wanted = f"{kind}/{short}.{kind}"
     cmake = next((name for name in recording.sources.names if name.endswith(f"{PACKAGE}/{CMAKE}")), CMAKE)
@@ -115,7 +115,7 @@ def unknown(recording: Recording, type_name: str) -> Feedback:
     target = called_with(recording, PACKAGE)
     if target and target not in ("${PROJECT_NAME}", PACKAGE):
         return Feedback(
-            summary=f"CMakeLists.txt generates the interfaces as `{target}`, so nobody finds `{type_name}`.",
+            summary=f"CMakeLists.txt generates interfaces for `{target}`, so ROS can't find `{type_name}`.",
             expected="rosidl_generate_interfaces(${PROJECT_NAME} ...",
             seen=f"rosidl_generate_interfaces({target} ...",
             where=called[:1],
@@ -123,13 +123,13 @@ def unknown(recording: Recording, type_name: str) -> Feedback:
         )
     if close:
         return Feedback(
-            summary=f"The package has no `{short}`; it has `{close.rpartition('.')[0]}`.",
+            summary=f"The package has no `{short}`, but it has `{close.rpartition('.')[0]}`.",
             expected=wanted,
             seen=close,
             where=(Location(next(name for name in recording.sources.names if name.endswith(close))),),
             advice=(
-                f"Rename the file to `{short}.{kind}`, here and in CMakeLists.txt: the file's name "
-                "becomes the type's name."
+                f"Rename the file to `{short}.{kind}`, and change its name in CMakeLists.txt, too. The "
+                "file's name becomes the type's name."
             ),
         )
     return Feedback(
@@ -150,7 +150,7 @@ def package_xml(recording: Recording) -> None:
             "rosidl_default_generators",
             "it generates the code",
         ),
-        (("exec_depend", "depend"), "rosidl_default_runtime", "programs that use the types need it"),
+        (("exec_depend", "depend"), "rosidl_default_runtime", "programs that use your types need it"),
         (("depend", "build_depend"), "geometry_msgs", "the service uses one of its types"),
         (
             ("member_of_group",),
@@ -170,12 +170,11 @@ def cmake_exports(recording: Recording) -> None:
     places = text_places(recording.sources, "ament_export_dependencies")
     raise Failure(
         Feedback(
-            summary="CMakeLists.txt does not export the runtime: "
-            "`ament_export_dependencies(rosidl_default_runtime)`.",
+            summary="CMakeLists.txt does not export the runtime, `rosidl_default_runtime`.",
             where=places or text_places(recording.sources, "ament_package()"),
             advice=(
-                "Add `ament_export_dependencies(rosidl_default_runtime)` before `ament_package()`, "
-                "so that packages that use your types find their dependencies."
+                "Add `ament_export_dependencies(rosidl_default_runtime)` before `ament_package()`. "
+                "Packages that use your types then find the runtime, too."
             ),
         )
     )

@@ -1,4 +1,4 @@
-"""Graders of chapter 18: a publisher and a subscriber of our own messages, and a node that is both."""
+"""Graders of chapter 18: a publisher and a subscriber for our own messages, and a node that is both."""
 
 from __future__ import annotations
 
@@ -47,7 +47,8 @@ PUBLISHER = "amazing_quote_publisher_node"
 SUBSCRIBER = "amazing_quote_subscriber_node"
 ENOUGH = 5
 COMPARE = (
-    "Compare its fields with chapter 17: names, types, order. `ros2course check 17` shows the difference."
+    "Compare the names, types, and order of its fields with chapter 17. `ros2course check 17` shows the "
+    "difference."
 )
 
 publisher = Grader("18-publisher")
@@ -56,7 +57,7 @@ subscriber = Grader("18-subscriber")
 
 @publisher.scenario
 def five_quotes(arena: Arena) -> None:
-    """Record five messages, which make four intervals; wait less for a node without that topic."""
+    """Record five messages, which make four intervals. Don't wait as long for a node without that topic."""
     quotes = arena.ros.subscribe(TOPIC, QUOTE)
     node = arena.run(PACKAGE, PUBLISHER)
     if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
@@ -79,7 +80,7 @@ def publisher_name(recording: Recording) -> None:
 
 @publisher.check("topic_exists", f"it has a publisher on {TOPIC}", needs="starts")
 def topic_exists(recording: Recording) -> None:
-    remedy = f"Make one: `self.create_publisher(AmazingQuote, '{TOPIC}', 10)`."
+    remedy = f"Create it: `self.create_publisher(AmazingQuote, '{TOPIC}', 10)`."
     expect_endpoint(recording, "publisher", TOPIC, remedy=remedy)
 
 
@@ -100,11 +101,11 @@ def publishes(recording: Recording) -> None:
         Feedback(
             summary="The publisher exists, but no message arrives."
             if not received
-            else "One message arrived, and then no more.",
+            else "Only one message arrived.",
             expected="a message every 0.5 s",
             seen=f"{len(received)} in {recording.duration:.1f} s",
             where=cause.where,
-            advice="The publisher is never used: call `self.publisher.publish(message)` in the "
+            advice="Nothing uses the publisher: call `self.publisher.publish(message)` in the "
             "timer's callback."
             if unused
             else cause.text,
@@ -140,7 +141,7 @@ def ids(recording: Recording) -> None:
             else tuple(call.where for call in calls(recording.sources, "publish"))[:1],
             advice=cause.text
             if cause
-            else "Keep the next number in the node, give it to `message.id`, and add one after publishing.",
+            else "Keep the next number in the node. Set `message.id` to it, and add one after publishing.",
         )
     )
 
@@ -153,7 +154,7 @@ def texts(recording: Recording) -> None:
                 raise Failure(
                     Feedback(
                         summary=f"`{field}` is empty in the message with id {message.data.id}.",
-                        expected="a text",
+                        expected="at least one character",
                         seen="an empty string",
                         where=tuple(call.where for call in calls(recording.sources, "publish"))[:1],
                         advice=f"Set it before publishing: `message.{field} = '...'`.",
@@ -173,7 +174,7 @@ def publisher_interrupt(recording: Recording) -> None:
 
 @subscriber.scenario
 def six_quotes_to_hear(arena: Arena) -> None:
-    """Publish each quote after the previous one was logged, or after a while."""
+    """Publish each quote after the previous one was logged, or after some time."""
     speaker = arena.ros.publisher(TOPIC, QUOTE)
     node = arena.run(PACKAGE, SUBSCRIBER)
     if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
@@ -190,7 +191,7 @@ def is_logged(arena: Arena, quote: Mapping[str, Any]) -> bool:
 
 @subscriber.check("starts", "the node starts and keeps running")
 def subscriber_starts(recording: Recording) -> None:
-    """Expect it to run until the first message; `survives` judges the rest."""
+    """Expect it to run until the first message. The check `survives` judges the rest."""
     first = first_reaction(recording, SUBSCRIBER, (message.t for message in recording.sent(TOPIC)))
     expect_running(recording, SUBSCRIBER, until=first)
 
@@ -202,10 +203,7 @@ def subscriber_name(recording: Recording) -> None:
 
 @subscriber.check("subscribes", f"it has a subscription on {TOPIC}", needs="starts")
 def subscribes(recording: Recording) -> None:
-    remedy = (
-        "Make one with `create_subscription`: `self.create_subscription(AmazingQuote, "
-        f"'{TOPIC}', callback, 10)`."
-    )
+    remedy = f"Create it: `self.create_subscription(AmazingQuote, '{TOPIC}', callback, 10)`."
     expect_endpoint(recording, "subscription", TOPIC, remedy=remedy)
 
 
@@ -231,7 +229,7 @@ def receives(recording: Recording) -> None:
 
 
 @subscriber.check(
-    "content", "quote, philosopher_name and id are in the log, once", points=2, needs="receives"
+    "content", "quote, philosopher_name, and id are in the log once", points=2, needs="receives"
 )
 def content(recording: Recording) -> None:
     expect_contents(recording, TOPIC, ("quote", "philosopher_name", "id"), once="quote")
@@ -250,8 +248,8 @@ def subscriber_interrupt(recording: Recording) -> None:
 def quotes_to_say() -> list[dict[str, Any]]:
     """Six AmazingQuotes as dicts: plain, unicode, quotes within quotes, empty, long, plain.
 
-    The texts are random, so that a node can only have them from the message; ids have five
-    digits, by turns odd and even.
+    The texts are random, so a node can get them only from the message. The ids have five digits and
+    alternate between odd and even.
     """
     texts = [
         words(4),
@@ -274,7 +272,7 @@ SENSOR = f"{rover.SENSOR}_node"
 START, PACE = 3.0, 0.1
 STANDS, DRIVES, HALTS, RACES = "no command", "a command", "a command to stop", "a fast command"
 AWAIT = 12  # measurements after each command
-LATE = 2  # of them may have been sent before the command arrived
+LATE = 2  # this many of them may have been sent before the command arrived
 TOLERANCE = 0.25
 
 sensor = Grader("18-rover")
@@ -319,14 +317,14 @@ def sensor_name(recording: Recording) -> None:
 
 @sensor.check("publishes", f"it publishes on {rover.RANGE}", needs="starts")
 def sensor_publishes(recording: Recording) -> None:
-    remedy = f"Make a publisher: `self.create_publisher(Range, '{rover.RANGE}', 10)`."
+    remedy = f"Create a publisher: `self.create_publisher(Range, '{rover.RANGE}', 10)`."
     expect_endpoint(recording, "publisher", rover.RANGE, remedy=remedy)
     expect_type(recording, "publisher", rover.RANGE, rover.RANGE_TYPE)
 
 
 @sensor.check("subscribes", f"it subscribes to {rover.COMMAND}", needs="starts")
 def sensor_subscribes(recording: Recording) -> None:
-    remedy = f"Subscribe: `self.create_subscription(Twist, '{rover.COMMAND}', self.command_callback, 10)`."
+    remedy = f"Create it: `self.create_subscription(Twist, '{rover.COMMAND}', self.command_callback, 10)`."
     expect_endpoint(recording, "subscription", rover.COMMAND, remedy=remedy)
     expect_type(recording, "subscription", rover.COMMAND, rover.COMMAND_TYPE)
     expect_qos(recording, rover.COMMAND)
@@ -341,20 +339,22 @@ def sensor_rate(recording: Recording) -> None:
 def stands(recording: Recording) -> None:
     for message in during(recording, None, DRIVES):
         if abs(message.data.range - START) > rover.CLOSE:
-            advice = "At first, the distance is 3.0 and the speed is 0.0. Only a command changes the speed."
+            advice = "Start with the distance 3.0 and the speed 0.0. Only a command changes the speed."
             raise Failure(
-                wrong_range("Nobody drives, but the distance is not 3.0 m.", f"{START}", message, advice)
+                wrong_range(
+                    "The distance is not 3.0 m before the first command.", f"{START}", message, advice
+                )
             )
 
 
 @sensor.check("drives", "a command brings the wall closer", points=2, needs=("rate", "subscribes"))
 def drives(recording: Recording) -> None:
-    """Expect the distance to fall by the speed, either per second or per period of the task."""
+    """Expect the distance to fall by the speed, either per second or per period in the task."""
     command = recording.sent(rover.COMMAND)[0].data.linear.x
     first, *_, last = found = during(recording, DRIVES, HALTS)
     fallen = first.data.range - last.data.range
     paces = (fallen / (last.t - first.t), fallen / (PACE * (len(found) - 1)))
-    # If the speed is subtracted without the period, it hits the wall at once; the pace means nothing.
+    # If the period is left out, the rover hits the wall at once, and its pace means nothing.
     at_once = last.data.range < rover.CLOSE and command * (last.t - first.t) < START - 1
     if at_once or not any(abs(pace / command - 1) <= TOLERANCE for pace in paces):
         raise Failure(
@@ -363,18 +363,18 @@ def drives(recording: Recording) -> None:
                 expected=f"{command:.2f} m per second",
                 seen=f"{paces[0]:.2f} m per second",
                 where=text_places(recording.sources, "linear.x")[:1],
-                advice="Keep `linear.x` of each command, and subtract this speed times 0.1 s in the timer's "
-                "callback.",
+                advice="Store `linear.x` from each command. In the timer's callback, subtract this speed "
+                "times 0.1 s from the distance.",
             )
         )
 
 
-@sensor.check("halts", "at speed 0, the distance stays where it is", needs="drives")
+@sensor.check("halts", "at speed 0, the distance stays the same", needs="drives")
 def halts(recording: Recording) -> None:
     first, *others = during(recording, HALTS, RACES)
     for message in others:
         if abs(message.data.range - first.data.range) > rover.CLOSE:
-            advice = "Set the speed to `linear.x` of each command, also if it is 0.0. Don't add it up."
+            advice = "Set the speed to `linear.x` from each command, even if it is 0.0. Don't add it up."
             raise Failure(
                 wrong_range("The command is 0, but the distance changes.", "the same", message, advice)
             )
@@ -384,8 +384,8 @@ def halts(recording: Recording) -> None:
 def wall(recording: Recording) -> None:
     last = during(recording, RACES, None)[-1]
     if abs(last.data.range) > rover.CLOSE:
-        advice = "The rover can't drive through the wall: `max(0.0, ...)` is never below zero."
-        raise Failure(wrong_range("The rover drove into the wall.", "0.0", last, advice))
+        advice = "Keep the distance at zero or above. Use `max(0.0, ...)`, which is never below zero."
+        raise Failure(wrong_range("At the wall, the distance is not 0.0.", "0.0", last, advice))
 
 
 def wrong_range(summary: str, expected: str, message: Message, advice: str) -> Feedback:
@@ -395,14 +395,14 @@ def wrong_range(summary: str, expected: str, message: Message, advice: str) -> F
 
 
 def during(recording: Recording, begin: str | None, end: str | None) -> list[Message]:
-    """The measurements between two marks, without those that may be from before the command."""
+    """The measurements between two marks, except those that may be from before the command."""
     received = recording.topic(rover.RANGE).messages
     start, stop = (recording.marked(name) if name else None for name in (begin, end))
     found = [m for m in received if (not start or m.t > start.t) and (not stop or m.t < stop.t)]
     found = found[LATE if begin else 0 :]
     if len(found) < 2:
         where = text_places(recording.sources, "linear.x")[:1]
-        advice = "A callback must return soon: nothing else in the node runs before that."
+        advice = "A callback must return soon, because nothing else in the node can run until it does."
         raise Failure(Feedback(f"After {begin}, no more distances arrive.", where=where, advice=advice))
     return found
 

@@ -1,4 +1,4 @@
-"""The node print_forever: twice per second it logs how often it has logged."""
+"""The node print_forever logs twice per second how many times it has logged before."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -16,7 +16,7 @@ class PrintForever(Node):
         self.timer = self.create_timer(PERIOD, self.timer_callback)
 
     def timer_callback(self):
-        """Log the count, then move it on."""
+        """Log the count, then add one to it."""
         self.get_logger().info(f'Printed {self.count} times.')
         self.count += 1
 

@@ -1,4 +1,4 @@
-"""The node node_that_uses_the_library: it tries out the library, twice per second."""
+"""The node node_that_uses_the_library tries out the library twice per second."""
 
 import random
 import string
@@ -16,7 +16,7 @@ LETTERS_IN_A_NAME = 10
 
 
 class NodeThatUsesTheLibrary(Node):
-    """Hands random numbers and names to the library, and logs what comes back."""
+    """Passes random numbers and names to the library, and logs what it returns."""
 
     def __init__(self):
         super().__init__('node_that_uses_the_library')

@@ -1,4 +1,4 @@
-"""The node amazing_quote_publisher_node: an AmazingQuote twice per second."""
+"""The node amazing_quote_publisher_node publishes an AmazingQuote twice per second."""
 
 import rclpy
 from package_with_interfaces.msg import AmazingQuote
@@ -14,7 +14,7 @@ QUOTES = (
 
 
 class AmazingQuotePublisher(Node):
-    """Goes through QUOTES again and again, and numbers what it publishes."""
+    """Publishes QUOTES again and again, with a number for each message."""
 
     def __init__(self):
         super().__init__('amazing_quote_publisher_node')

@@ -1,4 +1,4 @@
-"""The node amazing_quote_subscriber_node: logs every AmazingQuote it hears."""
+"""The node amazing_quote_subscriber_node logs every AmazingQuote that it receives."""
 
 import rclpy
 from package_with_interfaces.msg import AmazingQuote

@@ -21,7 +21,7 @@ setup(
     entry_points={
         'console_scripts': [
             # TODO: put the entry point of amazing_quote_publisher_node here.
-            # TODO (second exercise): put the one of amazing_quote_subscriber_node here.
+            # TODO (second exercise): put the entry point of amazing_quote_subscriber_node here.
         ],
     },
 )
