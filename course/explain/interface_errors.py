@@ -58,7 +58,8 @@ def _shown(where: tuple[Location, ...]) -> str:
 
 
 def _used(words: Mapping[str, str], *where: Location) -> Proven:
-    return Proven({**words, "use": _shown(where)}, where)
+    use = _shown(where)
+    return Proven({**words, "use": use, "on": f"{'on' if use.startswith('line ') else 'in'} {use}"}, where)
 
 
 def _not_there(build: Build, symptom: Symptom, words: Words) -> Proven | None:
@@ -339,7 +340,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           example="InvalidResourceName: 'my_quote' is an invalid message name.  It should have",
           given={"msg/my_quote.msg": ""}),
     Known(kind="field", pattern=r"InvalidFieldDefinition: (?P<name>.+)$",
-          cause="`{name}` in {use} is not a field of an interface.",
+          cause="`{name}` {on} is not a field of an interface.",
           remedy="A field is a type, a space and a name, on a line of its own: `int32 id`.", proof=_a_line,
           example="rosidl_adapter.parser.InvalidFieldDefinition: stringname",
           given={"msg/Quote.msg": "stringname\n"}),
@@ -358,7 +359,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           proof=_twice, example="ValueError: the fields iterable contains duplicate names: a",
           given={"msg/Quote.msg": "int32 a\nint32 a\n"}),
     Known(kind="field-name", pattern=r"'' is an invalid constant name",
-          cause="In {use}, a `=` follows the type, so the field has no name.",
+          cause="An `=` follows the type {on}, so the field has no name.",
           remedy="A field is a type, a space and a name, without `=`: `int32 id`.", proof=_nameless,
           example="NameError: '' is an invalid constant name.  It should",
           given={"msg/Quote.msg": "int32 = id\n"}),
