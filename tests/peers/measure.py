@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from course.build.underlay_build import build_underlay
-from course.rosenv import find_ros, node_environment, prepare
+from course.rosenv import find_ros, missing_of_underlay, node_environment, prepare
 from course.rosenv.underlay import source_root
 
 LIST = Path(__file__).with_name("passing.txt")
@@ -93,10 +93,9 @@ def main() -> int:
     given = parser.parse_args()
     ros = find_ros()
     prepare(ros)
-    sources = source_root()
-    if sources is None:
+    if source_root() is None:
         raise SystemExit("This ROS is an installed one, with its own packages: there is nothing to compare.")
-    build_underlay([path.parent.name for path in sources.glob("*/package.xml")], ros, on_progress=print)
+    build_underlay([package.name for package in missing_of_underlay(ros)], ros, on_progress=print)
     with tempfile.TemporaryDirectory(prefix="peers-") as scratch:
         folder = (given.work or Path(scratch)).resolve()
         folder.mkdir(parents=True, exist_ok=True)

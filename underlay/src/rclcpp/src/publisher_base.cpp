@@ -4,6 +4,7 @@
 
 #include "intra_process.hpp"
 #include "names.hpp"
+#include "network_flows.hpp"
 #include "qos_actual.hpp"
 #include "qos_events.hpp"
 #include "rclcpp/detail/check.hpp"
@@ -19,11 +20,14 @@ namespace
 
 std::shared_ptr<rcl_publisher_t> make_publisher(
   std::shared_ptr<rcl_node_t> node, const std::string & topic,
-  const rosidl_message_type_support_t & type_support, const QoS & qos)
+  const rosidl_message_type_support_t & type_support, const QoS & qos,
+  const PublisherOptionsBase & given)
 {
   auto publisher = std::make_unique<rcl_publisher_t>(rcl_get_zero_initialized_publisher());
   rcl_publisher_options_t options = rcl_publisher_get_default_options();
   options.qos = qos.get_rmw_qos_profile();
+  options.rmw_publisher_options.require_unique_network_flow_endpoints =
+    given.require_unique_network_flow_endpoints;
   const rcl_ret_t ret =
     rcl_publisher_init(publisher.get(), node.get(), &type_support, topic.c_str(), &options);
   if (ret != RCL_RET_OK) {
@@ -44,7 +48,7 @@ PublisherBase::PublisherBase(
   const rosidl_message_type_support_t & type_support, const QoS & qos, const PublisherOptionsBase & options,
   detail::CloneMessage clone)
 : context_(node->get_context()),
-  handle_(make_publisher(node->get_shared_rcl_node_handle(), topic, type_support, qos)),
+  handle_(make_publisher(node->get_shared_rcl_node_handle(), topic, type_support, qos, options)),
   events_(detail::publisher_events(handle_, *node->get_rcl_node_handle(), options))
 {
   const rmw_publisher_t * at_rmw = rcl_publisher_get_rmw_handle(handle_.get());
@@ -110,6 +114,11 @@ bool PublisherBase::assert_liveliness() const
     rcl_reset_error();
   }
   return asserted;
+}
+
+std::vector<NetworkFlowEndpoint> PublisherBase::get_network_flow_endpoints() const
+{
+  return detail::network_flows(*handle_);
 }
 
 QoS PublisherBase::get_actual_qos() const

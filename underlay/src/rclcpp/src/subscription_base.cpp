@@ -4,6 +4,7 @@
 
 #include "intra_process.hpp"
 #include "names.hpp"
+#include "network_flows.hpp"
 #include "qos_actual.hpp"
 #include "qos_events.hpp"
 #include "rclcpp/detail/check.hpp"
@@ -62,6 +63,8 @@ std::shared_ptr<rcl_subscription_t> make_subscription(
   auto subscription = std::make_unique<rcl_subscription_t>(rcl_get_zero_initialized_subscription());
   rcl_subscription_options_t options = rcl_subscription_get_default_options();
   options.qos = qos.get_rmw_qos_profile();
+  options.rmw_subscription_options.require_unique_network_flow_endpoints =
+    given.require_unique_network_flow_endpoints;
   options.rmw_subscription_options.ignore_local_publications = given.ignore_local_publications;
   if (!given.content_filter_options.filter_expression.empty()) {
     set_filter(options, given.content_filter_options);
@@ -147,6 +150,11 @@ std::size_t SubscriptionBase::get_publisher_count() const
   detail::check(
     rcl_subscription_get_publisher_count(handle_.get(), &count), "failed to get get publisher count");
   return count;
+}
+
+std::vector<NetworkFlowEndpoint> SubscriptionBase::get_network_flow_endpoints() const
+{
+  return detail::network_flows(*handle_);
 }
 
 QoS SubscriptionBase::get_actual_qos() const

@@ -97,7 +97,7 @@ void TimerBase::reset()
   detail::check(rcl_timer_reset(handle_.get()), "Couldn't reset timer");
 }
 
-bool TimerBase::call()
+bool TimerBase::begin_period()
 {
   const std::lock_guard lock(call_mutex_);
   const rcl_ret_t ret = rcl_timer_call_with_info(handle_.get(), &last_call_);
@@ -109,8 +109,21 @@ bool TimerBase::call()
   return true;
 }
 
-void TimerBase::execute_callback()
+std::shared_ptr<void> TimerBase::call()
 {
+  if (!begin_period()) {
+    return nullptr;
+  }
+  const std::lock_guard lock(call_mutex_);
+  return std::make_shared<rcl_timer_call_info_t>(last_call_);
+}
+
+void TimerBase::execute_callback(const std::shared_ptr<void> & data)
+{
+  if (data) {
+    const std::lock_guard lock(call_mutex_);
+    last_call_ = *std::static_pointer_cast<rcl_timer_call_info_t>(data);
+  }
   callback_(*this);
 }
 

@@ -121,6 +121,53 @@ void what_timers_tell()
   EXPECT(told.actual_call_time.get_clock_type() == RCL_STEADY_TIME);
 }
 
+void a_timer_that_is_called()
+{
+  rclcpp::TimerInfo told;
+  int calls = 0;
+  auto timer = node()->create_wall_timer(1ms, [&](const rclcpp::TimerInfo & info) {
+        told = info;
+        ++calls;
+      });
+  const auto first = timer->call();
+  std::this_thread::sleep_for(2ms);
+  const auto second = timer->call();
+  EXPECT(first && second && calls == 0);
+  timer->execute_callback(second);
+  const auto late = told.actual_call_time;
+  timer->execute_callback(first);
+  EXPECT(calls == 2 && told.actual_call_time < late);
+  timer->cancel();
+  EXPECT(!timer->call());
+}
+
+void where_packets_go()
+{
+  auto here = node();
+  const auto publisher = here->create_publisher<String>("topic", 10);
+  const auto subscription = here->create_subscription<String>("topic", 10, [](const String &) {});
+  EXPECT(!publisher->get_network_flow_endpoints().empty());
+  const auto common = subscription->get_network_flow_endpoints().back();  // shared memory comes before it
+  EXPECT(common.transport_protocol() == "UDP" && common.internet_protocol() == "IPv4");
+  EXPECT(common.transport_port() != 0 && !common.internet_address().empty());
+  EXPECT(common == subscription->get_network_flow_endpoints().back());
+  rclcpp::SubscriptionOptions options;
+  options.require_unique_network_flow_endpoints = RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED;
+  const auto other = here->create_subscription<String>("topic", 10, [](const String &) {}, options);
+  const auto own = other->get_network_flow_endpoints().back();
+  EXPECT(own != common && own.transport_port() != common.transport_port());
+  rclcpp::PublisherOptions same;
+  same.require_unique_network_flow_endpoints = RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED;
+  // This middleware has none for publishers, so that the wish has come to it is known by the error.
+  EXPECT(!THROWN(exceptions::RCLError, here->create_publisher<String>("topic", 10, same)).empty());
+  std::ostringstream text;
+  text << own;
+  EXPECT(text.str().rfind("{\"transportProtocol\": \"UDP\", \"internetProtocol\": \"IPv4\", ", 0) == 0);
+  const auto port = "\"transportPort\": \"" + std::to_string(own.transport_port()) + "\", ";
+  EXPECT(text.str().find(port) != std::string::npos);
+  EXPECT(text.str().find("\"internetAddress\": \"" + own.internet_address() + "\"}") != std::string::npos);
+}
+
 void what_is_told_of_new_things()
 {
   auto here = node();
@@ -226,6 +273,8 @@ int main(int argc, char * argv[])
     {"a_sleep_that_is_cancelled", a_sleep_that_is_cancelled},
     {"others_sleep_on", others_sleep_on},
     {"what_timers_tell", what_timers_tell},
+    {"a_timer_that_is_called", a_timer_that_is_called},
+    {"where_packets_go", where_packets_go},
     {"what_is_told_of_new_things", what_is_told_of_new_things},
     {"handles_of_what_is_constant", handles_of_what_is_constant},
     {"made_of_parts_of_a_node", made_of_parts_of_a_node},

@@ -10,6 +10,7 @@
 #include "rclcpp/detail/entity.hpp"
 #include "rclcpp/detail/local_message.hpp"
 #include "rclcpp/macros.hpp"
+#include "rclcpp/network_flow_endpoint.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/publisher_options.hpp"
 #include "rclcpp/qos.hpp"
@@ -47,6 +48,8 @@ public:
   std::size_t get_intra_process_subscription_count() const;
   bool assert_liveliness() const;
   QoS get_actual_qos() const;
+  /// Throws RCLError where the middleware cannot tell.
+  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const;
   bool can_loan_messages() const;
 
   /// Logs once when the middleware cannot loan messages.

@@ -6,6 +6,7 @@
 #include "rclcpp/event_handler.hpp"
 #include "rclcpp/intra_process_setting.hpp"
 #include "rclcpp/qos_overriding_options.hpp"
+#include "rmw/types.h"
 
 namespace rclcpp
 {
@@ -17,6 +18,9 @@ struct PublisherOptionsBase
   PublisherEventCallbacks event_callbacks;
   /// Whether incompatible subscriptions are warned of where no callback is given for that.
   bool use_default_callbacks = true;
+  /// Whether its packets must be told from those of others by address and port.
+  rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
+    RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
   CallbackGroup::SharedPtr callback_group;
   QosOverridingOptions qos_overriding_options;
 };

@@ -11,6 +11,7 @@
 #include "rclcpp/detail/event_callback.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/message_info.hpp"
+#include "rclcpp/network_flow_endpoint.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/qos.hpp"
 #include "rclcpp/serialized_message.hpp"
@@ -47,6 +48,8 @@ public:
   const char * get_topic_name() const;
   std::size_t get_publisher_count() const;
   QoS get_actual_qos() const;
+  /// Throws RCLError where the middleware cannot tell.
+  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const;
   std::shared_ptr<rcl_subscription_t> get_subscription_handle() {return handle_;}
   std::shared_ptr<const rcl_subscription_t> get_subscription_handle() const {return handle_;}
 

@@ -10,6 +10,7 @@
 #include "rclcpp/intra_process_setting.hpp"
 #include "rclcpp/qos_overriding_options.hpp"
 #include "rclcpp/topic_statistics_state.hpp"
+#include "rmw/types.h"
 
 namespace rclcpp
 {
@@ -27,6 +28,9 @@ struct SubscriptionOptionsBase
   /// Whether incompatible publishers are warned of where no callback is given for that.
   bool use_default_callbacks = true;
   bool ignore_local_publications = false;
+  /// Whether its packets must be told from those of others by address and port.
+  rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
+    RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
   CallbackGroup::SharedPtr callback_group;
   /// Messages are handed over within the process where both ends want it.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;

@@ -52,9 +52,9 @@ public:
   /// When the last period began, and when it was due to.
   TimerInfo last_call() const;
 
-  /// Begins a period, unless it was cancelled: then false.
-  bool call();
-  void execute_callback();
+  /// Begins a period, and returns the data for `execute_callback`. Empty if the timer was canceled.
+  std::shared_ptr<void> call();
+  void execute_callback(const std::shared_ptr<void> & data);
   std::shared_ptr<const rcl_timer_t> get_timer_handle();
 
   /// Of a cancelled one: std::chrono::nanoseconds::max().
@@ -65,10 +65,12 @@ public:
 
   detail::EntityKind kind() const noexcept override {return detail::EntityKind::timer;}
   const void * rcl_entity() const noexcept override {return handle_.get();}
-  bool claim() override {return call();}
-  void execute() override {execute_callback();}
+  bool claim() override {return begin_period();}
+  void execute() override {callback_(*this);}
 
 private:
+  bool begin_period();
+
   Clock::SharedPtr clock_;
   std::shared_ptr<rcl_timer_t> handle_;
   Callback callback_;
