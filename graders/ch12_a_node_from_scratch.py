@@ -85,10 +85,10 @@ def counts(recording: Recording) -> None:
 
 def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:
     cause = cause_of_silence(
-        recording, NODE, slips.logged_seldom, look_at="does a timer of 0.5 s call the function that logs?"
+        recording, NODE, slips.logged_seldom, look_at="does a 0.5 s timer call the function that logs?"
     )
     return Feedback(
-        summary=f"The node logged only {len(lines)} time{'s' if len(lines) > 1 else ''}; it "
+        summary=f"The node logged only {len(lines)} time{'s' if len(lines) > 1 else ''}. It "
         "should never stop.",
         expected="a message every 0.5 s",
         seen=f"{len(lines)} in all",

@@ -92,7 +92,7 @@ def scanner_runs(recording: Recording) -> None:
     expect_running(only(recording, SCANNER), program(SCANNER))
 
 
-@repair.check("names", "the nodes have the names of the task", needs=[f"{node}_runs" for node in NODES])
+@repair.check("names", "the nodes have the names given in the task", needs=[f"{node}_runs" for node in NODES])
 def names(recording: Recording) -> None:
     for node in NODES:
         expect_node(recording, f"/{node}")
@@ -160,7 +160,7 @@ def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
     cause = cause_of_silence(
         recording,
         program(COUNTDOWN),
-        look_at="only one thing was wrong in this file. Compare the file with its docstring.",
+        look_at="does the rest of the file still do what its docstring says? Only one thing was wrong.",
     )
     return Feedback(
         summary=f"The countdown logs {listed(said[:6])}.",
@@ -197,7 +197,7 @@ def laser(recording: Recording) -> None:
             where=places[:2],
             advice=(
                 "Put `rclpy.spin` in a `try:` block, and add `except KeyboardInterrupt:` with `pass`. After "
-                "that, call `switch_off_the_laser()`. It then runs once Ctrl+C has been caught."
+                "the `except` block, call `switch_off_the_laser()`."
             ),
         )
     )

@@ -1,4 +1,4 @@
-"""Graders of chapter 14: libraries, as installed, used from a folder without their sources."""
+"""Graders of chapter 14: installed libraries, used from a folder without their sources."""
 
 from __future__ import annotations
 
@@ -325,7 +325,7 @@ def function(recording: Recording) -> None:
     if len(values) != len(pairs):
         raise Failure(
             Feedback(
-                summary=f"`{FUNCTION}` could not be called with all test values.",
+                summary=f"The check could not call `{FUNCTION}` with all of its test values.",
                 expected=f"{len(pairs)} numbers, one for each pair",
                 seen=f"{len(values)}",
                 where=where,
@@ -427,7 +427,7 @@ def driving_installed(recording: Recording) -> None:
     answered(recording, "library", IMPORT)
 
 
-@driving.check("defaults", "by default, it stops at 0.5 m and drives at 0.5 m/s", needs="installed")
+@driving.check("defaults", "by default, it stops at 0.5 m and drives at up to 0.5 m/s", needs="installed")
 def defaults(recording: Recording) -> None:
     expect_speeds(
         recording, "usual", [(d, rover.STOP_AT, rover.FULL_SPEED) for d in given(recording)["DISTANCES"]]
@@ -447,7 +447,7 @@ def expect_speeds(recording: Recording, question: str, cases: list[Any]) -> None
             raise Failure(wrong_speed(recording, case, speed))
     if len(speeds) != len(cases):
         advice = "A library only defines functions and classes: don't change other modules."
-        raise Failure(Feedback(summary=f"`{SPEED}` could not be called with all test values.", advice=advice))
+        raise Failure(Feedback(summary=f"The check could not call `{SPEED}` with all values.", advice=advice))
 
 
 def wrong_speed(recording: Recording, case: tuple[float, float, float], speed: object) -> Feedback:

@@ -64,7 +64,7 @@ def five_times_two_lines(arena: Arena) -> None:
 
 
 def heard(arena: Arena, node: Process) -> tuple[int, int]:
-    """The number of lines with numbers, and with names, on the node's terminal."""
+    """How many lines with numbers, and how many with names, are on the node's terminal."""
     texts = [line.rpartition("]: ")[2] for line in arena.lines(node)]
     return (
         sum(bool(DECIMAL.search(text)) for text in texts),
@@ -74,7 +74,7 @@ def heard(arena: Arena, node: Process) -> tuple[int, int]:
 
 @dataclass(frozen=True)
 class Sum:
-    """A line with A, B and C, and the line itself."""
+    """The numbers A, B, and C on a line, and the line itself."""
 
     a: float
     b: float
@@ -147,7 +147,7 @@ def no_numbers(recording: Recording) -> Feedback:
     decimal = next((text for text in texts if DECIMAL.search(text)), None)
     printed = tuple(call.where for call in calls(recording.sources, "print"))
     if braces:
-        advice = "The log shows the braces as they are. Put an `f` before the string: `f'...'`."
+        advice = "The log shows the braces themselves. Put an `f` before the string: `f'...'`."
     elif decimal:
         advice = "Log A, B, and the function's result, all on one line."
     elif printed:
@@ -204,7 +204,7 @@ def wrong(recording: Recording, found: Sum) -> Feedback:
     decimals = max(len(repr(value).partition(".")[2]) for value in (found.a, found.b))
     if decimals <= FEW_DECIMALS and found.error < 0.1:
         return Feedback(
-            summary="The numbers were rounded before they were logged, so C does not fit A and B.",
+            summary="The numbers were rounded before they were logged, so C no longer matches A and B.",
             expected=f"{(found.a + found.b) ** 2!r}",
             seen=found.line.text[:200],
             advice="Log them as they are: `{a}`, not `{a:.2f}`.",
@@ -221,7 +221,7 @@ def wrong(recording: Recording, found: Sum) -> Feedback:
     )
 
 
-@user.check("random_numbers", "A and B are drawn again each time", needs=("ranges", "right"))
+@user.check("random_numbers", "A and B are new each time", needs=("ranges", "right"))
 def random_numbers(recording: Recording) -> None:
     found = sums(recording)
     if all(each.a.is_integer() and each.b.is_integer() for each in found):
@@ -252,7 +252,7 @@ def always(recording: Recording, what: str, value: str) -> Feedback:
         seen=value,
         where=drawn_at(recording)[:2],
         advice=(
-            "Draw it in the timer's callback, which runs each time. A value drawn in `__init__`, or at "
+            "Draw it in the timer's callback, which runs every 0.5 s. A value drawn in `__init__`, or at "
             "the top of the file, never changes."
         ),
     )
@@ -260,10 +260,10 @@ def always(recording: Recording, what: str, value: str) -> Feedback:
 
 def too_few(recording: Recording, line: LogLine) -> Feedback:
     cause = cause_of_silence(
-        recording, NODE, slips.logged_seldom, look_at="does a timer of 0.5 s call the function that logs?"
+        recording, NODE, slips.logged_seldom, look_at="does a 0.5 s timer call the function that logs?"
     )
     return Feedback(
-        summary="The node logs this only once. It should log a new line forever.",
+        summary="The node logs this only once. It should keep logging.",
         expected="a line every 0.5 s",
         seen=line.text[:200],
         where=cause.where,
@@ -271,7 +271,7 @@ def too_few(recording: Recording, line: LogLine) -> Feedback:
     )
 
 
-@user.check("class", "it logs a name of ten letters from the class", needs="starts")
+@user.check("class", "it logs a ten-letter name from the class", needs="starts")
 def class_(recording: Recording) -> None:
     lines = name_lines(recording)
     if not lines:
@@ -285,7 +285,7 @@ def class_(recording: Recording) -> None:
             raise Failure(odd)
 
 
-@user.check("random_names", "the name is drawn again each time", needs="class")
+@user.check("random_names", "the name is new each time", needs="class")
 def random_names(recording: Recording) -> None:
     lines = name_lines(recording)
     if len(set(varying_names(lines))) >= 2:
@@ -353,11 +353,11 @@ def a_list(recording: Recording, line: LogLine) -> Feedback:
 def misspelt(recording: Recording, line: LogLine, name: str) -> Feedback:
     if not (name.isascii() and name.isalpha()):
         strange = [sign for sign in dict.fromkeys(name) if not (sign.isascii() and sign.isalpha())]
-        summary = f"The name `{name[:40]}` contains {listed(strange[:3])}, which are not ASCII letters."
+        summary = f"The name `{name[:40]}` contains more than ASCII letters: {listed(strange[:3])}."
         advice = "Draw from `string.ascii_letters`, which contains a to z and A to Z."
     else:
         summary = f"The name `{name[:40]}` has {len(name)} letters, not {LETTERS}."
-        advice = f"`random.choices(string.ascii_letters, k={LETTERS})` draws {LETTERS} of them."
+        advice = f"Draw {LETTERS} letters: `random.choices(string.ascii_letters, k={LETTERS})`."
     return Feedback(
         summary=summary,
         expected=f"{LETTERS} random letters",
@@ -370,14 +370,14 @@ def misspelt(recording: Recording, line: LogLine, name: str) -> Feedback:
 def no_names(recording: Recording) -> Feedback:
     printed = tuple(call.where for call in calls(recording.sources, "print"))
     return Feedback(
-        summary="The node never logs the second kind of line, with the name.",
+        summary="The node never logs the second kind of line, which contains the name.",
         expected=CLASS_LINE,
         seen="printed, not logged" if printed else "lines with numbers only" if recording.log else "nothing",
         where=printed[:2] or tuple(call.where for call in calls(recording.sources, "SampleClass"))[:2],
         advice="Use `self.get_logger().info(...)` for this line, too."
         if printed
         else (
-            "In the callback, make a `SampleClass` with a random name, and log the result of `get_name()`."
+            "In the callback, create a `SampleClass` with a random name, and log the result of `get_name()`."
         ),
     )
 

@@ -1,7 +1,7 @@
 """Grader of chapter 17: a package that defines a message and a service.
 
-It recognizes the types by the hashes that ROS itself announces for them (RIHS01). The .msg and .srv
-files only serve to say what is different.
+It recognizes the types by the hashes that ROS itself announces for them (RIHS01). It reads
+the .msg and .srv files only to say what is different.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def hashes_in(arena: Arena) -> list[str]:
     return [found for found in (*messages, *services) if found]
 
 
-@interfaces.check("message", "AmazingQuote is as the task defines it", points=2)
+@interfaces.check("message", "AmazingQuote is defined as in the task", points=2)
 def message(recording: Recording) -> None:
     offered = recording.seen_graph().publishers("/probe/t0")
     if not offered:
@@ -73,7 +73,7 @@ def message(recording: Recording) -> None:
     raise Failure(compare(file, (QUOTE_FIELDS,), PACKAGE, "AmazingQuote"))
 
 
-@interfaces.check("service", "WhatIsThePoint is as the task defines it", points=2, needs="message")
+@interfaces.check("service", "WhatIsThePoint is defined as in the task", points=2, needs="message")
 def service(recording: Recording) -> None:
     """Accept AddPoints instead: the tutorial's Jazzy edition has only that."""
     offered = {found.name: found for found in recording.seen_graph().services if found.request_hash}

@@ -339,7 +339,7 @@ def sensor_rate(recording: Recording) -> None:
 def stands(recording: Recording) -> None:
     for message in during(recording, None, DRIVES):
         if abs(message.data.range - START) > rover.CLOSE:
-            advice = "Start with the distance 3.0 and the speed 0.0. Only a command changes the speed."
+            advice = "Start with a distance of 3.0 and a speed of 0.0. Only commands change the speed."
             raise Failure(
                 wrong_range(
                     "The distance is not 3.0 m before the first command.", f"{START}", message, advice
@@ -374,7 +374,7 @@ def halts(recording: Recording) -> None:
     first, *others = during(recording, HALTS, RACES)
     for message in others:
         if abs(message.data.range - first.data.range) > rover.CLOSE:
-            advice = "Set the speed to `linear.x` from each command, even if it is 0.0. Don't add it up."
+            advice = "Set the speed to `linear.x` from each command, even if it is 0.0. Don't add to it."
             raise Failure(
                 wrong_range("The command is 0, but the distance changes.", "the same", message, advice)
             )
