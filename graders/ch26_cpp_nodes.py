@@ -37,7 +37,7 @@ cpp_node = Grader("26-cpp-node")
 
 @cpp_node.scenario
 def five_messages(arena: Arena) -> None:
-    """Record five messages, which make four intervals."""
+    """Record five messages, to get four intervals."""
     node = arena.run(PACKAGE, NODE)
     await_counted(arena, node, "Print", ENOUGH, seconds=6)
     arena.interrupt(node)
@@ -70,21 +70,21 @@ def counts(recording: Recording) -> None:
         LINE,
         terminal=recording.process(NODE).text,
         first=FIRST,
-        begin="Start with `int count_ = 0;`, and add one after the message is logged, not before.",
-        step="Keep the count in a member of the class, and add one each time: `count_++;`.",
+        begin="Start with `int count_ = 0;`. Log the message first, then add one to the count.",
+        step="Keep the count in a member of the class. Add one each time: `count_++;`.",
     )
     if len(lines) < ENOUGH:
         raise Failure(too_few(recording, lines))
 
 
 def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:
-    look_at = "does a timer of 0.5 s, from `create_wall_timer`, call the function that logs?"
+    look_at = "does a 0.5 s timer from `create_wall_timer` call the function that logs?"
     cause = cause_of_silence(recording, NODE, look_at=look_at)
     return Feedback(
-        summary=f"The node logged only {len(lines)} time{'s' if len(lines) > 1 else ''}; it "
-        "should never stop.",
+        summary=f"The node logged only {len(lines)} time{'s' if len(lines) > 1 else ''}, "
+        "but it should never stop.",
         expected="a message every 0.5 s",
-        seen=f"{len(lines)} in all",
+        seen=f"{len(lines)} message{'s' if len(lines) > 1 else ''} in total",
         where=cause.where,
         advice=cause.text,
         details=tuple(line.text for line in lines[:3]),
@@ -119,7 +119,7 @@ def placeholder(recording: Recording) -> None:
             summary=f"The folder `include/{PACKAGE}` {state}, so git cannot keep it.",
             expected=f"include/{PACKAGE}/.placeholder",
             where=(Location(HEADERS),),
-            advice=f"In the package's folder: `mkdir -p include/{PACKAGE}`, then "
+            advice=f"In the package's folder, run `mkdir -p include/{PACKAGE}`, then "
             f"`touch include/{PACKAGE}/.placeholder`.",
         )
     )

@@ -1,4 +1,4 @@
-"""Grader of chapter 27: a library in C++ that a package of the grader's own uses, and a node that does.
+"""Grader of chapter 27: a C++ library, used by a package of the grader and by the learner's node.
 
 The words around the values are the learner's choice: `to_string` and the log only have to contain the values.
 """
@@ -52,7 +52,7 @@ cpp_library = Grader("27-cpp-library")
 
 @cpp_library.scenario
 def another_package_and_the_node(arena: Arena) -> None:
-    """Run the node first, because a compiler could disturb its pace; then the grader's own package."""
+    """Run the node first, because a compiler could disturb its timing; then the grader's own package."""
     node = arena.run(PACKAGE, NODE)
     if node:
         arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node)
@@ -86,7 +86,7 @@ def found(recording: Recording) -> None:
         raise Failure(not_configured(view.text, package(recording), recording.sources))
 
 
-@cpp_library.check("compiles", "another package can be built with it", points=2, needs="found")
+@cpp_library.check("compiles", "another package builds with it", points=2, needs="found")
 def compiles(recording: Recording) -> None:
     view = recording.process(f"compile {CONSUMER}")
     if view.exited is None or view.exited.code != 0:
@@ -102,7 +102,7 @@ def answer(recording: Recording, question: str, what: str, shape: Any) -> Any:
         Feedback(
             summary=f"`{what}` throws: {seen.error[:80]}",
             where=(CODE,),
-            advice="None of these functions has a reason to throw. Look at what it calls.",
+            advice="None of these functions should throw. Check the functions that it calls.",
         )
     )
 
@@ -113,7 +113,7 @@ def defined(recording: Recording, name: str) -> tuple[Location, ...]:
     return (*found, CODE)[:1]
 
 
-@cpp_library.check("shared", "the library is shared, and has the package's name", needs="compiles")
+@cpp_library.check("shared", "the library is shared and has the package's name", needs="compiles")
 def shared(recording: Recording) -> None:
     loaded = [Path(name).name for name in answer(recording, "loaded", "SampleClass", list[str])]
     if any(name.startswith(LIBRARY) for name in loaded):
@@ -130,7 +130,7 @@ def shared(recording: Recording) -> None:
             expected=LIBRARY,
             seen=", ".join(own) or "no shared library of this package",
             where=(*places_of_library(recording), LISTS)[:1],
-            advice="Write `SHARED` in `add_library`. Otherwise, every program gets a copy of the library.",
+            advice="Add `SHARED` to `add_library`. Otherwise, each program gets a copy of the library.",
         )
     )
 
@@ -155,7 +155,7 @@ def inside(recording: Recording) -> None:
                 summary="The library does not use Qt 5 Core.",
                 expected="a `QString` in the class",
                 where=(CODE,),
-                advice="`#include <QString>`; in CMakeLists.txt, find `Qt5Core` and link `Qt5::Core`.",
+                advice="Include `<QString>`. In CMakeLists.txt, find `Qt5Core` and link `Qt5::Core`.",
             )
         )
     texts = cpp_files(recording.sources).values()
@@ -163,9 +163,9 @@ def inside(recording: Recording) -> None:
         raise Failure(
             Feedback(
                 summary="The library does not use Eigen 3.",
-                expected="a vector or matrix of Eigen in the class",
+                expected="an Eigen vector or matrix in the class",
                 where=defined(recording, "sum_of_squares"),
-                advice="`#include <Eigen/Core>`, and add three numbers with `sum()` of an `Eigen::Vector3d`.",
+                advice="Include `<Eigen/Core>`, and add three numbers with `Eigen::Vector3d::sum()`.",
             )
         )
 
@@ -176,11 +176,11 @@ def member(recording: Recording) -> None:
     if seen != list(VALUES):
         raise Failure(
             Feedback(
-                summary="`get_a_private_member` does not return what `set_a_private_member` was given.",
+                summary="`get_a_private_member` does not return the value passed to `set_a_private_member`.",
                 expected="-3 and 41",
                 seen=" and ".join(map(str, seen)),
                 where=defined(recording, "set_a_private_member"),
-                advice="One writes the member and the other returns it. Do both use the same member?",
+                advice="Check that one function sets the member and that the other returns the same member.",
             )
         )
 
@@ -200,7 +200,7 @@ def to_string(recording: Recording) -> None:
                     expected=f"a text with the number {value}, such as `SampleClass({value})`",
                     seen=text[:200],
                     where=defined(recording, "to_string"),
-                    advice='`QString("SampleClass(%1)").arg(a_private_member_).toStdString()` contains it.',
+                    advice='For example: `QString("SampleClass(%1)").arg(a_private_member_).toStdString()`.',
                 )
             )
 
@@ -220,12 +220,12 @@ def streams(recording: Recording) -> None:
                 expected=wanted[0][:120],
                 seen=seen[0][:120] or "nothing",
                 where=defined(recording, r"operator\s*<<"),
-                advice="Write to the stream that the function gets: `return stream << sample.to_string();`.",
+                advice="Write to the function's own argument: `return stream << sample.to_string();`.",
             )
         )
 
 
-@cpp_library.check("sum", "`sum_of_squares` follows the formula", points=2, needs="compiles")
+@cpp_library.check("sum", "`sum_of_squares` uses the formula", points=2, needs="compiles")
 def sum_of_squares(recording: Recording) -> None:
     wanted = {"2, 3": 25.0, "0.5, -1.25": 0.5625, "-4, 1": 9.0}
     seen = answer(recording, "sums", "SampleClass::sum_of_squares(2, 3)", tuple[float, float, float])
@@ -263,16 +263,16 @@ def logs_sum(recording: Recording) -> None:
                 expected="Sum of squares: 25",
                 seen=lines[0].text[:120],
                 where=places_of(recording.sources, r"\bsum_of_squares\s*\(")[-1:],
-                advice="Log what `SampleClass::sum_of_squares(2.0, 3.0)` of your library returns.",
+                advice="Log the result of `SampleClass::sum_of_squares(2.0, 3.0)` from your library.",
             )
         )
 
 
 def with_the_object(recording: Recording) -> tuple[LogLine, ...]:
-    """The messages with the text of an object, whatever its private member is."""
+    """The messages that contain the text of an object with any private member."""
     text = re.escape(texts_of(recording)[0])
     found = holding(recording, re.compile(text.replace(re.escape(str(VALUES[0])), r"-?\d+")))
-    # A text that is a number and nothing else is in the line with the sum, too.
+    # If the text is only a number, the line with the sum contains it, too.
     return tuple(line for line in found if not SUM.search(line.text)) or found
 
 
@@ -287,7 +287,7 @@ def logs_text(recording: Recording) -> None:
                 expected=example[:120],
                 seen="; ".join(shown(line.text) for line in recording.log[:3]),
                 where=places_of(recording.sources, r"\bRCLCPP_INFO")[-1:],
-                advice="Log what `to_string()` of the object returns, or write the object after a `<<`.",
+                advice="Log the result of the object's `to_string()`, or write the object after a `<<`.",
             )
         )
     expect_logged(recording, NODE, lines, example, example)

@@ -1,4 +1,4 @@
-"""Graders of chapter 28: bounds and exceptions, owners of objects, and forwarding without copies."""
+"""Graders of chapter 28: bounds and exceptions, ownership, and forwarding without copies."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def bounds_compiles(recording: Recording) -> None:
 
 
 def expect_fitting(recording: Recording, program: str, file: str) -> None:
-    """Expect that our program can call the task's functions, which `file` defines."""
+    """Expect that our program can call the functions that `file` must define."""
     said = "\n".join(recording.process(f"compile {program}").text)
     lost = re.search(r"undefined reference to `(\w+)\(", said)
     if lost is None:
@@ -66,12 +66,12 @@ def expect_fitting(recording: Recording, program: str, file: str) -> None:
     )
 
 
-@bounds.check("warnings", "without a warning", needs="compiles")
+@bounds.check("warnings", "there are no compiler warnings", needs="compiles")
 def bounds_warnings(recording: Recording) -> None:
     expect_no_warnings(recording, "bounds")
 
 
-@bounds.check("position", "`position_of` gives the position of a joint", needs="compiles")
+@bounds.check("position", "`position_of` returns the position of a joint", needs="compiles")
 def position(recording: Recording) -> None:
     wanted = [0.25, -1.5, 3.0]
     what = "position_of({0.25, -1.5, 3}, ...)"
@@ -80,13 +80,13 @@ def position(recording: Recording) -> None:
         return
     raise Failure(
         Feedback(
-            summary="`position_of` does not return the positions of the joints 0, 1 and 2."
+            summary="`position_of` does not return the positions of joints 0, 1, and 2."
             if seen.error is None
             else f"`position_of` throws for a joint that exists: {seen.error[:60]}",
             expected="0.25, -1.5 and 3",
             seen=numbers(seen.value) if seen.error is None else seen.error,
             where=(Location(JOINTS),),
-            advice="The first joint has the number 0, like the first element of a vector.",
+            advice="Start counting joints at 0, like the elements of a vector.",
         )
     )
 
@@ -101,11 +101,11 @@ def throws(recording: Recording) -> None:
             what,
             question,
             "out_of_range",
-            "`positions.at(joint)` throws exactly this; `positions[joint]` never does.",
+            "Use `positions.at(joint)`, which throws this exception. `positions[joint]` never does.",
         )
 
 
-@bounds.check("angle", "`angle_of` throws for an angle that does not exist", points=2, needs="compiles")
+@bounds.check("angle", "`angle_of` throws if there is no such angle", points=2, needs="compiles")
 def angle(recording: Recording) -> None:
     where, four = Location(JOINTS), tuple[Any, Any, Any, Any]
     seen = native_answer(recording, "angles", "angle_of(0.5)", "angles", where=where, shape=four)
@@ -113,15 +113,15 @@ def angle(recording: Recording) -> None:
     if not near:
         raise Failure(
             Feedback(
-                summary="`angle_of` does not return the angles of the cosines 1, 0.5, 0 and -1.",
+                summary="`angle_of` does not return the angles for the cosines 1, 0.5, 0, and -1.",
                 expected=numbers(ANGLES),
                 seen=seen.error or numbers(seen.value),
                 where=(Location(JOINTS),),
-                advice="`std::acos` returns them in rad; 1 and -1 are cosines too.",
+                advice="Return what `std::acos` returns: it is in radians. 1 and -1 are valid cosines, too.",
             )
         )
     advice = (
-        '`std::acos` then returns NaN, "not a number". Check it with `std::isnan`; `==` is never '
+        'Here `std::acos` returns NaN, "not a number". Check for it with `std::isnan`: `==` is never '
         "true for NaN."
     )
     for question, cosine in (("above", "1.1"), ("below", "-1.1")):
@@ -137,13 +137,13 @@ def expect_thrown(
     returned = str(seen.value).removeprefix("returned ")
     raise Failure(
         Feedback(
-            summary=f"`{what}` throws `{seen.type}`; it should throw `std::{wanted}`."
+            summary=f"`{what}` throws `{seen.type}`. It should throw `std::{wanted}`."
             if seen.error is not None
-            else f"`{what}` throws nothing: it returns {returned}.",
+            else f"`{what}` does not throw. It returns {returned}.",
             expected=f"std::{wanted}",
             seen=(seen.error or returned)[:120],
             where=(Location(JOINTS),),
-            advice=f"Throw `std::{wanted}` there instead." if seen.error is not None else advice,
+            advice=f"Throw `std::{wanted}` instead." if seen.error is not None else advice,
         )
     )
 
@@ -154,7 +154,7 @@ def bounds_prints(recording: Recording) -> None:
 
 
 @bounds.check(
-    "catches", "it catches the exceptions, and continues", points=2, needs=("prints", "throws", "angle")
+    "catches", "it catches the exceptions and continues", points=2, needs=("prints", "throws", "angle")
 )
 def catches(recording: Recording) -> None:
     outside = ("joint 9: out of range", "angle: not a number")
@@ -187,12 +187,12 @@ def printing_advice(wanted: str, printed: str) -> str:
     begun = wanted.partition(":")[0] + ":"
     if printed.count(begun) > 1:
         return (
-            "The program had already begun the line when the exception was thrown. Call the "
-            "function first, store its result, and then print."
+            "The program had already started the line when the exception was thrown. Call the "
+            "function and store its result before you print anything."
         )
     if wanted.endswith(("out of range", "not a number")):
-        return f"Print `{wanted}` where you catch the exception, and let the program continue after it."
-    return "The text must match the task exactly: compare the two letter by letter."
+        return f"Print `{wanted}` where you catch the exception, then let the program continue."
+    return "Compare your text with the task, letter by letter. They must match exactly."
 
 
 def is_near(seen: object, wanted: float) -> bool:
@@ -200,11 +200,13 @@ def is_near(seen: object, wanted: float) -> bool:
 
 
 def told_by(recording: Recording, question: str, what: str, process: str, where: Location, shape: Any) -> Any:
-    """The answer of a program that must not throw."""
+    """The answer of a program, in which nothing may throw."""
     answer = native_answer(recording, question, what, process, where=where, shape=shape)
     if answer.error is not None:
         summary = f"`{what}` throws: {answer.error[:80]}"
-        raise Failure(Feedback(summary=summary, where=(where,), advice="Look for what throws this there."))
+        raise Failure(
+            Feedback(summary=summary, where=(where,), advice="Find out what throws this exception.")
+        )
     return answer.value
 
 
@@ -239,12 +241,12 @@ def arm_compiles(recording: Recording) -> None:
     expect_compiled(recording, "arm")
 
 
-@pointers.check("warnings", "without a warning", needs="compiles")
+@pointers.check("warnings", "there are no compiler warnings", needs="compiles")
 def arm_warnings(recording: Recording) -> None:
     expect_no_warnings(recording, "arm")
 
 
-@pointers.check("runs", "it prints its three lines, and ends without an error", needs="compiles")
+@pointers.check("runs", "it prints its three lines and ends without an error", needs="compiles")
 def arm_runs(recording: Recording) -> None:
     view = expect_sound(recording, "arm")
     seen = tuple(line.strip() for line in view.text if line.strip())
@@ -259,13 +261,13 @@ def arm_runs(recording: Recording) -> None:
             expected="the three lines that it printed before",
             seen=seen[0][:120] if seen else "nothing",
             where=(Location(f"{ARM}/main.cpp"),),
-            advice="Change only who owns which link. The output of `main` must stay the same.",
+            advice="Change only who owns which link. `main` must print the same lines as before.",
             details=seen[:5],
         )
     )
 
 
-@pointers.check("shared", "the functions take and give `std::shared_ptr<Link>`", needs="compiles")
+@pointers.check("shared", "the functions take and return `std::shared_ptr<Link>`", needs="compiles")
 def shared(recording: Recording) -> None:
     errors = [line for line in recording.process("compile links").text if " error: " in line]
     unfit = errors[0] if "Link*" in "".join(errors[:1]) else None
@@ -277,8 +279,8 @@ def shared(recording: Recording) -> None:
                 seen=unfit.partition("error: ")[2][:120],
                 where=plain_pointers(recording),
                 advice=(
-                    "Replace `Link*` with `std::shared_ptr<Link>` in link.hpp and link.cpp, and use "
-                    "`const std::shared_ptr<Link>&` for arguments."
+                    "Replace `Link*` with `std::shared_ptr<Link>` in link.hpp and link.cpp. For "
+                    "arguments, use `const std::shared_ptr<Link>&`."
                 ),
             )
         )
@@ -291,22 +293,22 @@ def plain_pointers(recording: Recording) -> tuple[Location, ...]:
     return tuple(found[:2]) or (Location(HEADER),)
 
 
-@pointers.check("tree", "links know their parents and their children", needs="shared")
+@pointers.check("tree", "each link has the right parent and children", needs="shared")
 def tree(recording: Recording) -> None:
     expect_of_links(
         recording,
-        ("parents", ["base", "base", "right"], "the parents of left, right and tip"),
-        "`mount` must store the parent in the child. `.lock()` makes a shared_ptr from a weak_ptr.",
+        ("parents", ["base", "base", "right"], "the parents of left, right, and tip"),
+        "In `mount`, store the parent in the child. To get a shared_ptr from a weak_ptr, call `.lock()`.",
     )
     expect_of_links(
         recording,
-        ("root", "nothing", "what the base is mounted on"),
-        "A link that was never mounted has no parent: return an empty pointer.",
+        ("root", "nothing", "the parent of the base"),
+        "Return an empty pointer for a link that was never mounted.",
     )
     expect_of_links(
         recording,
-        ("counts", [4, 1, 2, 1], "the links from base, left, right and tip on"),
-        "`mount` must store the child in the parent. `links_from` counts the link and all links below it.",
+        ("counts", [4, 1, 2, 1], "the numbers of links from base, left, right, and tip"),
+        "In `mount`, store the child in the parent. In `links_from`, count the link and all links below it.",
     )
 
 
@@ -317,7 +319,7 @@ def expect_of_links(recording: Recording, asked: tuple[str, object, str], advice
         return
     raise Failure(
         Feedback(
-            summary=f"Your functions return wrong values for {what}.",
+            summary=f"Your functions return the wrong values for {what}.",
             expected=numbers(wanted),
             seen=(answer.error or numbers(answer.value))[:120],
             where=(Location(LINK),),
@@ -333,13 +335,13 @@ def kept(recording: Recording) -> None:
         return
     raise Failure(
         Feedback(
-            summary="Children are deleted although their parent still needs them.",
+            summary="Children are deleted even though their parent still needs them.",
             expected="3 links",
             seen=f"{answer.value} link" if answer.value == 1 else str(answer.error or answer.value)[:120],
             where=members(recording, "children"),
             advice=(
-                "A parent owns its children: `std::vector<std::shared_ptr<Link>>`. A weak_ptr does "
-                "not own them."
+                "A parent owns its children, so use `std::vector<std::shared_ptr<Link>>`. A weak_ptr "
+                "does not own anything."
             ),
         )
     )
@@ -352,13 +354,12 @@ def gone(recording: Recording) -> None:
         return
     raise Failure(
         Feedback(
-            summary="A parent that is no longer needed is not deleted: its child still owns it.",
+            summary="A parent that nobody needs is never deleted, because its child still owns it.",
             expected="an empty pointer",
             seen=str(answer.error or answer.value)[:120],
             where=members(recording, "parent"),
             advice=(
-                "A child only refers to its parent: `std::weak_ptr<Link>`. Two objects that own each "
-                "other are never deleted."
+                "Make the parent a `std::weak_ptr<Link>`. Two objects that own each other are never deleted."
             ),
         )
     )
@@ -370,7 +371,7 @@ def members(recording: Recording, name: str) -> tuple[Location, ...]:
     return tuple(found[:1]) or (Location(HEADER),)
 
 
-@pointers.check("leak_free", "the program deletes everything it made", points=3, needs="runs")
+@pointers.check("leak_free", "the program deletes everything it created", points=3, needs="runs")
 def leak_free(recording: Recording) -> None:
     where, shape = Location(f"{ARM}/main.cpp"), tuple[int, list[tuple[Any, str | None]]]
     count, blocks = told_by(recording, "never freed", "./arm", "arm", where, shape)
@@ -382,16 +383,16 @@ def leak_free(recording: Recording) -> None:
     link = any(place.file == LINK for place in places)
     raise Failure(
         Feedback(
-            summary=f"The program ends, and {plural(count)} that it made {'was' if count == 1 else 'were'} "
+            summary=f"The program ends, but {plural(count)} that it made {'was' if count == 1 else 'were'} "
             "never deleted.",
             expected="none",
             seen=f"{plural(count)}, {sum(size for size, _ in blocks)} bytes",
             where=tuple(places[:3]),
-            advice="It was made here. Do two links own each other, or is there still a `new`?"
+            advice="Check where it was created. Do two links own each other? Is there still a `new`?"
             if link
             else (
-                "It was made here. A local variable does not need `new`; an object that lives longer "
-                "belongs in a smart pointer."
+                "Check where it was created. A local variable does not need `new`. Put an object that "
+                "lives longer in a smart pointer."
             ),
         )
     )
@@ -433,13 +434,13 @@ def things_compile(recording: Recording) -> None:
                 summary="`things.hpp` works only for `Noisy`, but the check uses a different type.",
                 expected="a template for any `Thing`",
                 where=tuple(bound[:2]),
-                advice="Keep the `template` line as it was, and write `Thing` instead of `Noisy`.",
+                advice="Keep the original `template` line, and write `Thing` instead of `Noisy`.",
             )
         )
     expect_compiled(recording, "counts")
 
 
-@forwarding.check("warnings", "without a warning", needs="compiles")
+@forwarding.check("warnings", "there are no compiler warnings", needs="compiles")
 def things_warnings(recording: Recording) -> None:
     expect_no_warnings(recording, "things")
 
@@ -448,26 +449,26 @@ def things_warnings(recording: Recording) -> None:
 def values(recording: Recording) -> None:
     for question, wanted, what in (
         ("made value", 20.0, "make<Thing>(20.0)->value()"),
-        ("appended values", [1.5, -4.0, 8.0], "append, called with 1.5, -4 and 8,"),
-        ("total value", 5.5, "total of 1.5, -4 and 8"),
+        ("appended values", [1.5, -4.0, 8.0], "append with 1.5, -4, and 8"),
+        ("total value", 5.5, "total of 1.5, -4, and 8"),
     ):
         answer = native_answer(recording, question, what, "values", where=Location(THINGS))
         if answer.error is None and answer.value == wanted:
             continue
         raise Failure(
             Feedback(
-                summary=f"`{what}` gives {numbers(answer.value)}."
+                summary=f"`{what}` returns {numbers(answer.value)}."
                 if answer.error is None
                 else f"`{what}` fails: {answer.error[:60]}",
                 expected=numbers(wanted),
                 seen=(answer.error or numbers(answer.value))[:120],
                 where=(Location(THINGS),),
-                advice="Without copies, it must still return the same values.",
+                advice="Remove the copies, but keep the same values.",
             )
         )
 
 
-@forwarding.check("make", "`make` makes one object and copies nothing", points=2, needs="values")
+@forwarding.check("make", "`make` creates one object and copies nothing", points=2, needs="values")
 def make_counts(recording: Recording) -> None:
     expect_counts(
         recording,
@@ -475,20 +476,20 @@ def make_counts(recording: Recording) -> None:
         made=1,
         summary="`make<Thing>(20.0)`",
         advice=(
-            "`std::make_shared<Thing>(...)` takes the values that a Thing is made from, here "
+            "Pass `std::make_shared<Thing>(...)` the values that a Thing is made from, here "
             "20.0, not a finished Thing."
         ),
     )
 
 
-@forwarding.check("append", "`append` makes each object in place", points=2, needs="values")
+@forwarding.check("append", "`append` creates each object in place", points=2, needs="values")
 def append_counts(recording: Recording) -> None:
     expect_counts(
         recording,
         "append",
         made=3,
         summary="`append`, called three times,",
-        advice=("`push_back` takes a finished Thing; `emplace_back` takes the value that it is made from."),
+        advice="Use `emplace_back` instead of `push_back`, and pass the value that it is made from.",
     )
 
 
@@ -500,13 +501,13 @@ def total_counts(recording: Recording) -> None:
         made=3,
         summary="`total` of three things",
         advice=(
-            "Use references, which do not copy: `const std::vector<Thing>& things` for the argument, "
+            "Use references, which don't copy: `const std::vector<Thing>& things` for the argument, "
             "and `const auto&` in the loop."
         ),
     )
 
 
-# Of things: made, copied and moved.
+# How many things were created, copied, and moved.
 COUNTS = tuple[int, int, int]
 
 
@@ -514,7 +515,7 @@ def expect_counts(recording: Recording, question: str, *, made: int, summary: st
     count, copied, moved = told_by(recording, question, question, question, Location(THINGS), COUNTS)
     if (count, copied, moved) == (made, 0, 0):
         return
-    more = [f"makes {count - made} too many"] if count > made else []
+    more = [f"creates {count - made} too many"] if count > made else []
     done = [
         *more,
         *([f"copies {times(copied)}"] if copied else []),
@@ -522,9 +523,9 @@ def expect_counts(recording: Recording, question: str, *, made: int, summary: st
     ]
     raise Failure(
         Feedback(
-            summary=f"{summary} {' and '.join(done) or f'makes only {count}'}.",
-            expected=f"{made} made, 0 copied, 0 moved",
-            seen=f"{count} made, {copied} copied, {moved} moved",
+            summary=f"{summary} {' and '.join(done) or f'creates only {count}'}.",
+            expected=f"{made} created, 0 copied, 0 moved",
+            seen=f"{count} created, {copied} copied, {moved} moved",
             where=function_place(recording, question),
             advice=advice,
         )
@@ -561,13 +562,13 @@ def forwards(recording: Recording) -> None:
     if ours != 5.0:
         raise Failure(
             Feedback(
-                summary="`make<Whole>(part)` moves the part away from its caller, who still needs it.",
+                summary="`make<Whole>(part)` takes the part away from its caller, which still needs it.",
                 expected="5, as before",
                 seen=numbers(ours),
                 where=function_place(recording, "make"),
                 advice=(
-                    "`std::move` moves every argument. `std::forward<Arguments>(arguments)...` moves "
-                    "only what the caller moved."
+                    "Replace `std::move`, which moves every argument, with "
+                    "`std::forward<Arguments>(arguments)...`. It moves only what the caller moved."
                 ),
             )
         )

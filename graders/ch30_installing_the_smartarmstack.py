@@ -6,7 +6,7 @@ from course.api import Failure, Feedback, Grader, Recording
 
 WS = "sas_tutorial_workspace"
 SRC = f"{WS}/src"
-# Its name is similar to the other's, and should not be revealed.
+# Its name is similar, so the feedback must not suggest renaming it.
 FIRST = "ros2_tutorial_workspace"
 
 workspace = Grader("30-sas-workspace", builds=None, ros=False)
@@ -22,13 +22,13 @@ def no_workspace(recording: Recording) -> Feedback:
     close = next((folder for folder in recording.home.near_folders(WS) if folder != FIRST), None)
     if recording.home.file(WS).exists:
         seen, summary = f"~/{WS}, a file", f"`~/{WS}` is a file, not a folder."
-        advice = f"`rm ~/{WS}`, then `mkdir -p ~/{SRC}`."
+        advice = f"Run `rm ~/{WS}`, then `mkdir -p ~/{SRC}`."
     elif close:
-        seen, summary = f"~/{close}", f"There is no folder `~/{WS}`; there is `~/{close}`."
-        advice = f"`mv ~/{close} ~/{WS}` gives it the right name, in the right place."
+        seen, summary = f"~/{close}", f"There is no folder `~/{WS}`, but there is `~/{close}`."
+        advice = f"Give it the right name and place: `mv ~/{close} ~/{WS}`."
     else:
         seen, summary = "no such folder", f"There is no folder `~/{WS}`."
-        advice = f"`mkdir -p ~/{SRC}` creates it with `src` in it."
+        advice = f"Create it, with `src` in it: `mkdir -p ~/{SRC}`."
     return Feedback(summary=summary, expected=f"~/{WS}", seen=seen, advice=advice)
 
 
@@ -40,15 +40,15 @@ def src_is_there(recording: Recording) -> None:
 
 def no_src(recording: Recording) -> Feedback:
     if recording.home.file(SRC).exists:
-        seen, advice = "a file", f"`rm ~/{SRC}`, then `mkdir ~/{SRC}`."
+        seen, advice = "a file", f"Run `rm ~/{SRC}`, then `mkdir ~/{SRC}`."
     elif recording.home.inside(WS):
         seen = f"~/{WS}/{recording.home.inside(WS)[0]}"
         advice = (
-            f"colcon looks for packages in `src`: run `mkdir ~/{SRC}`, or rename the folder with `mv` "
-            "if it has a different name."
+            f"Run `mkdir ~/{SRC}`, or rename the folder with `mv` if it has a different name. colcon looks "
+            "for packages in `src`."
         )
     else:
-        seen, advice = f"~/{WS}, which is empty", f"`mkdir ~/{SRC}`."
+        seen, advice = f"~/{WS}, which is empty", f"Run `mkdir ~/{SRC}`."
     return Feedback(
         summary=f"There is no folder `src` in `~/{WS}`.", expected=f"~/{SRC}", seen=seen, advice=advice
     )

@@ -1,4 +1,4 @@
-"""Why another package cannot use the learner's library: what the learner's package does not export."""
+"""Why another package cannot use the learner's library, such as something that is not exported."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def not_compiled(lines: Sequence[str], package: BuiltPackage, sources: Sources) 
         return Feedback(
             summary=f"{_OTHERS}.",
             where=(_lists(package),),
-            advice="Use your library from a small package of your own, and read the first error.",
+            advice="Write a small package that uses your library, build it, and read the first error.",
             details=tuple(lines)[-_SHOWN:],
         )
     if error.kind == "compiler":
@@ -65,15 +65,15 @@ def not_compiled(lines: Sequence[str], package: BuiltPackage, sources: Sources) 
 
 
 def not_loaded(library: str, package: BuiltPackage, sources: Sources) -> Feedback:
-    """The program finds the library only with the folders that colcon adds."""
+    """Why the program finds the library only through the folders that colcon adds."""
     exports = _named(commands(sources, package.source), "ament_export_targets")
     return Feedback(
         summary=f"A program in another package cannot find `{library}` when it starts.",
-        expected="LD_LIBRARY_PATH contains the library's folder after sourcing",
+        expected="the library's folder in LD_LIBRARY_PATH after sourcing",
         where=tuple(one.where for one in exports[:1]) or (_lists(package),),
         advice=(
-            "`ament_export_targets(... HAS_LIBRARY_TARGET)` adds the library's folder to "
-            "LD_LIBRARY_PATH. Without it, only colcon does so."
+            "Write `ament_export_targets(... HAS_LIBRARY_TARGET)`. It adds the library's folder to "
+            "LD_LIBRARY_PATH. Otherwise, only colcon does that."
         ),
     )
 
@@ -82,7 +82,7 @@ def _dependencies(said: str, package: BuiltPackage, every: Sequence[Command]) ->
     exports = _named(every, "ament_export_dependencies")
     links = [one for one in every if one.name in ("target_link_libraries", "ament_target_dependencies")]
     known = {word for one in exports for word in one.words}
-    # CMake names only the first one; it would complain about the others once that one is found.
+    # CMake reports only the first one. It would report the others once that one is found.
     linked = (word for one in links[:1] for word in one.words)
     every_target = (*_TARGETS.findall(said), *(word for word in linked if _TARGETS.fullmatch(word)))
     foreign = [n for n in dict.fromkeys(every_target) if not n.startswith(f"{package.name}::")]
@@ -95,8 +95,8 @@ def _dependencies(said: str, package: BuiltPackage, every: Sequence[Command]) ->
         seen="no such line" if not exports else f"ament_export_dependencies({' '.join(exports[0].words)})",
         where=tuple(one.where for one in where) or (_lists(package),),
         advice=(
-            f"Add `ament_export_dependencies({' '.join(names)})` before `ament_package()`: then CMake "
-            "finds these along with your library."
+            f"Add `ament_export_dependencies({' '.join(names)})` before `ament_package()`. Then CMake "
+            "finds these packages along with your library."
         ),
     )
 
@@ -110,11 +110,11 @@ def _package_of(target: str) -> str:
 def _headers(package: BuiltPackage, every: Sequence[Command]) -> Feedback:
     installs = [one for one in _named(every, "install") if one.words[:1] == ("DIRECTORY",)]
     return Feedback(
-        summary=f"{_OTHERS}: the header is not installed where your package says it is.",
-        expected=f"include/{package.name}/ in the folder where the package is installed",
+        summary=f"{_OTHERS}: the header is not in the folder that your package names.",
+        expected=f"include/{package.name}/ in the package's install folder",
         where=tuple(one.where for one in installs[:1]) or (_lists(package),),
         advice=(
-            "`install(DIRECTORY include/ DESTINATION include)`: the `/` means to copy the folder's contents."
+            "Write `install(DIRECTORY include/ DESTINATION include)`. The `/` copies the folder's contents."
         ),
     )
 
@@ -122,19 +122,19 @@ def _headers(package: BuiltPackage, every: Sequence[Command]) -> Feedback:
 def _library(package: BuiltPackage, every: Sequence[Command]) -> Feedback:
     installs = [one for one in _named(every, "install") if one.words[:1] == ("TARGETS",)]
     return Feedback(
-        summary=f"{_OTHERS}: the library itself is not where your package says it is.",
+        summary=f"{_OTHERS}: the library is not in the folder that your package names.",
         where=tuple(one.where for one in installs[:1]) or (_lists(package),),
-        advice="`install(TARGETS ... LIBRARY DESTINATION lib)` puts a shared library in the folder `lib`.",
+        advice="Install it in the folder `lib`: `install(TARGETS ... LIBRARY DESTINATION lib)`.",
     )
 
 
 def _no_header(header: str, package: BuiltPackage, every: Sequence[Command], sources: Sources) -> Feedback:
     if not header.startswith(f"{package.name}/"):
         return Feedback(
-            summary=f"{_OTHERS}: your header includes `{header}`, which is not found there.",
+            summary=f"{_OTHERS}: it cannot find `{header}`, which your header includes.",
             where=places_of(sources, rf"#\s*include\s*[<\"]\s*{re.escape(header)}")[:2] or (_lists(package),),
             advice=(
-                "Include it in the .cpp file that uses it, or name its package in "
+                "Include it only in the .cpp file that uses it, or add its package to "
                 "`ament_export_dependencies`."
             ),
         )
@@ -147,8 +147,8 @@ def _no_header(header: str, package: BuiltPackage, every: Sequence[Command], sou
         summary=f"{_OTHERS}: it cannot find `{header}`.",
         where=tuple(one.where for one in (*exports, *includes, *installed))[:2],
         advice=(
-            "Other packages look in the folder of `INSTALL_INTERFACE`: `install(DIRECTORY include/ "
-            "...)` must install to that folder."
+            "Other packages look in the folder named in `INSTALL_INTERFACE`. `install(DIRECTORY "
+            "include/ ...)` must copy the headers to that folder."
         )
         if exports
         else f"Export the library: `ament_export_targets(export_{package.name} HAS_LIBRARY_TARGET)`.",
@@ -156,18 +156,18 @@ def _no_header(header: str, package: BuiltPackage, every: Sequence[Command], sou
 
 
 def _code(error: CppError, package: BuiltPackage, sources: Sources) -> Feedback:
-    """The other program uses something that the header does not declare in this form."""
+    """The header declares something in a different form than the task says."""
     headers = [Location(file) for file in cpp_files(sources) if "/include/" in file]
     place = (Location(error.file, error.line),) if error.file else tuple(headers[:1])
     inside = re.search(r"^'(\w+)' was not declared.*mean '(?:\w+::)+\1'", error.text)
     return Feedback(
-        summary=f"Another package cannot use the class as the task says: {error.text}.",
+        summary=f"Another package cannot use the class as the task requires: {error.text}.",
         where=place or (_lists(package),),
         advice=(
-            f"`{inside[1]}` is in a namespace. Take it out, in the header and in the .cpp file."
+            f"`{inside[1]}` is in a namespace. Remove the namespace from the header and the .cpp file."
             if inside
             else "Compare the header with the task: names, arguments, `static`, and `const` after "
-            "functions that change nothing."
+            "functions that don't change the object."
         ),
         details=tuple(re.sub(r"^/\S*/", "", line) for line in error.details),
     )
@@ -187,9 +187,9 @@ def _unlinked(error: CppError, package: BuiltPackage, every: Sequence[Command], 
     lost = [one for one in exported if one.name == "ament_export_libraries" and not made & {*one.words}]
     if made and lost:
         return Feedback(
-            summary=f"{_OTHERS}: the package makes no library {listed(lost[0].words)}.",
+            summary=f"{_OTHERS}: your package does not build a library {listed(lost[0].words)}.",
             where=(lost[0].where,),
-            advice=f"Name the target of `add_library`: `ament_export_libraries({listed(made)})`.",
+            advice=f"Use the target of `add_library`: `ament_export_libraries({listed(made)})`.",
         )
     return Feedback(
         summary=f"Your header declares `{error.text}`, but nothing in the library defines it.",

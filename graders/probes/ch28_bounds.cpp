@@ -1,5 +1,5 @@
-// Calls the learner's two functions of 28-bounds with numbers of ours. The argument says which question is
-// asked: reading outside of a vector may end the program.
+// Calls the two functions of 28-bounds with our own numbers. The argument selects the question, because a read
+// outside the vector may end the program.
 #include "ask.hpp"
 #include "ros2_tutorials_preamble/cpp/bounds/joints.hpp"
 
@@ -10,7 +10,7 @@
 
 namespace {
 
-// Either what the function returns, or the name of the exception that was to be thrown.
+// Says what the function returns, or names the exception if it is the expected one.
 template <typename Expected, typename Function>
 std::string what_becomes_of(const std::string& name, Function&& function) {
   try {

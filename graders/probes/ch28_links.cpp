@@ -1,4 +1,4 @@
-// Builds trees with the learner's functions of 28-smart-pointers. The argument says which question is asked.
+// Builds trees with the functions of 28-smart-pointers. The argument selects the question.
 #include "ask.hpp"
 #include "ros2_tutorials_preamble/cpp/smart_pointers/link.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-// A shared_ptr is asked for: a plain pointer would not convert to it.
+// The task requires a shared_ptr. A plain pointer does not convert to it.
 using Pointer = std::shared_ptr<Link>;
 
 void tree() {

@@ -1,5 +1,4 @@
-// Counts what the learner's functions of 28-forwarding make, copy and move. The argument says which question
-// is asked.
+// Counts what the functions of 28-forwarding create, copy, and move. The argument selects the question.
 #include "ask.hpp"
 #include "ros2_tutorials_preamble/cpp/forwarding/things.hpp"
 
@@ -16,7 +15,7 @@ struct Count {
   int moved = 0;
 };
 
-// A Counted<0> and a Counted<1> are counted apart.
+// Counted<0> and Counted<1> have separate counts.
 template <int number>
 class Counted {
 public:
@@ -46,7 +45,7 @@ private:
 using Thing = Counted<0>;
 using Part = Counted<1>;
 
-// Made of a part: copies one that somebody still has, takes over one that nobody needs any more.
+// Created from a part: copies a part that the caller keeps, and moves one that nobody needs anymore.
 class Whole {
 public:
   explicit Whole(const Part& part) : part_(part) {}

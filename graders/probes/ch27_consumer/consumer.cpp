@@ -1,4 +1,4 @@
-// Asks the learner's library what it can do, as a program of another package.
+// A program in another package that checks what the learner's library does.
 #include <sstream>
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 namespace
 {
 
-// What the function tells of two objects that it must not change, one for each value.
+// The results of the function for two const objects, one for each value.
 template<typename Function>
 auto both(Function && function)
 {

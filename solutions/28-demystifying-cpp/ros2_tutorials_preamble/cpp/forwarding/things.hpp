@@ -4,19 +4,19 @@
 #include <utility>
 #include <vector>
 
-// A new Thing, made of these arguments where it stays.
+// Creates a new Thing from the arguments, right where it stays.
 template <typename Thing, typename... Arguments>
 std::shared_ptr<Thing> make(Arguments&&... arguments) {
   return std::make_shared<Thing>(std::forward<Arguments>(arguments)...);
 }
 
-// Adds a Thing that is made of the value to the end of the vector.
+// Adds a Thing, created from the value, to the end of the vector.
 template <typename Thing>
 void append(std::vector<Thing>& things, double value) {
   things.emplace_back(value);
 }
 
-// The sum of the values of all Things.
+// Returns the sum of the values of all Things.
 template <typename Thing>
 double total(const std::vector<Thing>& things) {
   double sum = 0.0;

@@ -2,8 +2,8 @@
 
 #include <iostream>
 
-// A number that prints what happens to it. The check uses a type of its own that
-// does the same without printing.
+// A number that prints what happens to it. The check uses a similar type that counts
+// instead of printing.
 class Noisy {
 public:
   explicit Noisy(double value) : value_(value) {

@@ -13,7 +13,7 @@ int main() {
   std::cout << "the hand is mounted on the " << parent_of(hand)->name << '\n';
   std::cout << "the arm has " << links_from(base) << " links\n";
 
-  // TODO 3: nobody deletes this text. Does it need `new`?
+  // TODO 3: this text is never deleted. Does it need `new`?
   std::string* label = new std::string("arm on a " + base->name);
   std::cout << *label << '\n';
 

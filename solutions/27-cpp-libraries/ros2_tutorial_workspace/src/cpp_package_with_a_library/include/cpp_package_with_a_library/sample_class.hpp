@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string>
 
-/// Stores a number, and has a function for a formula.
+/// Stores a number, and computes a formula.
 class SampleClass
 {
 public:

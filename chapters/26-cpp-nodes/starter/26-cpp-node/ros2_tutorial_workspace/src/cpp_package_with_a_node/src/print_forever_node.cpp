@@ -3,7 +3,7 @@
 PrintForeverNode::PrintForeverNode()
 : rclcpp::Node("print_forever")
 {
-  // TODO: make the timer.
+  // TODO: create the timer.
 }
 
 // TODO: the function that the timer calls.
