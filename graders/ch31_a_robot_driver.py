@@ -1,4 +1,4 @@
-"""Graders of chapter 31: a robot's driver, its launch file, a client, and the driver once more in Python."""
+"""Graders of chapter 31: a robot's driver, its launch file, a client, and a driver in Python."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ HEARD = {
 
 @dataclass(frozen=True)
 class Robot:
-    """A robot as the scenario starts it. degrees: its limits. period: of its loop, in s."""
+    """A robot as the scenario starts it. Its limits are in degrees. period: of its loop, in s."""
 
     name: str
     least: tuple[float, ...]
@@ -145,7 +145,7 @@ in_python = Grader("31-driver-python")
 
 
 def two_lives(arena: Arena, robots: tuple[Robot, Robot], name: str, start: Start) -> None:
-    """Watch the driver of the first robot; then end that of the second with a wrong target."""
+    """Watch the first robot's driver, then end the second robot's driver with a wrong target."""
     with arena.fresh():
         heard = watch(arena, robots[0], lambda: start(robots[0], name))
     if heard:
@@ -154,7 +154,7 @@ def two_lives(arena: Arena, robots: tuple[Robot, Robot], name: str, start: Start
 
 
 def watch(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> bool:
-    """Start the robot's driver, command it, and press Ctrl+C; return whether its joints were heard."""
+    """Start the robot's driver, command it, and press Ctrl+C. Return whether its joints were heard."""
     with arena.lateness():
         states, node = hear(arena, robot, start)
         if node and states.count:
@@ -164,7 +164,7 @@ def watch(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> bo
 
 
 def command(arena: Arena, robot: Robot, states: Listener, node: Process) -> None:
-    """Hear it for two seconds, then command steps and a sine."""
+    """Listen for two seconds, then command steps and a sine."""
     targets = arena.ros.publisher(robot.topic(TARGETS), DOUBLES)
     more(arena, states, node, 2 / robot.period)
     if not arena.until(lambda: targets.matched, timeout=3, while_running=node):
@@ -188,13 +188,13 @@ def hear(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> tup
         arena.until(lambda: states.count, timeout=8, while_running=node)
         if states.count:
             arena.until(lambda: all(one.count for one in limits), timeout=2, while_running=node)
-    for one in limits:  # they say the same in each round
+    for one in limits:  # they are the same in each round
         one.close()
     return states, node
 
 
 def more(arena: Arena, states: Listener, node: Process, messages: float) -> None:
-    """Hear this many more messages, but don't wait for a driver that is much slower."""
+    """Wait for this many more messages, but not for a driver that is much slower."""
     wanted = states.count + round(messages)
     arena.until(lambda: states.count >= wanted, timeout=3, while_running=node)
 
@@ -239,7 +239,7 @@ def commands_of(recording: Recording, robot: Robot) -> tuple[Stream, Stream]:
 
 
 def expect_topics(recording: Recording, robot: Robot, prefix: str, missing: str) -> None:
-    """Exactly these topics, with these types. prefix, missing: advice on another name, on one that lacks."""
+    """Expect exactly these topics and types. prefix, missing: advice if a name is different or missing."""
     seen = {
         kind: {e.topic: e.type for e in recording.seen_endpoints() if e.kind == kind}
         for kind in ("publisher", "subscription")
@@ -255,10 +255,10 @@ def expect_topics(recording: Recording, robot: Robot, prefix: str, missing: str)
         if more:
             raise Failure(
                 Feedback(
-                    summary=f"The driver also {verb} `{more[0]}`, unlike other drivers.",
+                    summary=f"The driver also {verb} `{more[0]}`, which other drivers don't have.",
                     expected=listed(sorted(topics)),
                     seen=listed(more),
-                    advice="Remove it: programs for all robots use the same topics.",
+                    advice="Remove it. All robots must have the same topics.",
                 )
             )
 
@@ -271,10 +271,10 @@ def expect_topic(
             return
         raise Failure(
             Feedback(
-                summary=f"The topic `{topic}` has the type `{seen[topic]}`.",
+                summary=f"The topic `{topic}` has the wrong type, `{seen[topic]}`.",
                 expected=type_name,
                 seen=seen[topic],
-                advice=f"Use `{type_name.split('/')[-1]}` of {type_name.split('/')[0]}.",
+                advice=f"Use `{type_name.split('/')[-1]}` from {type_name.split('/')[0]}.",
             )
         )
     name = topic.removeprefix(f"/{robot.name}/")
@@ -284,29 +284,29 @@ def expect_topic(
         Feedback(
             summary=f"The driver {verb} `{close}`, not `{topic}`."
             if close
-            else f"The driver {verb} no topic `{topic}`.",
+            else f"The driver has no topic `{topic}`.",
             expected=topic,
-            seen=listed(sorted(seen), "no topic"),
+            seen=listed(sorted(seen), "no topics"),
             advice=prefix if other else missing,
         )
     )
 
 
 def expect_limits(recording: Recording, robot: Robot, advice: str, where: Iterable[Location] = ()) -> None:
-    for name, degrees, which in ((LEAST, robot.least, "least"), (GREATEST, robot.greatest, "greatest")):
+    for name, degrees, which in ((LEAST, robot.least, "lowest"), (GREATEST, robot.greatest, "highest")):
         seen = recording.stream(robot.topic(name), "data")
         expect_width(seen, JOINTS, advice=advice, where=tuple(where))
         wanted = [math.radians(limit) for limit in degrees]
         what = f"{which} limits"
         other = robot.least if degrees is robot.greatest else robot.greatest
         if same(tuple(seen.rows[0]), tuple(map(math.radians, other))):
-            advice = "The least and the greatest limits are swapped: the least ones come first."
+            advice = "Swap the lowest and the highest limits: the lowest come first."
             where = at(recording, r"deg2rad\b.*joint_limits_m(?:in|ax)|joint_limits\s*=", NODE_CPP)
         expect_values(seen.name, seen.rows[0], wanted, what=what, advice=advice, where=tuple(where))
 
 
 def expect_zeros(recording: Recording, robot: Robot, advice: str, where: Iterable[Location] = ()) -> None:
-    """Six joints, at zero until the first target."""
+    """Expect six joints at zero until the first target."""
     first = next(iter(recording.sent_stream(robot.topic(TARGETS), "data").times), math.inf)
     states = states_of(recording, robot).between(end=first)
     expect_width(states, JOINTS, advice=advice, where=tuple(where))
@@ -326,7 +326,7 @@ def expect_zeros(recording: Recording, robot: Robot, advice: str, where: Iterabl
 def expect_step_and_wave(
     recording: Recording, robot: Robot, kind: str, advice: str, where: Iterable[Location] = ()
 ) -> None:
-    """kind: "steps" or "wave". A loop hears a target in one round, and tells of it in the next."""
+    """kind: "steps" or "wave". A loop receives a target in one round, and publishes it in the next."""
     steps, sine = commands_of(recording, robot)
     states = states_of(recording, robot)
     if kind == "steps":
@@ -340,7 +340,7 @@ def expect_step_and_wave(
 
 
 def expect_no_jump(sine: Stream, states: Stream, advice: str, where: tuple[Location, ...]) -> None:
-    """No joint jumps away from its commands. A busy machine does not cause that and excuses nothing.
+    """Expect that no joint jumps away from its commands, which a busy machine can't cause.
 
     The first rows may still show an earlier target if the machine was busy.
     """
@@ -352,7 +352,7 @@ def expect_no_jump(sine: Stream, states: Stream, advice: str, where: tuple[Locat
         if far is not None:
             raise Failure(
                 Feedback(
-                    summary=f"Joint {joint + 1} goes to a position that was not commanded.",
+                    summary=f"Joint {joint + 1} moves to a position that was not commanded.",
                     expected=f"positions from {least:.3g} to {greatest:.3g} rad",
                     seen=f"{far:.3g} rad",
                     where=where,
@@ -362,9 +362,9 @@ def expect_no_jump(sine: Stream, states: Stream, advice: str, where: tuple[Locat
 
 
 def expect_order(view: ProcessView, after: float, what: str, advice: str, ends: tuple[str, str]) -> None:
-    """After that moment, the first of `ends` appeared on the terminal, and then the second.
+    """Expect that after that moment, the first of `ends` appeared on the terminal, then the second.
 
-    If a control loop logs no calls at all, they are invisible, so its end must be enough.
+    If a control loop logs no calls at all, they are invisible, so it is enough that it ends.
     """
     if ends == CALLS and not any(STEP.search(line.text) for line in view.lines):
         return
@@ -373,11 +373,11 @@ def expect_order(view: ProcessView, after: float, what: str, advice: str, ends: 
     if first is not None and second is not None and first < second:
         return
     if first is None and second is None:
-        summary = f"After {what}, the driver ends without `{ends[0]}` and `{ends[1]}`: the motor stays on."
+        summary = f"After {what}, the driver ends without `{ends[0]}` or `{ends[1]}`: the motor stays on."
     elif first is None:
-        summary = f"After {what}, there is `{ends[1]}` but no `{ends[0]}`: the motor stays on."
+        summary = f"After {what}, there is a `{ends[1]}` but no `{ends[0]}`: the motor stays on."
     elif second is None:
-        summary = f"After {what}, there is `{ends[0]}` but no `{ends[1]}`: the robot stays connected."
+        summary = f"After {what}, there is a `{ends[0]}` but no `{ends[1]}`: the robot stays connected."
     else:
         summary = f"After {what}, `{ends[1]}` comes before `{ends[0]}`."
     raise Failure(
@@ -393,13 +393,13 @@ def expect_order(view: ProcessView, after: float, what: str, advice: str, ends: 
 def expect_end_by_a_wrong_target(
     recording: Recording, process: str, advice: str, order: str, ends: tuple[str, str]
 ) -> None:
-    """A target of five elements ended it in order, with an error in its log."""
+    """Expect that a target of five elements ends the driver in order, with an error in its log."""
     expect_executable(recording, process)
     view, mark = recording.process(process), recording.marked(WRONG)
     if mark is None:
         raise Failure(
             Feedback(
-                summary="When it is started a second time, the driver accepts no target.",
+                summary="When the driver is started a second time, it does not accept a target.",
                 advice="Start it twice yourself. Does the first run leave something behind?",
                 details=view.text[-6:],
             )
@@ -407,9 +407,9 @@ def expect_end_by_a_wrong_target(
     if view.ended_by_itself is None:
         raise Failure(
             Feedback(
-                summary="A target of five elements does not end the driver of six joints.",
-                expected="it ends, with an error in its log",
-                seen="it continues to run",
+                summary="A target of five elements does not end the driver, which has six joints.",
+                expected="the driver ends, with an error in its log",
+                seen="the driver continues to run",
                 advice=advice,
             )
         )
@@ -418,7 +418,7 @@ def expect_end_by_a_wrong_target(
     if not logged and not any("[ERROR]" in line.text or "[FATAL]" in line.text for line in view.lines):
         raise Failure(
             Feedback(
-                summary="A target of five elements ends the driver, but the log has no error about it.",
+                summary="A target of five elements ends the driver, but the driver does not log an error.",
                 expected="a message at level ERROR",
                 seen="; ".join(view.text[-3:]),
                 advice=advice,
@@ -431,7 +431,7 @@ def expect_end_by_a_wrong_target(
 
 @driver.scenario
 def class_and_node(arena: Arena) -> None:
-    """Ask the class what it does, then run the node twice."""
+    """Call the class's functions, then run the node twice."""
     arena.cpp.require_libraries("Eigen3")
     program = arena.cpp.compile(
         "class",
@@ -451,7 +451,7 @@ def class_and_node(arena: Arena) -> None:
 
 
 def more_files(arena: Arena) -> list[str]:
-    """Other files of the package's `src` that the class may need: all without a `main`."""
+    """The other files in the package's `src` that the class may need: all that lack a `main`."""
     listed = arena.files.text(f"{IN_CPP}/CMakeLists.txt") or ""
     files = arena.files.matching(f"{IN_CPP}/src/*.cpp")
     others = (file for file in files if file not in (DRIVER_CPP, NODE_CPP) and Path(file).name in listed)
@@ -459,7 +459,7 @@ def more_files(arena: Arena) -> list[str]:
 
 
 def expect_begun(recording: Recording, process: str) -> None:
-    """In this life of the class, `connect` and `initialize` threw nothing."""
+    """Expect that `connect` and `initialize` threw nothing in this run."""
     for name in ("connect", "initialize"):
         where = at(recording, rf"::{name}\s*\(", DRIVER_CPP)
         answer = native_answer(recording, name, f"{name}()", process, where=where[0])
@@ -471,7 +471,7 @@ def expect_begun(recording: Recording, process: str) -> None:
                 expected="no exception",
                 seen=answer.error[:150],
                 where=where,
-                advice="It may throw if the robot cannot be reached or started. This robot always can.",
+                advice=f"Find out what throws in `{name}()`. This robot can always be reached and started.",
             )
         )
 
@@ -481,17 +481,17 @@ def usable(recording: Recording) -> None:
     expect_compiled(recording, "class")
 
 
-@driver.check("connected", "after `connect`, it has six zeros, and reaches each target", needs="usable")
+@driver.check("connected", "after `connect`, it has six zeros and reaches each target", needs="usable")
 def connected(recording: Recording) -> None:
     where = at(recording, r"::connect\s*\(", DRIVER_CPP)
     expect_begun(recording, "life")
     for question, what, wanted, advice in (
-        ("zeros", "get_joint_positions()", [0.0] * JOINTS, "After `connect` there are six zeros."),
+        ("zeros", "get_joint_positions()", [0.0] * JOINTS, "Set the positions to six zeros in `connect`."),
         (
             "follows",
             "get_joint_positions()",
             [0.25 * (joint + 1) for joint in range(JOINTS)],
-            "After `set_target_joint_positions(target)` the positions are the target, all six.",
+            "Store all six numbers of the target in `set_target_joint_positions`.",
         ),
     ):
         answer = native_answer(recording, question, what, "life", where=where[0])
@@ -501,7 +501,7 @@ def connected(recording: Recording) -> None:
             Feedback(
                 summary=f"`{what}` does not return {told(wanted)}."
                 if answer.error is None
-                else f"A connected driver throws: {answer.error[:80]}",
+                else f"The driver throws although it is connected: {answer.error[:80]}",
                 expected=told(wanted),
                 seen=told(answer.value) if answer.error is None else answer.error[:120],
                 where=where,
@@ -510,7 +510,7 @@ def connected(recording: Recording) -> None:
         )
 
 
-@driver.check("throws", "it throws if it cannot do what is asked", points=2, needs="usable")
+@driver.check("throws", "it throws if it can't do what it is asked to do", points=2, needs="usable")
 def throws(recording: Recording) -> None:
     for question, process, what, name in (
         ("early", "early", "get_joint_positions()` before `connect()`", "get_joint_positions"),
@@ -526,13 +526,13 @@ def throws(recording: Recording) -> None:
             continue
         raise Failure(
             Feedback(
-                summary=f"`{what} throws nothing.",
+                summary=f"`{what} does not throw.",
                 expected="std::runtime_error",
                 seen=f"it returns {told(answer.value)}" if answer.value else "it returns",
                 where=where,
-                advice="Without a connection, the robot has no positions: `disconnect` must forget them."
+                advice="In `disconnect`, clear the positions. Without a connection, the robot has none."
                 if question == "late"
-                else "Check first, and `throw std::runtime_error(...)` with a text that says what is wrong.",
+                else "Check for this first, and `throw std::runtime_error(...)` with a text that says why.",
             )
         )
 
@@ -547,19 +547,19 @@ def peaceful(recording: Recording) -> None:
             answer = native_answer(recording, name + when, f"{name}()", "ends", where=where[0])
             if answer.error is None:
                 continue
-            what = {" at once": "without a `connect()` before", " again": "called twice"}
+            what = {" at once": "called before `connect()`", " again": "called twice"}
             raise Failure(
                 Feedback(
-                    summary=f"`{name}()` throws when it is {what.get(when, 'called as it should be')}.",
-                    expected="no exception, whatever happened before",
+                    summary=f"`{name}()` throws when it is {what.get(when, 'called normally')}.",
+                    expected="no exception, no matter what happened before",
                     seen=answer.error[:150],
                     where=where,
-                    advice="Nothing catches an exception after this call. Don't call what may throw.",
+                    advice="Don't call anything that may throw: nothing would catch the exception.",
                 )
             )
 
 
-@driver.check("starts", "the program starts with its parameters, and keeps running")
+@driver.check("starts", "the program starts with its parameters and keeps running")
 def starts(recording: Recording) -> None:
     expect_executable(recording, EXECUTABLE)
     view = recording.process(EXECUTABLE)
@@ -573,37 +573,37 @@ def starts(recording: Recording) -> None:
         raise Failure(
             Feedback(
                 summary=f"`{steps[-1]}()` of the driver never returns, so the control loop never starts.",
-                expected="it returns at once",
+                expected="it returns immediately",
                 seen="it was still running at the end",
                 where=at(recording, rf"::{steps[-1]}\s*\("),
-                advice="Look for a loop that never ends. Only `control_loop()` has the loop of a driver.",
+                advice="Look for a loop that never ends. Only `control_loop()` contains a driver's loop.",
             )
         )
 
 
 def why_ended(recording: Recording, view: ProcessView) -> Feedback | None:
-    """The driver's message about its early end; None if C++ itself ended it."""
+    """Why the driver ended early, by its own message. None if C++ itself ended it."""
     if any("terminate called" in text or "error while loading" in text for text in view.text):
         return None
     said = next((text for text in view.text if "[ERROR]" in text or "[FATAL]" in text), None)
     failed = FAILED.search(said) if said else None
     where = at(recording, FAILING[failed["step"]]) if failed and failed["step"] in FAILING else ()
-    advice = f"Look for what throws this in `{failed['step']}()`." if failed else "Start with this error."
+    advice = f"Find out what throws this in `{failed['step']}()`." if failed else "Start with this error."
     if failed and failed["step"] == "control loop":
-        advice = "Look for what throws this in `get_joint_positions` or `set_target_joint_positions`."
+        advice = "Find out what throws this in `get_joint_positions` or `set_target_joint_positions`."
     asked = PARAMETER.search(said or "")
     near = nearest(asked["name"], set(LEFT.parameters) - {asked["name"]}) if asked else None
     if asked and near and asked["name"] not in LEFT.parameters:
         where = text_places(recording.sources, f'"{asked["name"]}"')[:1]
-        advice = f"The program asks for the parameter `{asked['name']}`; it is called `{near}`."
+        advice = f"Change the name of the parameter `{asked['name']}`: it is called `{near}`."
     if said is None:
         where = at(recording, r"\bcontrol_loop\s*\(|\bmain\s*\(", NODE_CPP)
         advice = (
-            "`control_loop()` runs the driver until Ctrl+C: call it on the `RobotDriverROS`, and set the "
+            "Call `control_loop()` of the `RobotDriverROS`, which runs the driver until Ctrl+C. Set the "
             "flag only in the handler."
         )
     return Feedback(
-        summary="The driver ends by itself, because of an error."
+        summary="The driver ends by itself because of an error."
         if said
         else "The driver ends by itself, without an error message.",
         expected="it runs until Ctrl+C",
@@ -614,28 +614,32 @@ def why_ended(recording: Recording, view: ProcessView) -> Feedback | None:
     )
 
 
-@driver.check("topics", "its topics are those of a driver, and begin with the node's name", needs="starts")
+@driver.check("topics", "it has the topics of a driver, which start with the node's name", needs="starts")
 def topics(recording: Recording) -> None:
-    prefix = "`configuration.robot_driver_provider_prefix = node->get_name();`"
-    missing = "`sas::RobotDriverROS` makes all of them: make one, and call its `control_loop()`."
+    prefix = "Use the node's name: `configuration.robot_driver_provider_prefix = node->get_name();`"
+    missing = "Create a `sas::RobotDriverROS`, which has all these topics, and call its `control_loop()`."
     expect_topics(recording, LEFT, prefix, missing)
 
 
-@driver.check("limits", "the limits are those of the parameters, in rad", needs="topics")
+@driver.check("limits", "the limits are those in the parameters, in radians", needs="topics")
 def limits(recording: Recording) -> None:
-    advice = "Pass the parameters through `deg2rad` to the configuration, and from there to `joint_limits_`."
+    advice = (
+        "Convert the parameters with `deg2rad`, and pass them to the configuration and to `joint_limits_`."
+    )
     expect_limits(recording, LEFT, advice, at(recording, r"\bjoint_limits\b|\bjoint_limits_\b"))
 
 
-@driver.check("joints", "it has six joints, at zero at the start", needs="topics")
+@driver.check("joints", "it has six joints, which start at zero", needs="topics")
 def joints(recording: Recording) -> None:
-    expect_zeros(recording, LEFT, "`connect` gives the robot six zeros.", at(recording, r"::connect\s*\("))
+    expect_zeros(
+        recording, LEFT, "In `connect`, set the positions to six zeros.", at(recording, r"::connect\s*\(")
+    )
 
 
-@driver.check("rate", "the joint stream has the rate that the parameter says", points=2, needs="topics")
+@driver.check("rate", "the joint positions come at the rate in the parameter", points=2, needs="topics")
 def rate(recording: Recording) -> None:
     where = at(recording, r"\bthread_sampling_time_sec\b", NODE_CPP)
-    advice = "Pass the parameter `thread_sampling_time_sec` to the configuration of `RobotDriverROS`. "
+    advice = "Pass the parameter `thread_sampling_time_sec` to the `RobotDriverROS` configuration. "
     for robot in (LEFT, RIGHT):
         states = states_of(recording, robot)
         if robot is RIGHT and recording.marked(WRONG) is None:
@@ -644,29 +648,29 @@ def rate(recording: Recording) -> None:
             recording,
             states,
             1 / robot.period,
-            advice=advice + "No function of the driver may be slow.",
+            advice=advice + "None of the driver's functions may be slow.",
             where=where,
         )
 
 
-@driver.check("step", "a target is in the stream within 10 ms", points=2, needs="joints")
+@driver.check("step", "a target takes effect within 10 ms", points=2, needs="joints")
 def step(recording: Recording) -> None:
-    advice = "`set_target_joint_positions` moves the robot at once, without waiting."
+    advice = "Move the robot right away in `set_target_joint_positions`, without waiting."
     where = at(recording, r"::set_target_joint_positions\s*\(")
     expect_step_and_wave(recording, LEFT, "steps", advice, where)
 
 
-@driver.check("wave", "a commanded sine comes back unchanged", points=2, needs="joints")
+@driver.check("wave", "the joints follow a sine exactly", points=2, needs="joints")
 def follows_wave(recording: Recording) -> None:
-    advice = "`get_joint_positions` returns what `set_target_joint_positions` got: all six, in their order."
+    advice = "Return all six numbers of the last target from `get_joint_positions`, in their order."
     where = at(recording, r"::(?:set_target|get)_joint_positions\s*\(")
     expect_step_and_wave(recording, LEFT, "wave", advice, where)
 
 
 @driver.check("wrong_target", "a target of five elements ends it in order", points=2, needs="joints")
 def wrong_target(recording: Recording) -> None:
-    advice = "Let `set_target_joint_positions` throw, and catch nothing: `control_loop()` does the rest."
-    order = "`control_loop()` calls `deinitialize` and `disconnect`, whatever happens: let it return."
+    advice = "Throw in `set_target_joint_positions`, and don't catch it. `control_loop()` does the rest."
+    order = "Let `control_loop()` return. It always calls `deinitialize` and `disconnect`."
     expect_end_by_a_wrong_target(recording, AGAIN, advice, order, CALLS)
 
 
@@ -678,20 +682,20 @@ def interrupt(recording: Recording) -> None:
     if view.exited and view.exited.signal == signal.SIGINT:
         raise Failure(
             Feedback(
-                summary="Ctrl+C kills the driver at once, so nothing switches the motor off.",
+                summary="Ctrl+C kills the driver immediately, so nothing switches the motor off.",
                 expected="`deinitialize`, then `disconnect`",
-                seen="ended by the signal SIGINT",
+                seen="it was ended by the signal SIGINT",
                 where=at(recording, r"\bmain\s*\(", NODE_CPP),
-                advice="In `main`, before `rclcpp::init`, call `std::signal(SIGINT, ...)` with a function "
+                advice="In `main`, call `std::signal(SIGINT, ...)` before `rclcpp::init`. Pass it a function "
                 "that sets the flag of `RobotDriverROS`.",
             )
         )
-    order = "Let `control_loop()` return: the handler only sets its flag."
+    order = "Let `control_loop()` return. The handler must only set its flag."
     expect_order(view, asked, "Ctrl+C", order, CALLS)
 
 
 def at(recording: Recording, pattern: str, otherwise: str = DRIVER_CPP) -> tuple[Location, ...]:
-    """Where the learner's C++ code contains this; otherwise, the file that should."""
+    """The places in the learner's C++ code that match, or else the file that should contain one."""
     return places_of(recording.sources, pattern)[:2] or (Location(otherwise),)
 
 
@@ -712,35 +716,37 @@ def one_launch(arena: Arena) -> None:
     arena.interrupt(launched)
 
 
-@launch.check("launches", "`ros2 launch` starts the launch file, and it keeps running")
+@launch.check("launches", "`ros2 launch` starts the launch file, which keeps running")
 def launches(recording: Recording) -> None:
     expect_launch_file(recording, PACKAGE, LAUNCH_FILE)
     expect_launched(recording, LAUNCH_FILE)
 
 
-@launch.check("node_name", f"the node is called /{MYROBOT.name}", needs="launches")
+@launch.check("node_name", f"the node's name is /{MYROBOT.name}", needs="launches")
 def node_name(recording: Recording) -> None:
     expect_launched_node(recording, LAUNCH_FILE, f"/{MYROBOT.name}")
 
 
-@launch.check("launched_topics", "it has all topics of a driver", needs="node_name")
+@launch.check("launched_topics", "it has all the topics of a driver", needs="node_name")
 def launched_topics(recording: Recording) -> None:
-    advice = "The launch file starts one node: the driver of `31-driver`."
+    advice = "Start exactly one node in the launch file: the driver from `31-driver`."
     expect_topics(recording, MYROBOT, advice, advice)
 
 
-@launch.check("launched_limits", "the limits are ±360 degrees, ±720 for the last joint", needs="node_name")
+@launch.check(
+    "launched_limits", "the limits are ±360 degrees, and ±720 for the last joint", needs="node_name"
+)
 def launched_limits(recording: Recording) -> None:
     own = launch_file(recording, LAUNCH_FILE)
     where = (*named(own, "joint_limits_min"), *named(own, "joint_limits_max"))
-    advice = "Both lists have six numbers, in degrees: 360.0 five times, then 720.0. The first is negative."
+    advice = "Write 360.0 five times, then 720.0, in degrees. In `joint_limits_min`, they are negative."
     expect_limits(recording, MYROBOT, advice, where)
 
 
-@launch.check("launched_rate", "the joint stream has 500 Hz", points=2, needs="node_name")
+@launch.check("launched_rate", "the joint positions come at 500 Hz", points=2, needs="node_name")
 def launched_rate(recording: Recording) -> None:
     where = named(launch_file(recording, LAUNCH_FILE), "thread_sampling_time_sec")
-    advice = "For 500 times per second, set `'thread_sampling_time_sec': 0.002` in the `parameters`."
+    advice = "Set `'thread_sampling_time_sec': 0.002` in the `parameters`, for 500 times per second."
     states = states_of(recording, MYROBOT)
     expect_rate(recording, states, 1 / MYROBOT.period, advice=advice, where=where)
 
@@ -755,26 +761,26 @@ def launched_end(recording: Recording) -> None:
     expect_launch_interrupt(recording, LAUNCH_FILE)
     view = recording.launched(LAUNCH_FILE)
     asked = view.main.interrupted_at or 0.0
-    order = "`check 31-driver` checks this, too: start there."
+    order = "Run `ros2course check 31-driver` first: it checks this, too."
     for program in view.processes.values():
         expect_order(program, asked, "Ctrl+C", order, CALLS)
 
 
 # 31-client -------------------------------------------------------------------------------------------
 
-# Of the sine that the script sends: 10 degrees, and rounds in a period.
+# The sine that the script sends: 10 degrees, and the rounds in a period.
 SWING, ROUNDS = math.radians(10), math.tau * 50 * math.pi
 ENOUGH = 520
 
 
 @client.scenario
 def a_robot_to_move(arena: Arena) -> None:
-    """A robot of ours, and half a swing of the script."""
+    """Run our own robot, and half a swing of the script."""
     targets = arena.ros.subscribe(MYROBOT.topic(TARGETS), DOUBLES)
     states = arena.ros.subscribe(MYROBOT.topic(STATES), JOINT_STATE)
     robot = arena.play_along(PROBES / "ch31_robot.py", MYROBOT.name, name="robot")
     if not arena.until(lambda: states.count, timeout=20, while_running=robot):
-        raise OurFault("the robot of the grader did not come up")
+        raise OurFault("the grader's robot did not start")
     with arena.lateness():
         script = arena.run(PACKAGE, SCRIPT)
         arena.until(lambda: targets.count, timeout=20, while_running=script)
@@ -786,20 +792,20 @@ def a_robot_to_move(arena: Arena) -> None:
 
 @client.check("script", "the script can be executed", needs=())
 def script(recording: Recording) -> None:
-    # Some ways of handing in lose the mode, and CMake can set it.
+    # A submission may lose the file mode on its way, and CMake can set it.
     if recording.local and "OWNER_EXECUTE" not in recording.sources.files.get(f"{IN_CPP}/CMakeLists.txt", ""):
         expect_mode(
             recording,
             SCRIPT_FILE,
             has=stat.S_IXUSR,
             summary="The script is not executable, so `ros2 run` may not find it.",
-            advice=f"`chmod +x ~/{SCRIPT_FILE}`",
+            advice=f"Run `chmod +x ~/{SCRIPT_FILE}`.",
         )
     first = recording.home.file(SCRIPT_FILE).lines[:1]
     if not first or not re.match(r"#!\s*/\S*(?:python3|env python3)", first[0]):
         raise Failure(
             Feedback(
-                summary="The first line of the script does not say which program reads it.",
+                summary="The script's first line does not say which program runs it.",
                 expected="#!/usr/bin/python3",
                 seen=(first or ("an empty file",))[0][:100],
                 where=(Location(SCRIPT_FILE, 1),),
@@ -808,17 +814,17 @@ def script(recording: Recording) -> None:
         )
 
 
-@client.check("runs", "the script is installed, and keeps running", needs=("builds", "script"))
+@client.check("runs", "the script is installed and keeps running", needs=("builds", "script"))
 def runs(recording: Recording) -> None:
     missing = recording.missing_executable(SCRIPT)
     if missing:
         raise Failure(
             Feedback(
-                summary=f"`ros2 run` does not find `{SCRIPT}`: CMakeLists.txt does not install it.",
+                summary=f"`ros2 run` does not find `{SCRIPT}`, because CMakeLists.txt does not install it.",
                 expected=f"installed in the folder lib/{PACKAGE}",
                 seen=f"installed: {listed(missing.available)}",
                 where=(Location(f"{IN_CPP}/CMakeLists.txt"),),
-                advice=f"`install(PROGRAMS scripts/{SCRIPT} DESTINATION lib/${{PROJECT_NAME}})`",
+                advice=f"Add `install(PROGRAMS scripts/{SCRIPT} DESTINATION lib/${{PROJECT_NAME}})`.",
             )
         )
     expect_running(only_script(recording), SCRIPT)
@@ -835,57 +841,57 @@ def sends(recording: Recording) -> None:
     if other:
         raise Failure(
             Feedback(
-                summary=f"The client talks to `{other.removesuffix(f'/{TARGETS}')}`, "
-                f"and the robot is called `/{MYROBOT.name}`.",
+                summary=f"The client sends targets to `{other.removesuffix(f'/{TARGETS}')}`, "
+                f"but the robot's name is `/{MYROBOT.name}`.",
                 expected=MYROBOT.topic(TARGETS),
                 seen=other,
                 where=places(sources, "RobotDriverClient"),
-                advice=f"`RobotDriverClient(node, '{MYROBOT.name}')`",
+                advice=f"Use the robot's name: `RobotDriverClient(node, '{MYROBOT.name}')`.",
             )
         )
     spins = calls(sources, "rclcpp_spin_some")
     raise Failure(
         Feedback(
-            summary="No target came: the client is never enabled, because nothing spins the node."
+            summary="The script sends no targets: nothing spins the node, so the client is never enabled."
             if len(spins) < 2
-            else "No target came from the script.",
+            else "The script sends no targets.",
             expected=f"targets on {MYROBOT.topic(TARGETS)}",
             seen="none",
             where=places(sources, "is_enabled"),
             advice="Call `rclcpp_spin_some(node)` in the loop that waits for `is_enabled()`."
             if len(spins) < 2
-            else "Once it is enabled, call `send_target_joint_positions` in each round.",
+            else "Once the client is enabled, call `send_target_joint_positions` in each round.",
         )
     )
 
 
 @client.check(
-    "swing", "the targets swing by ten degrees around where the joints were", points=2, needs="sends"
+    "swing", "the targets swing by ten degrees around the first joint positions", points=2, needs="sends"
 )
 def swing(recording: Recording) -> None:
     targets = recording.stream(MYROBOT.topic(TARGETS), "data")
     sources = only_script(recording).sources
     where = places(sources, "send_target_joint_positions")
-    expect_width(targets, JOINTS, advice="A target has one number for each joint.", where=where)
+    expect_width(targets, JOINTS, advice="Send one number for each joint.", where=where)
     begin = recording.stream(MYROBOT.topic(STATES), "position").rows[0]
     for joint in range(JOINTS):
         made = fit_wave(range(len(targets)), targets.column(joint), 1 / ROUNDS)
         if made is None:
             raise Failure(
                 Feedback(
-                    summary=f"Only {len(targets)} targets came, too few to see a swing.",
+                    summary=f"The script sends only {len(targets)} targets, too few for a swing.",
                     where=where,
-                    advice="Send one in each round of the loop.",
+                    advice="Send a target in each round of the loop.",
                 )
             )
         if abs(made.amplitude - math.degrees(SWING)) < 0.5:
             raise Failure(
                 Feedback(
-                    summary="The targets are in degrees; a robot takes rad.",
+                    summary="The targets are in degrees, but the robot expects radians.",
                     expected=f"a swing of {SWING:.4f} rad",
                     seen=f"a swing of {made.amplitude:.1f}",
                     where=where,
-                    advice="`deg2rad(10 * sin(...))`, imported from `dqrobotics.utils.DQ_Math`.",
+                    advice="Write `deg2rad(10 * sin(...))`. `deg2rad` comes from `dqrobotics.utils.DQ_Math`.",
                 )
             )
         amplitude, rest = made.amplitude, made.rest
@@ -894,33 +900,33 @@ def swing(recording: Recording) -> None:
         if abs(amplitude - SWING) > 0.05 * SWING or rest > 0.05 * SWING:
             raise Failure(
                 Feedback(
-                    summary="The targets do not follow the sine of the task.",
+                    summary="The targets do not follow the sine in the task.",
                     expected=f"10 degrees ({SWING:.4f} rad), {ROUNDS:.0f} rounds in a period",
                     seen=f"joint {joint + 1} from {told([min(targets.column(joint))])} to "
                     f"{told([max(targets.column(joint))])} in {len(targets)} rounds",
                     where=where,
-                    advice="In round `i`, send `q0 + deg2rad(10 * sin(i / (50 * pi)))`, with the `q0` that "
-                    "you read once, before the loop.",
+                    advice="In round `i`, send `q0 + deg2rad(10 * sin(i / (50 * pi)))`. Read `q0` once, "
+                    "before the loop.",
                 )
             )
         if not floods(targets) and abs(made.offset - begin[joint]) > 0.02:
             raise Failure(
                 Feedback(
-                    summary="The targets do not swing around the position where the joints were.",
+                    summary="The targets do not swing around the joints' first positions.",
                     expected=f"joint {joint + 1} around {begin[joint]:.3g} rad",
                     seen=f"around {made.offset:.3g} rad",
                     where=where,
-                    advice="Read `q0 = robot.get_joint_positions()` once, before the loop, and add to it.",
+                    advice="Read `q0 = robot.get_joint_positions()` once, before the loop. Then add to it.",
                 )
             )
 
 
 def floods(targets: Stream) -> bool:
-    """Whether they come so fast that some may be lost: then rounds cannot be counted."""
+    """Whether they come so fast that some may be lost, so that nobody can count the rounds."""
     return len(targets) > 2 * 100 * (targets.times[-1] - targets.times[0])
 
 
-@client.check("alike", "all six joints move alike", needs="sends")
+@client.check("alike", "all six joints move the same way", needs="sends")
 def joints_alike(recording: Recording) -> None:
     where = places(only_script(recording).sources, "send_target_joint_positions")
     advice = "Add the same swing to each of the six positions."
@@ -936,12 +942,12 @@ def client_rate(recording: Recording) -> None:
     if places(own, "update_and_sleep") and not places(own, "init"):
         raise Failure(
             Feedback(
-                summary="The clock is not started: on a robot, it first counts all rounds since 1970.",
+                summary="The clock is never started. On a real robot, it would count all rounds since 1970.",
                 where=where,
-                advice="Call `clock.init()` after you make the clock, just before the loop.",
+                advice="Create the clock, then call `clock.init()` just before the loop.",
             )
         )
-    advice = "`Clock(0.01)`, then `clock.init()`, and `clock.update_and_sleep()` once in each round."
+    advice = "Use `Clock(0.01)`, then `clock.init()`. Call `clock.update_and_sleep()` once in each round."
     expect_rate(
         recording, recording.stream(MYROBOT.topic(TARGETS), "data"), 100.0, advice=advice, where=where
     )
@@ -973,30 +979,32 @@ def node_of_python(arena: Arena) -> None:
     two_lives(arena, (WRITING, DRAWING), PYTHON_NODE, start)
 
 
-@in_python.check("python_starts", "the node starts with its parameters, and keeps running")
+@in_python.check("python_starts", "the node starts with its parameters and keeps running")
 def python_starts(recording: Recording) -> None:
     expect_running(recording, PYTHON_NODE)
 
 
-@in_python.check("python_topics", "its topics are those of a driver", points=2, needs="python_starts")
+@in_python.check("python_topics", "it has the topics of a driver", points=2, needs="python_starts")
 def python_topics(recording: Recording) -> None:
     prefix = "Start each topic with the node's own name, `self.get_name()`, or with `~/`."
-    expect_topics(recording, WRITING, prefix, "The table in the task has them all, with their types.")
+    expect_topics(recording, WRITING, prefix, "Compare your topics and their types with the task.")
 
 
-@in_python.check("python_limits", "the limits are those of the parameters, in rad", needs="python_topics")
+@in_python.check("python_limits", "the limits are those in the parameters, in radians", needs="python_topics")
 def python_limits(recording: Recording) -> None:
-    advice = "`math.radians` turns each number of the parameter into rad."
+    advice = "Convert each number in the parameter with `math.radians`."
     expect_limits(recording, WRITING, advice, places(recording.sources, "declare_parameter"))
 
 
-@in_python.check("python_joints", "it has six joints, at zero at the start", needs="python_topics")
+@in_python.check("python_joints", "it has six joints, which start at zero", needs="python_topics")
 def python_joints(recording: Recording) -> None:
-    expect_zeros(recording, WRITING, "`position` starts as `[0.0] * 6`, and only a target changes it.")
+    expect_zeros(
+        recording, WRITING, "Start with `[0.0] * 6`, and change the positions only when a target arrives."
+    )
 
 
 @in_python.check(
-    "python_rate", "the joint stream has the rate that the parameter says", needs="python_topics"
+    "python_rate", "the joint positions come at the rate in the parameter", needs="python_topics"
 )
 def python_rate(recording: Recording) -> None:
     where = places(recording.sources, "create_timer")
@@ -1006,24 +1014,24 @@ def python_rate(recording: Recording) -> None:
         expect_rate(recording, states_of(recording, DRAWING), 1 / DRAWING.period, advice=advice, where=where)
 
 
-@in_python.check("python_step", "a target is in the stream within 25 ms", needs="python_joints")
+@in_python.check("python_step", "a target takes effect within 25 ms", needs="python_joints")
 def python_step(recording: Recording) -> None:
-    advice = "Keep the target's `data` in a member, so that the timer's function can use it."
+    advice = "Store the target's `data` in a member, so that the timer's function can use it."
     expect_step_and_wave(
         recording, WRITING, "steps", advice, places(recording.sources, "create_subscription")
     )
 
 
-@in_python.check("python_wave", "a commanded sine comes back unchanged", needs="python_joints")
+@in_python.check("python_wave", "the joints follow a sine exactly", needs="python_joints")
 def python_wave(recording: Recording) -> None:
-    advice = "Publish the last target from `set/target_joint_positions`: all six, in their order."
+    advice = "Publish all six numbers of the last target from `set/target_joint_positions`, in their order."
     expect_step_and_wave(recording, WRITING, "wave", advice, places(recording.sources, "create_subscription"))
 
 
 @in_python.check("python_wrong", "a target of five elements ends it in order", needs="python_joints")
 def python_wrong(recording: Recording) -> None:
     advice = "Check `len(message.data)` first. Log an error, and raise an exception that `main` catches."
-    order = "Switch off and disconnect in a `finally:` of `main`: it runs however `spin` ended."
+    order = "In `main`, switch off and disconnect in a `finally:`, which runs no matter how `spin` ended."
     expect_end_by_a_wrong_target(recording, AGAIN, advice, order, WORDS)
 
 
@@ -1031,5 +1039,5 @@ def python_wrong(recording: Recording) -> None:
 def python_end(recording: Recording) -> None:
     expect_clean_interrupt(recording, PYTHON_NODE)
     view = recording.process(PYTHON_NODE)
-    order = "Switch off and disconnect in a `finally:` of `main`: it runs however `spin` ended."
+    order = "In `main`, switch off and disconnect in a `finally:`, which runs no matter how `spin` ended."
     expect_order(view, view.interrupted_at or 0.0, "Ctrl+C", order, WORDS)

@@ -52,7 +52,7 @@ def same(one: Row, other: Row, near: float = _NEAR) -> bool:
 
 
 def alike(stream: Stream, near: float = _NEAR) -> bool:
-    """Whether all joints make the same moves, wherever each of them is."""
+    """Whether all joints move the same way, no matter where each of them is."""
     return all(_moved_alike(before, after, near) for before, after in pairwise(stream.rows))
 
 

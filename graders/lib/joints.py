@@ -1,4 +1,4 @@
-"""Expectations of a stream of numbers, such as a robot's joints: its pace, and how it follows commands.
+"""Expectations of a stream of numbers, such as a robot's joints: its rate, and how it follows commands.
 
 They take the delays of the grading machine into account, if the scenario measured them (`arena.lateness()`).
 Anything that an overloaded machine may have caused is never a Failure: the recording is repeated instead.
@@ -15,7 +15,7 @@ from lib.following import Answer, alike, answers, same, sketch
 from lib.pacing import Pacing, pacing_of
 from lib.waves import Wave, fit_wave
 
-_TOO_LOADED = "This machine had too much to do to measure milliseconds."
+_TOO_LOADED = "This machine was too busy to measure milliseconds."
 # Fractions of the amplitude: how far a sine may be from its own fit, and from the commanded one.
 _ROUGH, _AMPLITUDE = 0.15, 0.05
 # An even pace is one whose jitter is below this fraction of its period.
@@ -40,9 +40,9 @@ def expect_rate(
     if pacing is None:
         raise Failure(
             Feedback(
-                summary=f"Only {len(stream)} messages came on `{stream.name}`, too few to tell how often.",
+                summary=f"Only {len(stream)} messages arrived on `{stream.name}`, too few for a rate.",
                 expected=f"{rate:.0f} per second",
-                seen=f"{len(stream)} in all",
+                seen=f"{len(stream)} messages in total",
                 where=where,
                 advice=advice,
             )
@@ -60,7 +60,7 @@ def expect_rate(
         Feedback(
             summary=f"`{stream.name}` has {pacing.rate:.0f} messages per second, not {rate:.0f}.",
             expected=f"{rate:.0f} per second, one every {1000 / rate:.3g} ms",
-            seen=f"{pacing.rate:.1f} per second, one every {pacing.period * 1000:.3g} ms, as a median",
+            seen=f"{pacing.rate:.1f} per second, one every {pacing.period * 1000:.3g} ms (median)",
             where=where,
             advice=advice,
             details=pacing.words,
@@ -72,7 +72,7 @@ def expect_width(stream: Stream, joints: int, *, advice: str, where: tuple[Locat
     """Expect at least one row, and this many numbers in every row."""
     if stream.widths == (joints,):
         return
-    seen = " or ".join(map(str, stream.widths)) or "no message at all"
+    seen = " or ".join(map(str, stream.widths)) or "no messages"
     raise Failure(
         Feedback(
             summary=f"The messages on `{stream.name}` should have {joints} joints.",
@@ -88,19 +88,19 @@ def expect_values(
     name: str, seen: Sequence[float], wanted: Sequence[float], *, what: str, advice: str,
     where: tuple[Location, ...] = (),
 ) -> None:  # fmt: skip
-    """Expect these numbers, within a millionth; the feedback recognizes degrees in place of rad."""
+    """Expect these numbers, within a millionth. The feedback recognizes degrees instead of radians."""
     if _near(seen, wanted):
         return
     turned = any(wanted) and _near(seen, [math.degrees(value) for value in wanted])
     raise Failure(
         Feedback(
-            summary=f"The {what} on `{name}` are in degrees; they should be in rad."
+            summary=f"The {what} on `{name}` are in degrees, but they must be in radians."
             if turned
             else f"The {what} on `{name}` are wrong.",
             expected=told(wanted),
             seen=told(seen),
             where=where,
-            advice="`deg2rad` turns degrees into rad." if turned else advice,
+            advice="Convert degrees to radians, for example with `deg2rad`." if turned else advice,
         )
     )
 
@@ -124,7 +124,7 @@ def expect_steps(
             Feedback(
                 summary=f"A commanded target never appears on `{stream.name}`.",
                 expected=told(one.target),
-                seen=told(one.last) if one.last is not None else "no message after it",
+                seen=told(one.last) if one.last is not None else "no message after the target",
                 where=where,
                 advice=advice,
                 details=_drawn(commands, stream, _farthest(one)),
@@ -139,8 +139,8 @@ def expect_steps(
     raise Failure(
         Feedback(
             summary=f"A target takes {latency * 1000:.0f} ms to appear on `{stream.name}`.",
-            expected=f"at most {within * 1000:.0f} ms, as a median",
-            seen=f"{latency * 1000:.1f} ms; from {came[0] * 1000:.1f} to {came[-1] * 1000:.1f} ms",
+            expected=f"at most {within * 1000:.0f} ms (median)",
+            seen=f"{latency * 1000:.1f} ms (from {came[0] * 1000:.1f} to {came[-1] * 1000:.1f} ms)",
             where=where,
             advice=advice,
         )
@@ -169,8 +169,8 @@ def expect_follows_wave(
         if asked is None or made is None:
             raise Failure(
                 Feedback(
-                    summary=f"Too few messages came on `{stream.name}` while targets were sent.",
-                    expected="a stream that continues",
+                    summary=f"Too few messages arrived on `{stream.name}` while the check sent targets.",
+                    expected="a steady stream of messages",
                     seen=f"{len(stream)} messages",
                     advice=advice,
                 )
@@ -194,7 +194,7 @@ def _expect_wave(
     if recording.is_overloaded(stream.times[0], stream.times[-1]) and made.amplitude > asked.amplitude / 2:
         raise TooBusy(_TOO_LOADED)
     if not same:
-        how = f"swings by {made.amplitude:.3g} rad, not by the commanded {asked.amplitude:.3g} rad."
+        how = f"swings by {made.amplitude:.3g} rad instead of the commanded {asked.amplitude:.3g} rad."
     elif not smooth:
         how = "moves, but does not follow the commanded sine."
     else:
@@ -218,7 +218,7 @@ def expect_alike(stream: Stream, *, advice: str, where: tuple[Location, ...] = (
     least = spans.index(min(spans))
     raise Failure(
         Feedback(
-            summary="The joints do not all make the same moves.",
+            summary="The joints do not all move the same way.",
             expected="the same swing for each joint",
             seen=f"joint {least + 1} moves by {spans[least]:.3g} rad, another by {max(spans):.3g} rad",
             where=where,

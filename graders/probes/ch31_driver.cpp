@@ -1,5 +1,5 @@
-// Calls the learner's driver as RobotDriverROS would, and as it never does. The argument says what is asked: a
-// driver that ends the whole program in one life must not keep the others from being seen.
+// Calls the driver as RobotDriverROS would, and as it never would. The argument selects the question: a driver that
+// ends the whole program in one run must not stop the others from being checked.
 #include "ask.hpp"
 #include "sas_robot_driver_myrobot.hpp"
 
@@ -30,7 +30,7 @@ Eigen::VectorXd target(int joints) {
   return made;
 }
 
-// Whether there is anything more to ask.
+// Whether there are more questions.
 bool begin(Driver& driver) {
   bool begun = false;
   ask("connect", [&] { driver.connect(); });

@@ -1,11 +1,11 @@
-"""Starts the driver as the robot myrobot_1."""
+"""Start the driver as the robot myrobot_1."""
 
 from launch import LaunchDescription
 from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    """Describe what is started; `ros2 launch` calls this."""
+    """Return what to start. `ros2 launch` calls this function."""
     return LaunchDescription([
         Node(
             package='sas_robot_driver_myrobot',

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Swings all six joints of myrobot_1 by ten degrees."""
+"""Swing all six joints of myrobot_1 by ten degrees."""
 
 import math
 import time

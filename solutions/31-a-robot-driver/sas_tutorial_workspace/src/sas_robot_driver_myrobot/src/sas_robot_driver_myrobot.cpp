@@ -19,7 +19,7 @@ void tell(const std::string & what)
 namespace sas
 {
 
-/// What only this file needs to know: for a robot that one can touch, its maker's library is used in here.
+/// The hidden part of the driver. For a real robot, it would use the manufacturer's library.
 class RobotDriverMyrobot::Impl
 {
 public:
@@ -69,7 +69,7 @@ RobotDriverMyrobot::RobotDriverMyrobot(
   joint_limits_ = configuration.joint_limits;
 }
 
-RobotDriverMyrobot::~RobotDriverMyrobot() = default;  // here, where Impl is known
+RobotDriverMyrobot::~RobotDriverMyrobot() = default;  // here, because Impl is defined above
 
 Eigen::VectorXd RobotDriverMyrobot::get_joint_positions()
 {

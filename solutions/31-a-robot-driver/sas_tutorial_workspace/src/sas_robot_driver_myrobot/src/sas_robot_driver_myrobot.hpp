@@ -13,10 +13,10 @@ namespace sas
 struct RobotDriverMyrobotConfiguration
 {
   std::string ip;
-  std::tuple<Eigen::VectorXd, Eigen::VectorXd> joint_limits;  // least and greatest, in rad
+  std::tuple<Eigen::VectorXd, Eigen::VectorXd> joint_limits;  // lowest and highest, in rad
 };
 
-/// Drives the robot myrobot: six joints, which are at once where they are told to be.
+/// Drives the robot myrobot, whose six joints move to each target instantly.
 class RobotDriverMyrobot : public RobotDriver
 {
 public:

@@ -50,7 +50,7 @@ int main(int argc, char ** argv)
     throw std::runtime_error("The handler for SIGINT could not be set.");
   }
 
-  // Without handlers of its own: Ctrl+C must only end the loop, so that the robot is left in order.
+  // No handlers from rclcpp: Ctrl+C must only end the loop, so that the robot shuts down in order.
   rclcpp::init(argc, argv, rclcpp::InitOptions(), rclcpp::SignalHandlerOptions::None);
   auto node = std::make_shared<rclcpp::Node>("sas_robot_driver_myrobot");
 

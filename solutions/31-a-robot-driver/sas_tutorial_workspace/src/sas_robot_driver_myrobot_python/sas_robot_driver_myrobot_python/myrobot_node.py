@@ -1,4 +1,4 @@
-"""The driver of a robot of six joints, which exists in memory only."""
+"""The driver of a robot with six joints, which exists only in memory."""
 
 import math
 
@@ -12,10 +12,10 @@ JOINTS = 6
 
 
 class MyrobotNode(Node):
-    """Tells where the joints are, and goes where it is told."""
+    """Publishes the positions of the joints, and moves them to each target."""
 
     def __init__(self):
-        """Declare the parameters, and make publishers, subscriptions and the timer."""
+        """Declare the parameters, and create the publishers, the subscriptions, and the timer."""
         super().__init__('myrobot_2')
         self.positions = [0.0] * JOINTS
         self.ip = self.declare_parameter('ip', '127.0.0.1').value
@@ -37,12 +37,12 @@ class MyrobotNode(Node):
         self.timer = self.create_timer(period, self.tell)
 
     def limits(self, name, default):
-        """Return the limits of this parameter, which are in degrees, as a message in rad."""
+        """Convert the limits in this parameter from degrees to a message in radians."""
         degrees = self.declare_parameter(name, [default] * JOINTS).value
         return Float64MultiArray(data=[math.radians(limit) for limit in degrees])
 
     def tell(self):
-        """Publish everything there is to know, once."""
+        """Publish the state of the robot once."""
         state = JointState(position=self.positions)
         state.header.stamp = self.get_clock().now().to_msg()
         self.states_publisher.publish(state)
@@ -51,13 +51,13 @@ class MyrobotNode(Node):
         self.home_publisher.publish(Int32MultiArray(data=[0] * JOINTS))
 
     def move(self, target):
-        """Go where the target says; raise ValueError if it does not fit the robot."""
+        """Move to the target. Raise ValueError if it does not fit the robot."""
         if len(target.data) != JOINTS:
             raise ValueError(f'A target needs {JOINTS} joint positions; this one has {len(target.data)}.')
         self.positions = list(target.data)
 
     def ignore(self, message):
-        """Hear what this robot cannot do, and do nothing."""
+        """Ignore a command that this robot does not support."""
 
 
 def main(args=None):

@@ -3,7 +3,7 @@
 
 def main():
     """Wait for the robot, then send it 100 targets per second."""
-    # TODO: the node, the client, q0, and the loop
+    # TODO: create the node and the client, read q0, and write the loop
 
 
 if __name__ == '__main__':

@@ -9,7 +9,7 @@ class MyrobotNode(Node):
     """Publish the positions of the joints, and move them to each target."""
 
     def __init__(self):
-        """Declare the parameters; make the publishers, the subscriptions, and the timer."""
+        """Declare the parameters, and create the publishers, the subscriptions, and the timer."""
         super().__init__('myrobot_2')
         # TODO
 
@@ -21,7 +21,7 @@ def main(args=None):
         rclpy.spin(MyrobotNode())
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
-    # TODO: however it ended, print: motor off, then disconnected
+    # TODO: no matter how it ended, print "Motor off." and then "Disconnected."
 
 
 if __name__ == '__main__':

@@ -16,6 +16,6 @@ struct RobotDriverMyrobotConfiguration
   std::tuple<VectorXd, VectorXd> joint_limits;  // lowest and highest, in rad
 };
 
-// TODO: the class RobotDriverMyrobot. Its constructor takes a configuration and a std::atomic_bool *, in this order.
+// TODO: write the class RobotDriverMyrobot. Its constructor takes a configuration and a std::atomic_bool *, in this order.
 
 }  // namespace sas

@@ -2,7 +2,7 @@
 
 int main(int argc, char ** argv)
 {
-  // TODO: the handler for Ctrl+C, the node, its parameters, the driver, and RobotDriverROS, which runs the driver.
+  // TODO: set the handler for Ctrl+C. Create the node, its parameters, the driver, and the RobotDriverROS that runs it.
   (void)argc;
   (void)argv;
   return 0;

@@ -4,7 +4,7 @@ from launch import LaunchDescription
 
 
 def generate_launch_description():
-    """Return what to start; `ros2 launch` calls this function."""
+    """Return what to start. `ros2 launch` calls this function."""
     return LaunchDescription([
         # TODO: the node
     ])

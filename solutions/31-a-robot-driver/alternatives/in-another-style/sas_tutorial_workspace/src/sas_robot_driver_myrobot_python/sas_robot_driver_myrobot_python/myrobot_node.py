@@ -1,4 +1,4 @@
-"""A driver with a loop of its own in place of a timer."""
+"""A driver with its own loop instead of a timer."""
 
 import numpy as np
 import rclpy
@@ -16,11 +16,11 @@ class WrongTarget(Exception):
 
 
 def ignore(message):
-    """Do nothing with what this robot cannot do."""
+    """Ignore a command that this robot does not support."""
 
 
 def run(node):
-    """Tell and obey until Ctrl+C."""
+    """Publish and move until Ctrl+C."""
     name = node.get_name()
     node.declare_parameters('', [
         ('ip', ''),
@@ -65,7 +65,7 @@ def run(node):
 
 
 def main():
-    """Leave the robot in order, whatever happened."""
+    """Shut down the robot, no matter what happened."""
     rclpy.init()
     node = Node('myrobot_2')
     try:
