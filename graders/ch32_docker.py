@@ -36,7 +36,7 @@ FOLDER = "docker_tutorial"
 
 COMPOSE = f"{FOLDER}/compose.yml"
 SERVICES = ("talker", "listener")
-# As Docker reads a signal: with or without SIG, in any case, or by its number.
+# How Docker reads a signal: with or without SIG, in any case, or as a number.
 SIGINT = ("sigint", "int", "2")
 DURATION = re.compile(r"(?:(?:\d+\.?\d*|\.\d+)(?:us|µs|ms|s|m|h|d|w))+")
 EXTRA = ("additionalProperties", "unevaluatedProperties")
@@ -50,7 +50,7 @@ def reads(recording: Recording) -> None:
 
 
 def document(recording: Recording) -> Document:
-    advice = "The starter contains one: `ros2course reset` restores it. The lesson shows a complete one."
+    advice = "Restore the starter's file with `ros2course reset`. The lesson shows a complete example."
     return expect_yaml(recording, COMPOSE, advice=advice)
 
 
@@ -68,7 +68,7 @@ def specification() -> Mapping[str, Any]:
 
 
 def errors(data: Any) -> list[ValidationError]:
-    """Violations of the specification. A mistake in one place makes its surroundings invalid, too."""
+    """What violates the specification. A mistake in one place also makes its surroundings invalid."""
     schema = specification()
     every = list(validator_for(schema, default=Draft202012Validator)(schema).iter_errors(data))
     own = [error for error in every if error.validator not in EXTRA]
@@ -76,7 +76,7 @@ def errors(data: Any) -> list[ValidationError]:
 
 
 def deepest(error: ValidationError) -> ValidationError:
-    """If several forms are allowed and none fits: the innermost mistake, in the form that it belongs to."""
+    """The innermost mistake, in the form that it belongs to, if several forms are allowed but none fits."""
     while causes := error.context:
         inner = [cause for cause in causes if len(cause.absolute_path) > len(error.absolute_path)]
         inner = inner or [cause for cause in causes if cause.validator in (*EXTRA, "required")]
@@ -95,7 +95,7 @@ def unknown(error: ValidationError) -> list[str]:
 
 
 def known_keys(schema: Any) -> set[str]:
-    """The properties of a part of the schema, with those of the parts that it is put together from."""
+    """The properties of a part of the schema, including those of the parts that it consists of."""
     if not isinstance(schema, Mapping):
         return set()
     parts = [*schema.get("allOf", ())]
@@ -121,12 +121,12 @@ def complaint(found: Document, error: ValidationError) -> Feedback:
             summary=f"{key(place)} has no `{name}`.",
             expected=f"{name}:",
             where=(Location(COMPOSE, found.line(place)),),
-            advice="Each part of a compose file has its own names: is one of them misspelled?",
+            advice=f"Add `{name}`, or check whether you misspelled it.",
         )
     if place == ():
         return Feedback(
-            summary="The file is not a list of names with something after each `:`.",
-            expected="services: at the beginning of a line",
+            summary="The file does not consist of names with a value after each `:`.",
+            expected="services: at the start of a line",
             where=(Location(COMPOSE, 1),),
             advice="Put a space after each `:`.",
         )
@@ -143,15 +143,15 @@ def unknown_key(found: Document, place: tuple[Any, ...], name: str, known: Itera
     close = nearest(name, known)
     where = key(place) if place else "a compose file"
     if close:
-        advice = f"Write `{close}`, if that is what you mean."
+        advice = f"Write `{close}` if that is what you mean."
     elif not place and name in SERVICES:
         advice = f"Put it below `services:`, with two spaces before `{name}`."
     elif not place and name in known_keys(referred_service()):
-        advice = "It belongs to a service: put it below one, indented four spaces."
+        advice = "Put it below a service, indented four spaces."
     elif place == ("services",):
-        advice = "The name of a service may contain only letters, digits, `.`, `_` and `-`."
+        advice = "Use only letters, digits, `.`, `_`, and `-` in the name of a service."
     else:
-        advice = "Remove it, or look up its name in the lesson's table."
+        advice = "Remove it, or look up the right name in the lesson's table."
     return Feedback(
         summary=f"`{name}` does not exist in {where}.",
         expected=close,
@@ -172,21 +172,21 @@ def key(place: tuple[Any, ...]) -> str:
 
 
 def short(value: Any) -> str:
-    """A value in few words."""
+    """A short description of a value."""
     if value is None:
         return "empty"
     if isinstance(value, bool):
-        return "yes or no"
+        return "`true` or `false`"
     if isinstance(value, (int, float)):
         return f"the number {value}"[:60]
     if isinstance(value, str):
-        return f"the text `{value[:60]}`"
+        return f"the string `{value[:60]}`"
     return "a list" if isinstance(value, list) else "a group of names"
 
 
 def wanted(error: ValidationError) -> str | None:
     kinds = error.validator_value if error.validator == "type" else None
-    names = {"string": "a text", "object": "names, each with something after its `:`", "array": "a list"}
+    names = {"string": "a string", "object": "names, each with a value after its `:`", "array": "a list"}
     names |= {"number": "a number", "integer": "a number", "boolean": "`true` or `false`", "null": "nothing"}
     every = [kinds] if isinstance(kinds, str) else list(kinds or ())
     return " or ".join(dict.fromkeys(names.get(kind, kind) for kind in every)) or None
@@ -194,13 +194,13 @@ def wanted(error: ValidationError) -> str | None:
 
 def advice_for(error: ValidationError) -> str:
     if error.instance is None:
-        return "Its settings go below it, each line indented two more spaces."
+        return "Write its settings below it, and indent each line by two more spaces."
     if str(error.absolute_path[-1]) == "stop_grace_period":
-        return "A time needs its unit: `10s`, not `10`."
+        return "Add the unit: write `10s`, not `10`."
     if error.validator == "type" and error.validator_value == "string":
-        return "Quotation marks make it a string."
+        return "Put it in quotation marks to make it a string."
     if isinstance(error.instance, list):
-        return "A line that begins with `-` is part of a list. Use names here: remove the `-`."
+        return "Use names here, and remove the `-`. A line that starts with `-` is part of a list."
     return "Compare it with the lesson's example."
 
 
@@ -216,7 +216,7 @@ def services(recording: Recording) -> None:
                 Feedback(
                     summary=f"The service `{name}` has neither `image` nor `build`.",
                     where=(place_of(found, name),),
-                    advice="Docker must know what to run: use `image: osrf/ros:jazzy-desktop`.",
+                    advice="Tell Docker what to run, for example with `image: osrf/ros:jazzy-desktop`.",
                 )
             )
 
@@ -229,13 +229,13 @@ def service_items(found: Document) -> Iterator[tuple[str, Mapping[str, Any]]]:
 def no_service(found: Document, name: str, there: list[str]) -> Feedback:
     close = nearest(name, [other for other in there if other not in SERVICES])
     return Feedback(
-        summary=f"There is no service `{name}`{f'; there is `{close}`' if close else ''}.",
+        summary=f"There is no service `{name}`{f', but there is `{close}`' if close else ''}.",
         expected=f"{name}:",
-        seen=listed(there[:6], "no service at all"),
+        seen=listed(there[:6], "no services"),
         where=(Location(COMPOSE, found.line(("services", *([close] if close else ())))),),
         advice=(
-            "The names of services go below `services:`, all indented by the same number of spaces: "
-            f"`{name}:`."
+            f"Write `{name}:` below `services:`. Indent the names of all services by the same number "
+            "of spaces."
         ),
     )
 
@@ -250,7 +250,7 @@ def signal(recording: Recording) -> None:
     for name in SERVICES:
         value = dict(service_items(found))[name].get("stop_signal")
         if value is None:
-            raise Failure(lacks(found, name, "stop_signal", "SIGINT", "Docker sends SIGTERM then."))
+            raise Failure(lacks(found, name, "stop_signal", "SIGINT", "So Docker sends SIGTERM."))
         if str(value).lower() not in SIGINT:
             raise Failure(
                 Feedback(
@@ -258,7 +258,7 @@ def signal(recording: Recording) -> None:
                     expected="SIGINT",
                     seen=str(value)[:40],
                     where=(place_of(found, name, "stop_signal"),),
-                    advice="Ctrl+C sends the signal SIGINT.",
+                    advice="Write SIGINT, the signal that Ctrl+C sends.",
                 )
             )
 
@@ -268,7 +268,7 @@ def lacks(found: Document, name: str, what: str, example: str, otherwise: str) -
     advice = f"Add `{what}: {example}` to it. Each service has its own settings."
     if "extends" in service:
         advice = (
-            f"Write `{what}: {example}` in the service itself; the check does not read the service "
+            f"Write `{what}: {example}` in the service itself. The check does not read the service "
             "that it extends."
         )
     return Feedback(
@@ -286,7 +286,7 @@ def grace(recording: Recording) -> None:
     for name in SERVICES:
         value = dict(service_items(found))[name].get("stop_grace_period")
         if value is None:
-            otherwise = "Docker then waits ten seconds."
+            otherwise = "So Docker waits only ten seconds."
             raise Failure(lacks(found, name, "stop_grace_period", "20s", otherwise))
         if not lasts(str(value)):
             none = DURATION.fullmatch(str(value))
@@ -294,13 +294,13 @@ def grace(recording: Recording) -> None:
                 Feedback(
                     summary=f"The service `{name}` gets no time to shut down."
                     if none
-                    else f"The service `{name}` waits for `{str(value)[:40]}`, which is not a valid time.",
-                    expected="a number and its unit: 20s, or 1m30s",
+                    else f"The service `{name}` has the time `{str(value)[:40]}`, which is not valid.",
+                    expected="a number and its unit, such as 20s or 1m30s",
                     seen=str(value)[:40] or "nothing",
                     where=(place_of(found, name, "stop_grace_period"),),
-                    advice="Docker would kill the service at once: write a longer time."
+                    advice="Write a longer time. Otherwise, Docker kills the service immediately."
                     if none
-                    else "Write the unit `ms`, `s`, `m` or `h` right after the number, without a space.",
+                    else "Write the unit (`ms`, `s`, `m`, or `h`) right after the number, without a space.",
                 )
             )
 
@@ -321,13 +321,13 @@ NODES = ("talker", "listener")
 WITNESS = "witness"
 ENOUGH = 3
 START_TIME = 30.0
-# s after which communicating nodes would have been heard in our domain.
+# Seconds by which we would have heard nodes that communicate in our domain.
 SILENCE = 5.0
 PROBES = Path(__file__).parent / "probes"
 TALKER, LISTENER = PROBES / "ch32_talker.py", PROBES / "ch32_listener.py"
-# Of a value; the system limits the length of variables.
+# The longest value. The system limits the length of variables.
 LONGEST = 200
-# As ROS reads the variable: what follows the digits does not count, and a 0 before them makes them octal.
+# How ROS reads the variable: it ignores what follows the digits, and a leading 0 makes them octal.
 NUMBER = re.compile(r"\s*\+?(0[0-7]*|[1-9]\d{0,8})(?![xX\d])")
 
 domain = Grader("32-domain", builds=None)
@@ -335,7 +335,7 @@ domain = Grader("32-domain", builds=None)
 
 @dataclass(frozen=True)
 class Setting:
-    """One line of a file for `docker run --env-file`; value: None without a `=`."""
+    """One line of a file for `docker run --env-file`. value: None without a `=`."""
 
     name: str
     value: str | None
@@ -354,13 +354,13 @@ def settings(text: str) -> tuple[Setting, ...]:
 
 
 def chosen(text: str) -> Setting | None:
-    """The setting of the domain that counts: the last one."""
+    """The last setting of the domain, which is the one that counts."""
     every = [one for one in settings(text) if one.name == VARIABLE and one.value is not None]
     return every[-1] if every else None
 
 
 def number_of(setting: Setting | None) -> int | None:
-    """The domain, if the value is one; 0 if nothing is set."""
+    """The domain, or None if the value is not one. Without a setting, it is 0."""
     if setting is None:
         return 0
     read = NUMBER.match(setting.value or "")
@@ -370,7 +370,7 @@ def number_of(setting: Setting | None) -> int | None:
 
 @domain.scenario
 def listen_in_both(arena: Arena) -> None:
-    """Start nodes of ours with only the domain set. The arena itself listens in domain 0."""
+    """Start our own nodes with only the domain set. The arena itself listens in domain 0."""
     text = arena.files.text(DOMAIN_ENV)
     if text is None:
         return
@@ -380,7 +380,7 @@ def listen_in_both(arena: Arena) -> None:
     env = {VARIABLE: given.replace("\0", "")[:LONGEST]} if setting else {}
     arena.companion(LISTENER, WITNESS, name=WITNESS, env={VARIABLE: str(arena.domain(WANTED))})
     if not arena.until(lambda: arena.printed(f"{WITNESS} ready"), timeout=START_TIME):
-        raise OurFault("the witness in domain 1 did not come up")
+        raise OurFault("the witness in domain 1 did not start")
     listener = arena.companion(LISTENER, "listener", name="listener", env=env)
     talker = arena.companion(TALKER, "hello", name="talker", env=env)
     if not all([is_up(arena, program) for program in (listener, talker)]):  # each of them may end by itself
@@ -406,13 +406,13 @@ def reads_domain(recording: Recording) -> None:
             raise Failure(bad_name(setting, found.lines[setting.line - 1]))
 
 
-FORM = "Each line is a name, `=`, and a value: `NAME=value`."
+FORM = "Write each line as `NAME=value`: a name, `=`, and a value."
 
 
 def bad_name(setting: Setting, line: str) -> Feedback:
     if setting.name.startswith("export "):
-        summary = "Docker is not a shell: it reads `export` as part of the variable's name."
-        advice = "Take `export` out."
+        summary = "Docker is not a shell, so `export` becomes part of the variable's name."
+        advice = "Remove `export`."
     elif setting.value is not None and setting.name.rstrip() != setting.name:
         summary = "There is a space before the `=`, which becomes part of the variable's name."
         advice = "Write the line without spaces around the `=`."
@@ -451,10 +451,10 @@ def starts(recording: Recording) -> None:
 
 def no_number(value: str) -> str:
     if value.strip().startswith(("'", '"')):
-        return "`docker run` passes quotation marks on as they are: remove them."
+        return "Remove the quotation marks, which become part of the value."
     if re.fullmatch(r"\s*\d+\s*", value):
-        return f"Domains range from 0 to {HIGHEST}."
-    return "A domain is a number."
+        return f"Write `{WANTED}`. Domains range from 0 to {HIGHEST}."
+    return f"Write `{WANTED}`. A domain is a number."
 
 
 @domain.check("hidden", "no node in domain 0 receives their messages", needs="starts")
@@ -467,14 +467,14 @@ def hidden(recording: Recording) -> None:
     others = [name for name in names if name != VARIABLE]
     close = nearest(VARIABLE, others) or next((name for name in others if "DOMAIN" in name.upper()), None)
     if setting is not None and not close:
-        summary = f"With `{VARIABLE}={(setting.value or '')[:30]}` the nodes are in domain 0."
+        summary = f"With `{VARIABLE}={(setting.value or '')[:30]}`, the nodes are in domain 0."
         line: int | None = setting.line
-        advice = f"0 is the default domain of every node. This task asks for domain {WANTED}."
+        advice = f"Use domain {WANTED}, as the task says. Domain 0 is the default for every node."
     else:
         line = next((one.line for one in settings(found.text or "") if one.name == close), None)
         summary = f"The file sets `{close}`, which ROS ignores, so the nodes are in domain 0."
         summary = summary if close else f"The file does not set `{VARIABLE}`, so the nodes are in domain 0."
-        advice = f"The variable's name is exactly `{VARIABLE}`."
+        advice = f"Set the variable with exactly this name: `{VARIABLE}`."
     where = (Location(DOMAIN_ENV, line),)
     raise Failure(Feedback(summary, expected="no node", seen=listed(seen), where=where, advice=advice))
 
@@ -489,7 +489,7 @@ def meet(recording: Recording) -> None:
     if any(line.startswith(f"{WITNESS} heard") for line in recording.process(WITNESS).text):
         return
     if not any(line.startswith("listener heard") for line in recording.process("listener").text):
-        raise OurFault("two nodes with the same domain did not meet")
+        raise OurFault("two nodes in the same domain did not find each other")
     setting = chosen(recording.home.file(DOMAIN_ENV).text or "")
     if number_of(setting) == WANTED:
         raise OurFault(f"the witness did not hear the talker of its own domain, {WANTED}")
@@ -500,7 +500,7 @@ def meet(recording: Recording) -> None:
             expected=f"{VARIABLE}={WANTED}",
             seen=f"{VARIABLE}={value}",
             where=(Location(DOMAIN_ENV, setting.line if setting else None),),
-            advice=f"Nodes can talk only within one domain. The other nodes are in domain {WANTED}.",
+            advice=f"Use domain {WANTED}. Nodes can communicate only if they are in the same domain.",
         )
     )
 
@@ -530,9 +530,9 @@ udp = Grader("32-udp-profile", builds=None)
 
 @udp.scenario
 def in_two_containers(arena: Arena) -> None:
-    """Talker and listener see different /dev/shm, as in two containers.
+    """Give the talker and the listener different /dev/shm, as in two containers.
 
-    A talker without the profile shows that the middleware would use shared memory here.
+    A talker without the profile proves that the middleware would use shared memory here.
     """
     if not arena.files.is_file(PROFILE):
         return
@@ -563,7 +563,7 @@ def is_up(arena: Arena, program: Process) -> bool:
 
 
 def memory(recording: Recording, *names: str) -> list[str]:
-    """The middleware's files that these programs had in shared memory."""
+    """The middleware's files in these programs' shared memory."""
     looks = [recording.marked(f"shared memory of {name}") for name in names]
     return segments(file for look in looks if look for file in look.detail.split())
 
@@ -578,7 +578,7 @@ def reads_profile(recording: Recording) -> None:
 
 
 def profile(recording: Recording) -> ElementTree.Element:
-    advice = f"Create the folder with `mkdir -p ~/{PurePosixPath(PROFILE).parent}`, and the file in it."
+    advice = f"Create the folder with `mkdir -p ~/{PurePosixPath(PROFILE).parent}`, then the file in it."
     found = expect_text(recording, PROFILE, advice=advice)
     try:
         root = ElementTree.fromstring(found.text or "")
@@ -586,21 +586,21 @@ def profile(recording: Recording) -> ElementTree.Element:
         number = min(error.position[0], max(len(found.lines), 1))
         raise Failure(
             Feedback(
-                summary="This file is not valid XML: something here or earlier is not closed."
+                summary="This file is not valid XML: an element is not closed, here or earlier."
                 if found.lines
                 else "The file is empty.",
                 seen=found.lines[number - 1].strip()[:80] if found.lines else None,
                 where=(Location(PROFILE, number),),
-                advice="Each `<name>` needs its `</name>`. Close the tag that was opened last first.",
+                advice="Close each `<name>` with `</name>`. Close the last one that you opened first.",
                 details=(str(error),),
             )
         ) from None
     if sum(1 for _ in root.iter()) > MOST_TAGS:
         raise Failure(
             Feedback(
-                summary=f"This file has more than {MOST_TAGS} tags: no profile needs that many.",
+                summary=f"This file has more than {MOST_TAGS} tags. No profile needs that many.",
                 where=(Location(PROFILE),),
-                advice="Write the profile of the lesson, and nothing else.",
+                advice="Write only what the task asks for.",
             )
         )
     return root
@@ -615,19 +615,19 @@ def taken(recording: Recording) -> None:
     lost = next((found[1] for line in said if (found := NOT_FOUND.search(line))), None)
     defined = [text_of(part) for part in named(root, "transport_descriptor", "transport_id")]
     kind = next((found[1] for line in said if (found := UNKNOWN_TYPE.search(line))), None)
-    if kind is not None:  # the transport that has it is then lost, too
+    if kind is not None:  # then ROS does not find its transport, either
         raise Failure(
             Feedback(
-                summary=f"There is no type `{kind[:40]}` of transports.",
+                summary=f"There is no transport type `{kind[:40]}`.",
                 expected="UDPv4",
                 seen=kind[:40],
                 where=(line_with(recording, f">{kind}<"),),
-                advice="Write `<type>UDPv4</type>`, with exactly these capital letters.",
+                advice="Write `<type>UDPv4</type>`, with exactly these uppercase letters.",
             )
         )
     if lost:
         summary = f"There is no transport `{lost[:40]}`."
-        advice = "The name in `userTransports` must be exactly that of the `transport_descriptor`."
+        advice = "In `userTransports`, use exactly the same name as in the `transport_descriptor`."
         where = line_with(recording, f">{lost}<")
     else:
         strange = next((tag(part) for part in root.iter() if tag(part) not in KNOWN), None)
@@ -648,7 +648,7 @@ def taken(recording: Recording) -> None:
 
 
 def tag(part: ElementTree.Element) -> str:
-    """Its name, without the `{...}` of where such names come from."""
+    """Its name, without the `{...}` that says where the name is defined."""
     return str(part.tag).rpartition("}")[2]
 
 
@@ -682,23 +682,23 @@ def why_shared(recording: Recording, root: ElementTree.Element) -> tuple[str, st
     participants = [part for part in root.iter() if tag(part) == "participant"]
     if not any(part.get("is_default_profile") == "true" for part in participants):
         summary = "The profile is not the default one, so no node uses it."
-        advice = 'Its first line should be `<participant profile_name="..." is_default_profile="true">`.'
+        advice = 'Start it with `<participant profile_name="..." is_default_profile="true">`.'
         return summary, advice, line_with(recording, "<participant")
     kinds = [text_of(part) for part in named(root, "transport_descriptor", "type")]
     if "SHM" in kinds:
-        advice = "`SHM` is shared memory. Over the network it is `UDPv4`."
+        advice = "Replace `SHM`, which is shared memory, with `UDPv4`, which uses the network."
         return "The profile itself asks for shared memory.", advice, line_with(recording, ">SHM<")
     builtin = named(root, "participant", "useBuiltinTransports")
     if not builtin or text_of(builtin[0]) != "false":
-        summary = "The default transports stay on, and one of them is shared memory."
-        advice = "`<useBuiltinTransports>false</useBuiltinTransports>` in `<rtps>` turns them off."
+        summary = "The built-in transports stay on, and one of them is shared memory."
+        advice = "Turn them off with `<useBuiltinTransports>false</useBuiltinTransports>` in `<rtps>`."
         where = "<useBuiltinTransports" if builtin else "</userTransports"
         return summary, advice, line_with(recording, where)
-    advice = "Compare it with the lesson's diagram, from the outside to the inside."
+    advice = "Compare your profile with the lesson's diagram, from the outside in."
     return "The nodes still use shared memory.", advice, line_with(recording, "<participant")
 
 
-@udp.check("arrive", "messages arrive, over UDPv4", points=2, needs="no-memory")
+@udp.check("arrive", "messages arrive over UDPv4", points=2, needs="no-memory")
 def arrive(recording: Recording) -> None:
     if recording.topic(HEARD).messages:
         return
@@ -708,17 +708,17 @@ def arrive(recording: Recording) -> None:
     addresses = [part for name in WHITELISTS for part in named(root, "transport_descriptor", name)]
     ended = next((name for name in NODES if recording.process(name).ended_by_itself), None)
     if ended:
-        summary, where = f"With this profile, the {ended} ends at once.", "<participant"
+        summary, where = f"With this profile, the {ended} ends immediately.", "<participant"
         advice = "Remove everything from the profile that the task does not ask for."
     elif other:
-        summary, where = f"The transport is `{other}`; nothing arrived over UDPv4.", f">{other}<"
-        advice = "All other nodes have `<type>UDPv4</type>` too."
+        summary, where = f"The transport is `{other}`, so no messages arrive over UDPv4.", f">{other}<"
+        advice = "Write `<type>UDPv4</type>`, which all other nodes use."
     elif addresses:
         where = f"<{tag(addresses[0])}"
-        summary = "Nothing arrived: the profile leaves only some of the network's interfaces."
+        summary = "No messages arrive, because the profile allows only some network interfaces."
         advice = "Remove the list of interfaces, or use an address that every computer has."
     else:
-        summary, where = "Nothing arrived.", "<transport_descriptor"
+        summary, where = "No messages arrive.", "<transport_descriptor"
         advice = "Remove everything from the profile that the task does not ask for."
     raise Failure(
         Feedback(

@@ -44,16 +44,16 @@ def complaint(text: str) -> Feedback:
         ("services: {talker: {image: a, stop_signals: X}}", ("exist in `services.talker`", "`stop_signal`")),
         ("services: {talker: {image: a, healthcheck: {tests: a}}}", ("talker.healthcheck`", "`test`")),
         ("services: {talker: {image: a}}\nlistener: {image: a}", ("`listener` does", "below `services:`")),
-        ("services: {talker: {image: a}}\nstop_signal: SIGINT", ("belongs to a service",)),
+        ("services: {talker: {image: a}}\nstop_signal: SIGINT", ("below a service",)),
         ("services: {ta lker: {image: a}}", ("`ta lker`", "letters, digits")),
         (
             "services: {talker: {image: a, environment: {A: [1]}}}",
             ("talker.environment.A` cannot be a list",),
         ),
         ("services: {talker: {image: a, env_file: [{paht: b}]}}", ("`paht` does not exist in",)),
-        ("services: {talker: {image: yes}}", ("cannot be yes or no", "Quotation marks")),
-        ("- services", ("not a list of names",)),
-        ("services", ("not a list of names",)),
+        ("services: {talker: {image: yes}}", ("cannot be `true` or `false`", "quotation marks")),
+        ("- services", ("does not consist of names",)),
+        ("services", ("does not consist of names",)),
     ],
 )
 def test_the_first_thing_that_the_specification_does_not_have_is_named(

@@ -57,9 +57,9 @@ OLDER = """\
         (OLDER, "ament_export_dependencies", ("`Eigen3::Eigen` and `Qt5::Core`", "(Eigen3 Qt5Core)")),
         (TARGETS, "", ("find `Qt5::Core`, which", "| CMakeLists.txt:8 CMakeLists.txt:4")),
         ('Imported target "mathpack::mathpack" includes non-existent path\n  "/store/include"', "DIRECTORY",
-         ("the header is not installed", "`install(DIRECTORY include/", "| CMakeLists.txt")),
+         ("the header is not in the folder", "`install(DIRECTORY include/", "| CMakeLists.txt")),
         ('references the file\n  "/store/lib/libmathpack.so"\n  but this file does not exist.', "",
-         ("the library itself is not", "LIBRARY DESTINATION lib", "| CMakeLists.txt:6")),
+         ("the library is not in the folder", "LIBRARY DESTINATION lib", "| CMakeLists.txt:6")),
         ("Something quite new.", "", ("`find_package(mathpack)` fails", "lesson's example")),
     ],
 )  # fmt: skip
@@ -78,7 +78,7 @@ UNDEFINED = "/usr/bin/ld: consumer.cpp:(.text+0x1f): undefined reference to `Ang
 @pytest.mark.parametrize(
     ("words", "without", "parts"),
     [
-        (NO_HEADER, "DIRECTORY", ("the header is not installed", "`install(DIRECTORY include/")),
+        (NO_HEADER, "DIRECTORY", ("the header is not in the folder", "`install(DIRECTORY include/")),
         (
             NO_HEADER,
             "ament_export_targets",
@@ -87,14 +87,14 @@ UNDEFINED = "/usr/bin/ld: consumer.cpp:(.text+0x1f): undefined reference to `Ang
         (
             NO_HEADER,
             "INSTALL_INTERFACE",
-            ("it cannot find", "Other packages look in the folder of `INSTALL_INTERFACE`"),
+            ("it cannot find", "Other packages look in the folder named in `INSTALL_INTERFACE`"),
         ),
         (
             NO_EIGEN,
             "",
-            ("your header includes `Eigen/Core`", "in the .cpp file that", "include/mathpack/angle.hpp:1"),
+            ("it cannot find `Eigen/Core`, which your header includes", "in the .cpp file that", "include/mathpack/angle.hpp:1"),
         ),
-        (NO_CONST, "", ("as the task says: passing 'const Angle'", "`const` after", "angle.hpp")),
+        (NO_CONST, "", ("as the task requires: passing 'const Angle'", "`const` after", "angle.hpp")),
         (IN_HEADER, "", ("does not name a type", "angle.hpp:2")),
         (UNDEFINED, "", ("Your header declares `Angle::turn()`", "that `add_library` lists", "angle.hpp:2")),
         (UNDEFINED, "ament_export_targets", ("your library is not exported", "`ament_export_targets(")),

@@ -120,7 +120,7 @@ def test_the_pace_is_drawn() -> None:
 
 def test_width() -> None:
     expect_width(stream([0.1]), 6, advice=ADVICE)
-    for rows, seen in (((), "no message at all"), (((0.0,) * 5, (0.0,) * 6), "5 or 6")):
+    for rows, seen in (((), "no messages"), (((0.0,) * 5, (0.0,) * 6), "5 or 6")):
         with pytest.raises(Failure) as caught:
             expect_width(Stream("/arm", tuple(map(float, range(len(rows)))), rows), 6, advice=ADVICE)
         assert said(caught).seen == seen
@@ -201,7 +201,7 @@ def test_a_sine_that_comes_back(seed: int, late: float, share: float) -> None:
     ("late", "share", "frequency", "words"),
     [
         (0.1, 1.0, 1.0, "100 ms behind"),
-        (0.0, 0.8, 1.0, "swings by 0.16 rad, not by the commanded 0.2"),
+        (0.0, 0.8, 1.0, "swings by 0.16 rad instead of the commanded 0.2"),
         (0.0, 0.0, 1.0, "swings by 0"),
         (0.0, 1.0, 2.0, "Joint 1 swings by"),
     ],

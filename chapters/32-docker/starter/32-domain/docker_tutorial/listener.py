@@ -1,4 +1,4 @@
-"""Logs what is said on /chatter."""
+"""Log the messages on /chatter."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -7,7 +7,7 @@ from std_msgs.msg import String
 
 
 class Listener(Node):
-    """Hears every greeting."""
+    """Receives every greeting."""
 
     def __init__(self):
         super().__init__('listener')

@@ -1,4 +1,4 @@
-"""Says hello on /chatter, twice per second."""
+"""Say hello on /chatter twice per second."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -7,7 +7,7 @@ from std_msgs.msg import String
 
 
 class Talker(Node):
-    """Publishes a greeting with a number."""
+    """Publishes numbered greetings."""
 
     def __init__(self):
         super().__init__('talker')
