@@ -1,4 +1,4 @@
-"""Graders of chapter 33: a library in the home, variables for it, and a program that links it."""
+"""Graders of chapter 33: a library in the home, its variables, and a program that links it."""
 
 from __future__ import annotations
 
@@ -35,9 +35,12 @@ OPT = "opt"
 PROJECT = "cmake_tutorial/tinyqp"
 HEADER = f"{OPT}/include/tinyqp/tinyqp.hpp"
 LIBRARY = re.compile(r"libtinyqp\.(so[\d.]*|a)")
-OTHER_MACHINE = "It was built for a different kind of computer, and does not run on this one."
+OTHER_MACHINE = "It was built for a different kind of computer and does not run on this one."
 SUBMITTED = "A submission does not include installed files, so only your own computer can check this."
-INSTALL = f"`cmake --install build`, in `~/{PROJECT}`, after `cmake -B build -DCMAKE_INSTALL_PREFIX=~/opt`."
+INSTALL = (
+    f"In `~/{PROJECT}`, run `cmake -B build -DCMAKE_INSTALL_PREFIX=~/opt`, `cmake --build build`, and "
+    "`cmake --install build`."
+)
 
 prefix = Grader("33-install-prefix", builds=None, ros=False)
 
@@ -46,8 +49,8 @@ BEFORE = "/before/this"
 # Programs see only exported variables.
 SHOW = "; ".join(f"echo {name}=$(printenv {name})" for name in VARIABLES)
 AGAIN = f"""env {" ".join(f"{name}={BEFORE}" for name in VARIABLES)} bash -ic '{SHOW}'"""
-# By hand: 1/2 x'Hx + g'x with H = diag(2, 4), g = (-2, 4) alone, then with bounds, then with x1 + x2 >= 3.
-# A 1 for solved, x1, x2, and the objective.
+# Solved by hand: 1/2 x'Hx + g'x with H = diag(2, 4) and g = (-2, 4), then also bounds, then x1 + x2 >= 3.
+# Each is a 1 for solved, then x1, x2, and the objective.
 SOLUTIONS = {
     "inside": [1.0, 1.0, -1.0, -3.0],
     "corner": [1.0, 2.0, 0.0, 0.0],
@@ -69,7 +72,7 @@ def look_and_link(arena: Arena) -> None:
 
 
 def folder_of_library(arena: Arena) -> str:
-    """Some systems call it lib64."""
+    """The folder is called lib64 on some systems."""
     return f"{OPT}/lib64" if arena.files.matching(f"{OPT}/lib64/libtinyqp.*") else f"{OPT}/lib"
 
 
@@ -109,14 +112,14 @@ def not_installed(recording: Recording, name: str, wanted: str) -> Feedback:
     place = others[0] if others else None
     if place:
         folder = place.rpartition("/")[0] or "~"
-        summary = f"`{name}` was installed in `~/{folder}`, not in `{wanted.rpartition('/')[0]}`."
-        advice = f"Remove it, and start again with an empty `build`: the prefix is `~/opt` itself. {INSTALL}"
+        summary = f"`{name}` is installed in `~/{folder}`, not in `{wanted.rpartition('/')[0]}`."
+        advice = f"Remove it and `build`, and start again: the prefix is `~/opt` itself. {INSTALL}"
     elif recording.home.file(OPT).kind == "folder":
         summary = f"There is no `{name}` in `~/opt`."
-        advice = f"CMake installs both: {INSTALL}"
+        advice = f"Let CMake install both files. {INSTALL}"
     else:
-        summary = "There is no folder `~/opt`: nothing was installed there."
-        advice = f"CMake creates it: {INSTALL}"
+        summary = "There is no folder `~/opt`, so nothing is installed there."
+        advice = f"Let CMake create it. {INSTALL}"
     return Feedback(
         summary=summary,
         expected=wanted,
@@ -126,7 +129,7 @@ def not_installed(recording: Recording, name: str, wanted: str) -> Feedback:
     )
 
 
-@prefix.check("nothing_else", "and nothing was installed anywhere else")
+@prefix.check("nothing_else", "nothing is installed anywhere else")
 def nothing_else(recording: Recording) -> None:
     expect_brought(recording)
     outside = [
@@ -145,13 +148,13 @@ def nothing_else(recording: Recording) -> None:
             expected="every file in ~/opt",
             seen=line[:120],
             where=(Location(manifest, number),),
-            advice="Remove these files and `build`; then configure with `-DCMAKE_INSTALL_PREFIX=~/opt`.",
+            advice="Remove these files and `build`, then configure with `-DCMAKE_INSTALL_PREFIX=~/opt`.",
             details=tuple(text for _, _, text in outside[:4]),
         )
     )
 
 
-@prefix.check("works", "a program can be built with it, and runs", points=3, needs=("header", "library"))
+@prefix.check("works", "a program that uses it builds and runs", points=3, needs=("header", "library"))
 def works(recording: Recording) -> None:
     said = recording.process("compile check").text
     if not recording.local and any(re.search(r"incompatible|wrong format", line) for line in said):
@@ -160,9 +163,9 @@ def works(recording: Recording) -> None:
     if ended is None or ended.code != 0:
         raise Failure(
             Feedback(
-                summary="No program can be built with the files in `~/opt`.",
+                summary="A program that uses the files in `~/opt` does not build.",
                 where=(Location(HEADER),),
-                advice=f"Remove `~/opt`, and install it again. {INSTALL}",
+                advice=f"Remove `~/opt`, and install the library again. {INSTALL}",
                 details=tuple(line for line in said if "error" in line or "cannot" in line)[:3],
             )
         )
@@ -172,10 +175,10 @@ def works(recording: Recording) -> None:
             continue
         raise Failure(
             Feedback(
-                summary="The library in `~/opt` gives wrong solutions: it was changed.",
+                summary="The library in `~/opt` returns wrong solutions, so somebody has changed it.",
                 expected=numbers(wanted[1:]),
                 seen=answer.error or numbers(answer.value[1:]),
-                advice=f"`ros2course reset 33-install-prefix` restores its source. Then {INSTALL}",
+                advice=f"Restore its source code with `ros2course reset 33-install-prefix`. {INSTALL}",
             )
         )
 
@@ -188,22 +191,22 @@ def numbers(values: list[float]) -> str:
     return ", ".join(f"{value:g}" for value in values)
 
 
-@prefix.check("reads", "a new terminal reads `~/.bashrc` to its end", needs=())
+@prefix.check("reads", "a new terminal reads all of `~/.bashrc`", needs=())
 def reads(recording: Recording) -> None:
     expect_shell(recording)
 
 
-@prefix.check("ld_library_path", "`LD_LIBRARY_PATH` names `~/opt/lib`, for programs", needs="reads")
+@prefix.check("ld_library_path", "`LD_LIBRARY_PATH` contains `~/opt/lib`, for programs", needs="reads")
 def ld_library_path(recording: Recording) -> None:
     expect_variable(recording, "LD_LIBRARY_PATH")
 
 
-@prefix.check("library_path", "`LIBRARY_PATH` names `~/opt/lib`, for the linker", needs="reads")
+@prefix.check("library_path", "`LIBRARY_PATH` contains `~/opt/lib`, for the linker", needs="reads")
 def library_path(recording: Recording) -> None:
     expect_variable(recording, "LIBRARY_PATH")
 
 
-@prefix.check("cpath", "`CPATH` names `~/opt/include`, for the compiler", needs="reads")
+@prefix.check("cpath", "`CPATH` contains `~/opt/include`, for the compiler", needs="reads")
 def cpath(recording: Recording) -> None:
     expect_variable(recording, "CPATH")
 
@@ -220,17 +223,17 @@ def expect_variable(recording: Recording, name: str) -> None:
     where = tuple(Location(BASHRC, number) for number in line_numbers(recording, name))[:3]
     example = f'export {name}="$HOME/{OPT}/{VARIABLES[name]}:${name}"'
     if len(right) > 1:
-        summary = f"`{name}` names `{wanted}` {len(right)} times."
+        summary = f"`{name}` contains `{wanted}` {len(right)} times."
         advice = "Keep one of the lines, and remove the others."
     elif any(part.startswith("~") for part in parts):
         summary = f"`{name}` contains a literal `~`, which only bash understands."
-        advice = f"In quotation marks, `~` stays as it is. Write `$HOME` instead: `{example}`"
+        advice = f"Write `$HOME`, because bash does not replace `~` in quotation marks: `{example}`"
     elif line and re.search(rf"\b{name}\s+=|=\s", line):
         summary = f"There is a space next to the `=`, so bash does not set `{name}`."
         advice = f"Remove the spaces: `{example}`"
     elif line and not re.search(rf"\b(export|declare\s+-\w*x)\b.*\b{name}\b", bashrc):
-        summary = f"`{name}` is set, but not passed on to programs: `export` is missing."
-        advice = f"Write `{example}`"
+        summary = f"`{name}` is set, but programs don't see it, because `export` is missing."
+        advice = f"Write `{example}`."
     else:
         summary = f"In a new terminal, `{name}` does not contain `{wanted}`."
         advice = f"Add a line to `~/.bashrc`: `{example}`"
@@ -252,7 +255,7 @@ def parts_of(recording: Recording, command: str, name: str) -> list[str]:
 
 
 def leads_to(part: str, folder: str) -> bool:
-    """A folder with that name in somebody's `opt`, which is not the system's."""
+    """Whether it is this folder in somebody's `opt`, but not in the system's."""
     return re.fullmatch(rf"/.+/{OPT}/{folder}(64)?/*", part) is not None
 
 
@@ -266,7 +269,7 @@ def line_numbers(recording: Recording, name: str) -> list[int]:
     return [n for n, line in lines if re.search(rf"(?<!\w){name}\s*\+?=", line.split("#")[0])]
 
 
-@prefix.check("keeps", "they keep their earlier contents", needs=("ld_library_path", "library_path", "cpath"))
+@prefix.check("keeps", "they keep their old values", needs=("ld_library_path", "library_path", "cpath"))
 def keeps(recording: Recording) -> None:
     for name, folder in VARIABLES.items():
         parts = parts_of(recording, AGAIN, name)
@@ -274,11 +277,11 @@ def keeps(recording: Recording) -> None:
             continue
         raise Failure(
             Feedback(
-                summary=f"`{name}` loses its earlier contents: other libraries are no longer found.",
+                summary=f"`{name}` loses its old value, so programs no longer find other libraries.",
                 expected=f"{BEFORE} and ~/{OPT}/{folder}",
                 seen=":".join(parts)[:120] or "nothing",
                 where=tuple(Location(BASHRC, number) for number in line_numbers(recording, name))[:1],
-                advice=f'End it with `:${name}`: `export {name}="$HOME/{OPT}/{folder}:${name}"`',
+                advice=f'Add `:${name}` at the end: `export {name}="$HOME/{OPT}/{folder}:${name}"`',
             )
         )
 
@@ -294,11 +297,11 @@ BUILD = "built"
 FIRST = (0.5, -1.5, -0.0625)
 SECOND = (0.0, -1.0, -1.25)
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])")
-# Two libraries with other answers, see `ch33_other.cpp`: one lies where CMake looks by itself; then the other
-# one takes the place of the learner's. What prints its answers has asked what is in ~/opt.
+# Two libraries with different answers, see `ch33_other.cpp`. One is where CMake looks by default. The other
+# replaces the learner's: a program that prints its answers has used what is in ~/opt.
 ELSEWHERE, IN_PLACE = "elsewhere", "in place"
 OTHER_PREFIX = "other_prefix"
-DRAWN = {"G1": (-200, -120), "G2": (0, 40), "AWAY": (30, 70)}  # of these libraries, in hundredths
+DRAWN = {"G1": (-200, -120), "G2": (0, 40), "AWAY": (30, 70)}  # ranges for these libraries, in hundredths
 RUNS = ("solve", "solve in place", "solve in place, built again")
 PRINT = 'g++ "$1" -Wl,--defsym,main=print_answers -o "$1.answers" && "$1.answers"'
 REPLACE = """
@@ -328,12 +331,12 @@ def build_and_run(arena: Arena) -> None:
     printed = run(arena, BUILD, RUNS[0])
     arena.tool("sh", "-c", USED.format(program=f"{BUILD}/solve"), name="used")
     if ours and replace(arena, ours, OPT) and run(arena, BUILD, RUNS[1]) == printed:
-        build(arena, f"{BUILD}_again", " again")  # it may have been linked statically
+        build(arena, f"{BUILD}_again", " again")  # it may be linked statically
         run(arena, f"{BUILD}_again", RUNS[2])
 
 
 def other_library(arena: Arena, source: str, name: str) -> Path | None:
-    """Compile it without linking. Its answers are on the terminal `answers NAME`."""
+    """Compile it without linking. Its answers are in the output of `answers NAME`."""
     drawn = {macro: secrets.choice(range(*bounds)) / 100 for macro, bounds in DRAWN.items()}
     numbers = (f"-D{macro}={value}" for macro, value in drawn.items())
     options = (*numbers, f"-I{source}", f"-I{source}/include", "-c", "-fPIC")
@@ -362,14 +365,14 @@ def run(arena: Arena, folder: str, name: str) -> tuple[str, ...]:
 
 
 def is_of_another_machine(arena: Arena) -> bool:
-    """Whether a shared library says in its header that it is for other processors than this Python."""
+    """Whether a shared library's header says that it is for a different processor than this Python."""
     own = Path(sys.executable).read_bytes()[18:20]
     headers = (arena.files.read(file, 20) or b"" for file in arena.files.matching(f"{OPT}/lib*/libtinyqp.so"))
     return any(header[18:] not in (own, b"") for header in headers)
 
 
 def install_ours(arena: Arena, source: str) -> None:
-    """A submission does not have to contain the installed library: it is always the same."""
+    """Install the library, which is always the same, so a submission doesn't have to contain it."""
     arena.tool("rm", "-rf", OPT, name="remove tinyqp")
     prefix = f"-DCMAKE_INSTALL_PREFIX={arena.home / OPT}"
     arena.tool("cmake", "-S", source, "-B", ".tinyqp_build", prefix, name="configure tinyqp")
@@ -382,7 +385,7 @@ def configures(recording: Recording) -> None:
         raise Failure(
             Feedback(
                 summary="There is no `~/opt`, so there is no library to link.",
-                advice="Do `33-install-prefix` first: it installs the library there.",
+                advice="Do `33-install-prefix` first, which installs the library there.",
             )
         )
     ended = recording.process("configure").exited
@@ -390,7 +393,7 @@ def configures(recording: Recording) -> None:
         raise Failure(not_configured(recording, "configure", SOLVE))
 
 
-@link.check("builds", "and builds the program `solve`", needs="configures")
+@link.check("builds", "it builds the program `solve`", needs="configures")
 def builds(recording: Recording) -> None:
     ended = recording.process("build").exited
     if ended is None or ended.code != 0:
@@ -401,7 +404,7 @@ def builds(recording: Recording) -> None:
                 summary="The project does not build a program called `solve`.",
                 expected="add_executable(solve solve.cpp)",
                 where=list_lines(recording, "add_executable") or (Location(LISTS),),
-                advice="The first word in `add_executable(...)` is the program's name.",
+                advice="Use the name `solve` as the first word in `add_executable(...)`.",
             )
         )
 
@@ -421,9 +424,9 @@ def not_built(recording: Recording) -> Feedback:
             summary="The compiler cannot find `tinyqp/tinyqp.hpp`.",
             where=feedback.where,
             advice=(
-                "Link `tinyqp::tinyqp`: it adds the folder. With `find_library`, name that folder in "
-                "`target_include_directories`. (In your own terminal, `CPATH` contains it; other "
-                "computers do not have that.)"
+                "Link `tinyqp::tinyqp`, which adds the folder. With `find_library`, name the folder in "
+                "`target_include_directories`. (In your own terminal, `CPATH` contains it, but not on "
+                "other computers.)"
             ),
             details=feedback.details,
         )
@@ -440,7 +443,7 @@ def first(recording: Recording) -> None:
     expect_solution(recording, FIRST, "first")
 
 
-@link.check("second", "and the solution of the second", points=2, needs="builds")
+@link.check("second", "it prints the solution of the second problem", points=2, needs="builds")
 def second(recording: Recording) -> None:
     expect_solution(recording, SECOND, "second")
 
@@ -460,28 +463,28 @@ def expect_solution(recording: Recording, wanted: tuple[float, float, float], wh
     lines, elsewhere = threes(view.text), answers(recording, ELSEWHERE)
     at = {"first": 0, "second": 1}[which]
     if len(lines) > at and any(is_solution(lines[at], known) for known in (wanted, elsewhere[at])):
-        return  # the last checks find out whose numbers they are
+        return  # the last checks determine where the numbers come from
     seen = lines[at] if len(lines) > at else None
     raise Failure(
         Feedback(
-            summary=f"The line for the {which} problem is not right: {numbers(list(seen))}."
+            summary=f"The line for the {which} problem is wrong: {numbers(list(seen))}."
             if seen
             else f"There is no line with three numbers for the {which} problem.",
-            expected=f"{numbers(list(wanted))}: x1, x2 and the objective",
+            expected=f"{numbers(list(wanted))} (x1, x2, and the objective)",
             seen=numbers(list(seen)) if seen else view.text[-1][:120] if view.text else "nothing",
             where=(Location(PROGRAM),),
             advice=turned(seen, wanted)
-            or "Compare `h`, `g` and all bounds with the task. `h` contains h11, h12 and h22.",
+            or "Compare `h`, `g`, and all bounds with the task. `h` contains h11, h12, and h22.",
         )
     )
 
 
 def turned(seen: tuple[float, ...] | None, wanted: tuple[float, float, float]) -> str | None:
     if seen and sorted(seen) == sorted(wanted):
-        return "The numbers are right, but their order is wrong: first x1, x2, then the objective."
+        return "Change the order: the numbers are right, but x1 and x2 come first, then the objective."
     other = SECOND if wanted == FIRST else FIRST
     if seen and is_solution(seen, other):
-        return "These are the numbers of the other problem. Print the first problem first."
+        return "Print the first problem first. These are the numbers of the other one."
     return None
 
 
@@ -489,7 +492,7 @@ def answers(recording: Recording, library: str) -> list[tuple[float, ...]]:
     """The answers of another library to both problems, printed before any of the learner's code runs."""
     found = threes(recording.process(f"answers {library}").text)
     if len(found) != 2:
-        raise OurFault(f"the library {library} gives no answers")
+        raise OurFault(f"the library {library} returned no answers")
     return found
 
 
@@ -509,7 +512,7 @@ def computed(recording: Recording) -> None:
     raise Failure(
         Feedback(
             summary="The program prints the right numbers, but the library did not compute them.",
-            expected="what `tinyqp::solve` gives",
+            expected="the results of `tinyqp::solve`",
             seen="numbers written in the program",
             where=(Location(PROGRAM),),
             advice="Pass both problems to `tinyqp::solve`, and print `x` and `objective` of its result.",
@@ -517,7 +520,9 @@ def computed(recording: Recording) -> None:
     )
 
 
-@link.check("local", "and it is the one in `~/opt`, even if there is another one", points=2, needs="computed")
+@link.check(
+    "local", "it uses the library in `~/opt`, even if there is another one", points=2, needs="computed"
+)
 def local(recording: Recording) -> None:
     if not asks(recording, RUNS[0], ELSEWHERE):
         return
@@ -528,7 +533,7 @@ def local(recording: Recording) -> None:
             seen=f"the one in ~/{OTHER_PREFIX}, the folder in `CMAKE_PREFIX_PATH`",
             where=list_lines(recording, "find_") or (Location(LISTS),),
             advice=(
-                "Name the folder and exclude all others: `find_package(tinyqp REQUIRED PATHS "
+                "Name the folder, and exclude all others: `find_package(tinyqp REQUIRED PATHS "
                 "$ENV{HOME}/opt NO_DEFAULT_PATH)`."
             ),
         )

@@ -1,4 +1,4 @@
-// Solves a few quadratic programs with the library that the learner has installed.
+// Solves a few quadratic programs with the learner's installed library.
 #include "ask.hpp"
 
 #include <tinyqp/tinyqp.hpp>

@@ -29,7 +29,7 @@ Solution solve(const Problem& problem) {
 
 }  // namespace tinyqp
 
-// The `main` of a program that prints these answers to the two problems of the task.
+// The `main` of a program that prints these answers to the task's two problems.
 extern "C" int print_answers() {
   tinyqp::Problem first;
   first.h = {1.0, 0.0, 0.5};

@@ -7,10 +7,10 @@
 
 namespace tinyqp {
 
-// A number below this counts as zero, if the others are about one.
+// If other numbers are about one, a number below this counts as zero.
 inline constexpr double tiny = 1e-9;
 
-// All points with a' x = b; a has the length one.
+// All points with a' x = b. The length of a is one.
 struct Line {
   Vector a{};
   double b = 0.0;
@@ -25,7 +25,7 @@ double dot(const Vector& left, const Vector& right);
 // left + factor * right
 Vector sum(const Vector& left, double factor, const Vector& right);
 
-// Returns the constraints, and the limits of x1 and x2 as constraints, too.
+// Returns the constraints, including the limits of x1 and x2.
 std::vector<Constraint> all_constraints(const Problem& problem);
 
 // Returns the edges of all constraints, except limits at infinity and constraints whose a is zero.
@@ -36,7 +36,7 @@ std::optional<Vector> meeting(const Line& one, const Line& other);
 
 bool satisfies(const std::vector<Constraint>& constraints, const Vector& x);
 
-// Returns whether the constraints allow going in this direction without end.
+// Returns whether the constraints allow moving in this direction forever.
 bool leads_away(const std::vector<Constraint>& constraints, const Vector& direction);
 
 }  // namespace tinyqp

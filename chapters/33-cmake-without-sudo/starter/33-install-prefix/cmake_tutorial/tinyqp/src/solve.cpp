@@ -1,5 +1,5 @@
-// With two variables, the solution is inside of all constraints, on the edge of one, or where two edges meet.
-// There are only a few such points. The solver tries each of them, and takes the best one that is allowed.
+// With two variables, the solution is inside all the constraints, on the edge of one, or where two edges meet.
+// There are only a few such points. The solver tries all of them and returns the best one that is allowed.
 
 #include "lines.hpp"
 
@@ -85,7 +85,7 @@ Vector free_minimum(const Problem& problem) {
     const double size = determinant(problem.h);
     return {(-h22 * g1 + h12 * g2) / size, (h12 * g1 - h11 * g2) / size};
   }
-  // H has one direction in which it curves, that of its larger column.
+  // H curves in only one direction, that of its larger column.
   const Vector steep = h11 >= h22 ? Vector{h11, h12} : Vector{h12, h22};
   const double curvature = dot(steep, times(problem.h, steep));
   return curvature > 0.0 ? sum({0.0, 0.0}, -dot(problem.g, steep) / curvature, steep) : Vector{0.0, 0.0};

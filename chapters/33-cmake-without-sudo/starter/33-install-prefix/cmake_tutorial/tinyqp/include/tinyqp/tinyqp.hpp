@@ -32,8 +32,8 @@ struct Problem {
 
 enum class Status {
   solved,
-  infeasible,  // nothing satisfies all constraints
-  unbounded,   // there is always something better
+  infeasible,  // no point satisfies all the constraints
+  unbounded,   // there is always a better point
   not_convex   // H is not positive semidefinite, or something is not a number
 };
 
