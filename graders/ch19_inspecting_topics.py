@@ -1,4 +1,4 @@
-"""Grader of chapter 19: what a learner finds out about the topics of a rover, and publishes there."""
+"""Grader of chapter 19: questions about the topics of a rover, and one message to publish."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from course.api import AllOf, Grader, Mystery, Number, Recording, Text
 from lib.following import Answer
 from lib.names import for_both, spellings
 
-WITH_SLASH = "That is the right one, but its full name begins with a slash."
+WITH_SLASH = "That is the right topic, but its full name begins with a slash."
 
 mystery = Mystery("19-inspect-topics", __file__)
 grader = Grader("19-inspect-topics", builds=None)
@@ -46,7 +46,7 @@ def answers(plan: Any) -> dict[str, Answer]:
         "type": Text(
             plan.type,
             f"{package}/{short}",
-            wrong={short: f"`{short}` could be from any package. Give the package too."},
+            wrong={short: f"`{short}` could be from any package. Name the package, too."},
         ),
         "rate": Number(
             plan.rate, "10%", wrong={1 / plan.rate: "That is the time between two messages, in seconds."}
@@ -65,32 +65,32 @@ def acts(plan: Any) -> list[str]:
     return ["published"]
 
 
-@grader.check("published", "you published the quote with the id 1994 that a node waits for")
+@grader.check("published", "you published the quote with id 1994 that a node is waiting for")
 def published(recording: Recording) -> None:
     mystery.expect_act(
         recording,
         "published",
-        "No `AmazingQuote` with the id 1994 arrived on the topic where a node waits for it.",
+        "No `AmazingQuote` with the id 1994 has arrived on the topic where a node waits for it.",
         near_miss="other_id",
     )
 
 
 def _not_publishers(plan: Any) -> dict[str, str]:
-    return for_both({plan.reader: "That node only subscribes to the topic."})
+    return for_both({plan.reader: "That node only subscribes to the topic. It does not publish on it."})
 
 
 def _not_shared(plan: Any) -> dict[str, str]:
-    alone = "One node publishes there, and another subscribes. That makes one publisher."
+    alone = "One node publishes there, and another subscribes. So there is only one publisher."
     return for_both(
         {
             plan.measured: alone,
-            plan.said: "One node publishes there.",
-            plan.heard: "No node publishes there; one subscribes.",
-            plan.waiting: "No node publishes there; one waits for a message.",
-            plan.quotes: "One node publishes there.",
-            plan.notice: "One node publishes there, once.",
-            "rosout": "That one belongs to ROS: every node has a publisher on it.",
-            "parameter_events": "That one belongs to ROS: every node has a publisher on it.",
+            plan.said: "Only one node publishes there.",
+            plan.heard: "No node publishes there. One node subscribes.",
+            plan.waiting: "No node publishes there. One node waits for a message.",
+            plan.quotes: "Only one node publishes there.",
+            plan.notice: "Only one node publishes there, and only once.",
+            "rosout": "That topic belongs to ROS: every node has a publisher on it.",
+            "parameter_events": "That topic belongs to ROS: every node has a publisher on it.",
         }
     )
 
@@ -112,7 +112,7 @@ def _not_waiting(plan: Any) -> dict[str, str]:
         {
             plan.quotes: "Quotes arrive there all the time, so some node publishes there.",
             plan.heard: (
-                "No node publishes there either, but the node there does not wait for an `AmazingQuote`."
+                "No node publishes there either, but the subscriber does not wait for an `AmazingQuote`."
             ),
         }
     )

@@ -1,4 +1,4 @@
-"""Graders of chapter 20: a server of a service, a client, and the rover's controller."""
+"""Graders of chapter 20: a server, a client, and the rover's controller."""
 
 from __future__ import annotations
 
@@ -64,7 +64,8 @@ CLIENT_NODE = "what_is_the_point_service_client"
 SERVER = f"{SERVER_NODE}_node"
 CLIENT = f"{CLIENT_NODE}_node"
 COMPARE = (
-    "Compare its fields with chapter 17: names, types, order. `ros2course check 17` shows the difference."
+    "Compare the fields with chapter 17: their names, types, and order. "
+    "`ros2course check 17` shows the difference."
 )
 ANSWER = 42.0
 PERIOD = 0.5
@@ -74,14 +75,14 @@ AT_MOST = 20
 LONGEST = 13.0
 SILENT_FOR = 2.0
 SHOWN = 3
-COMES, SILENCE, AGAIN = "the service comes", "silence", "answers again"
+COMES, SILENCE, AGAIN = "the service comes", "silence", "responds again"
 
 server = Grader("20-server")
 client = Grader("20-client")
 
 
 def about_server(recording: Recording) -> Recording:
-    """The server, without the client in the same package."""
+    """The server without the client, which is in the same package."""
     return about(recording, PACKAGE, SERVER, the_node(recording, SERVER_NODE))
 
 
@@ -90,7 +91,7 @@ def about_client(recording: Recording) -> Recording:
 
 
 def the_node(recording: Recording, name: str) -> str:
-    """The name of the one node that ran, whether it is right or wrong."""
+    """The name of the only node that ran, even if that name is wrong."""
     nodes = recording.seen_nodes()
     return nodes[0].lstrip("/") if len(nodes) == 1 else name
 
@@ -100,7 +101,7 @@ def the_node(recording: Recording, name: str) -> str:
 
 @server.scenario
 def nine_questions(arena: Arena) -> None:
-    """Ask one question, to see whether it is answered at all, then eight at once from two clients."""
+    """Make one call to see whether the server responds, then eight more at once from two clients."""
     clients = (arena.ros.client(SERVICE, TYPE), arena.ros.client(SERVICE, TYPE))
     node = arena.run(PACKAGE, SERVER)
     if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
@@ -131,13 +132,13 @@ def ask_all(arena: Arena, clients: tuple[Client, Client], node: Process) -> None
 
 
 def has_counted(arena: Arena, node: Process, number: int) -> bool:
-    """Whether the node's terminal shows this number."""
+    """Whether the node's output contains this number."""
     return any(has_number(line.rpartition("]: ")[2], number) for line in arena.lines(node))
 
 
 @server.check("starts", "the node starts and keeps running")
 def server_starts(recording: Recording) -> None:
-    """Expect it to run until it is called; `answers` judges the rest."""
+    """Expect it to run until the first call. `answers` judges what follows."""
     own = about_server(recording)
     called = first_reaction(own, SERVER, (call.asked for call in own.service(SERVICE).calls))
     expect_running(own, SERVER, until=called)
@@ -160,7 +161,7 @@ def server_type(recording: Recording) -> None:
     expect_same_service(recording, SERVICE, TYPE, HASHES, advice=COMPARE)
 
 
-@server.check("answers", "it answers each call, also from two clients at once", needs="right_type")
+@server.check("answers", "it responds to each call, even from two clients at once", needs="right_type")
 def answers(recording: Recording) -> None:
     expect_running(about_server(recording), SERVER)
     expect_answers(about_server(recording), SERVICE)
@@ -185,23 +186,23 @@ def shown(call: ServiceCall) -> str:
 
 
 def settings(recording: Recording) -> tuple[Location, ...]:
-    """Where the response's point is filled in."""
+    """Where the program sets the response's point."""
     return tuple(place for axis in "xyz" for place in text_places(recording.sources, f"point.{axis} ="))[:1]
 
 
-# Functions that make capital and lowercase letters the same.
+# Functions and flags that make a search ignore case.
 FOLDS = {"lower", "upper", "casefold", "IGNORECASE", "I"}
 
 
 def case_sensitive(sources: Sources) -> Cause | None:
-    """`'life' in text`, without anything that ignores the difference between `Life` and `life`."""
+    """The place of `'life' in text`, if nothing in the program ignores case."""
     found = [(file, node) for file, tree in trees(sources) for node in ast.walk(tree)]
     if any(isinstance(node, ast.Attribute) and node.attr in FOLDS for _, node in found):
         return None
     for file, node in found:
         if isinstance(node, ast.Constant) and node.value == "life":
             return Cause(
-                "`'life' in text` does not find `Life` or `LIFE`: look in `text.lower()`.",
+                "`'life' in text` does not find `Life` or `LIFE`. Look in `text.lower()` instead.",
                 (Location(file, node.lineno),),
             )
     return None
@@ -228,7 +229,7 @@ def life(recording: Recording) -> None:
             if cause
             else (
                 "Look for `life` anywhere in `request.quote.quote.lower()`. Then choose any two "
-                "numbers: the third is 42 minus both."
+                "numbers, and calculate the third one: 42 minus the first two."
             ),
             details=tuple(shown(call) for call in wrong[:SHOWN]),
         )
@@ -250,7 +251,7 @@ def other(recording: Recording) -> None:
             expected="42 only for quotes that contain `life`",
             seen=shown(wrong[0]),
             where=settings(about_server(recording)),
-            advice="Only `if 'life' in request.quote.quote.lower():` may the sum be 42.",
+            advice="Make the sum 42 only if `'life' in request.quote.quote.lower()` is true.",
         )
     )
 
@@ -268,20 +269,20 @@ def random_point(recording: Recording) -> None:
         Feedback(
             summary="Every quote that is not about life gets the same point."
             if len(points) == 1
-            else "The same quote gets the same point again. It should be random each time.",
+            else "The same quote gets the same point again. The point should be random each time.",
             expected="a random point at each call",
             seen=shown(asked[0]),
             where=lost.where if lost else seeds or settings(own),
             advice=lost.text
             if lost
-            else "`random.seed` makes the same numbers come again: remove it."
+            else "`random.seed` makes the same numbers come up again. Remove it."
             if seeds
-            else "Draw the numbers in the callback, in each call: `random.uniform(0.0, 100.0)`.",
+            else "Call `random.uniform(0.0, 100.0)` in the callback, so that each call gets new numbers.",
         )
     )
 
 
-@server.check("counts", "it logs how many calls there were", needs="answers")
+@server.check("counts", "it logs the number of calls", needs="answers")
 def counts(recording: Recording) -> None:
     expect_counted(about_server(recording), SERVER, len(recording.service(SERVICE).calls), what="calls")
 
@@ -301,7 +302,7 @@ def server_interrupt(recording: Recording) -> None:
 
 @client.scenario
 def late_then_silent(arena: Arena) -> None:
-    """Start the service after the client has logged that it waits; later, pause its answers."""
+    """Start the service after the client has logged that it waits. Later, stop responding for a while."""
     node = arena.run(PACKAGE, CLIENT)
     if node and arena.until(lambda: arena.ros.graph.nodes, timeout=15, while_running=node):
         arena.until(lambda: arena.logged(""), timeout=6, while_running=node)
@@ -314,14 +315,14 @@ def late_then_silent(arena: Arena) -> None:
 
 
 def serve_enough(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> bool:
-    """Serve until both kinds of quotes came; return whether the last answer reached the log."""
+    """Serve until both kinds of quotes have come. Return whether the last response reached the log."""
     end = arena.timeline.now() + LONGEST
     while not enough(shop, oracle) and node.running and arena.timeline.now() < end:
         if not arena.until(partial(more_than, shop, shop.requests), timeout=3, while_running=node):
             return False
     if not oracle.given:
         return False
-    last = oracle.given[-1]  # the last one now: a node that logs when it asks again is always one behind
+    last = oracle.given[-1]  # the last one now: a node that logs at its next call is always one behind
     return arena.until(lambda: is_logged(arena, last), timeout=3, while_running=node)
 
 
@@ -338,7 +339,7 @@ def is_logged(arena: Arena, point: tuple[str, ...]) -> bool:
 
 
 def fall_silent(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> None:
-    """Two more requests show that the client continues; then one more answer must reach its log."""
+    """Two more requests show that the client continues. Then one more response must reach its log."""
     before = shop.requests
     arena.mark(SILENCE)
     shop.pause()
@@ -352,14 +353,14 @@ def fall_silent(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> No
 
 
 def moment(recording: Recording, mark: str) -> float:
-    """When the scenario reached this point; infinity if it did not."""
+    """When the scenario reached this point, or infinity if it did not."""
     found = recording.marked(mark)
     return found.t if found else inf
 
 
 @client.check("starts", "the node starts and keeps running")
 def client_starts(recording: Recording) -> None:
-    """Expect it to run until it calls; `survives` judges the rest."""
+    """Expect it to run until its first call. `survives` judges what follows."""
     asked = recording.service(SERVICE).requests
     expect_running(about_client(recording), CLIENT, until=asked[0].asked if asked else inf)
 
@@ -380,7 +381,7 @@ def client_type(recording: Recording) -> None:
     expect_service_type(about_client(recording), "client", SERVICE, TYPE)
 
 
-@client.check("waits", "it logs that it waits while there is no service", needs="right_type")
+@client.check("waits", "it logs that it is waiting while there is no service", needs="right_type")
 def waits(recording: Recording) -> None:
     expect_waiting(about_client(recording), CLIENT, moment(recording, COMES))
 
@@ -403,35 +404,36 @@ def rate(recording: Recording) -> None:
 
 
 def answered_ones(recording: Recording) -> tuple[ServiceCall, ...]:
-    """The calls before the arena's pause, which were answered."""
+    """The calls before the arena's pause that got a response."""
     until = moment(recording, SILENCE)
     return tuple(call for call in recording.service(SERVICE).requests if call.answered and call.asked < until)
 
 
 def digits(call: ServiceCall) -> dict[str, str]:
-    """The digits that must be in the log: the scenario's numbers without decimal points."""
+    """The digits that must be in the log. The scenario's numbers are whole, so these are all their digits."""
     return {axis: str(int(getattr(call.response.point, axis))) for axis in "xyz"}
 
 
 def filling(own: Recording) -> tuple[Location, ...]:
-    """Where the request's quote is filled in."""
+    """Where the program sets the request's quote."""
     places = (*text_places(own.sources, "quote.quote ="), *text_places(own.sources, "quote="))
     return places[:1] or tuple(call.where for call in calls(own.sources, "call_async"))[:1]
 
 
 @client.check("quotes", "every request contains a quote", needs="asks")
 def quotes(recording: Recording) -> None:
-    empty = [call for call in recording.service(SERVICE).requests if not call.request.quote.quote.strip()]
+    requests = recording.service(SERVICE).requests
+    empty = [call for call in requests if not call.request.quote.quote.strip()]
     if empty:
         raise Failure(
             Feedback(
                 summary="The quote in the request is empty.",
                 expected="a string in `request.quote.quote`",
-                seen=f"an empty string, {len(empty)} times",
+                seen=f"an empty string in {len(empty)} of {len(requests)} requests",
                 where=filling(about_client(recording)),
                 advice=(
-                    "Set it before the call: `request.quote.quote = '...'`. The request has one "
-                    "field, `quote`, which is an AmazingQuote."
+                    "Set it before the call: `request.quote.quote = '...'`. The request's only field, "
+                    "`quote`, is an `AmazingQuote`."
                 ),
             )
         )
@@ -445,24 +447,24 @@ def both_kinds(recording: Recording) -> None:
         return
     raise Failure(
         Feedback(
-            summary=f"None of {len(asked)} quotes contains the word `life`."
+            summary=f"None of the {len(asked)} quotes contains the word `life`."
             if kinds == {False}
-            else f"All of {len(asked)} quotes contain the word `life`.",
+            else f"All {len(asked)} quotes contain the word `life`.",
             expected="both kinds",
             seen=asked[0][:120],
             where=filling(about_client(recording)),
-            advice="Alternate between them, or draw one for each call: `random.choice([..., ...])`.",
+            advice="Alternate between two quotes, or choose one for each call: `random.choice([..., ...])`.",
             details=tuple(dict.fromkeys(asked))[:SHOWN],
         )
     )
 
 
-@client.check("logs", "it logs x, y and z of each answer", points=2, needs="asks")
+@client.check("logs", "it logs x, y, and z of each response", points=2, needs="asks")
 def logs(recording: Recording) -> None:
     expect_answers_logged(about_client(recording), CLIENT, answered_ones(recording), digits)
 
 
-@client.check("goes_on", "it goes on when an answer does not arrive", points=2, needs="logs")
+@client.check("goes_on", "it continues when a response does not arrive", points=2, needs="logs")
 def goes_on(recording: Recording) -> None:
     expect_patience(about_client(recording), CLIENT, SERVICE, moment(recording, AGAIN), PERIOD, digits)
 
@@ -478,7 +480,7 @@ def client_interrupt(recording: Recording) -> None:
 
 
 def quotes_about_life() -> list[dict[str, Any]]:
-    """Nine AmazingQuotes: five contain the word life, in any case; two of the others are the same."""
+    """Nine AmazingQuotes: five contain `life` in some spelling, and two of the others are the same."""
     same = words(4)
     texts = [
         f"{words(2)} that is life",
@@ -499,10 +501,10 @@ def quotes_about_life() -> list[dict[str, Any]]:
 
 
 class Oracle:
-    """Answers each WhatIsThePoint with an unpredictable point, and remembers questions and answers.
+    """Responds to each request with an unpredictable point, and remembers what it was asked and what it said.
 
-    about_life: which kinds of quote were asked. given: the digits of each point's x, y and z; the numbers
-    are whole, so that every way to write a float shows them.
+    about_life: which kinds of quote came. given: the digits of each point's x, y, and z. The numbers
+    are whole, so every way to format a float shows these digits.
     """
 
     def __init__(self) -> None:
@@ -520,14 +522,14 @@ class Oracle:
 
 CONTROLLER = f"{rover.CONTROLLER}_node"
 STOPPED, FREE = "told to stop", "told to drive again"
-AFTER = {STOPPED: 4.0, FREE: 5.0}  # m, what the sensor measures then
+AFTER = {STOPPED: 4.0, FREE: 5.0}  # m, the distance that the sensor then measures
 
 controller = Grader("20-rover")
 
 
 @controller.scenario
 def approach_and_stop(arena: Arena) -> None:
-    """Play the sensor: measure a few distances, then tell the rover to stop, and to drive again."""
+    """Play the sensor: publish a few distances. Then tell the rover to stop, and to drive again."""
     commands = arena.ros.subscribe(rover.COMMAND, rover.COMMAND_TYPE)
     sensor = arena.ros.publisher(rover.RANGE, rover.RANGE_TYPE)
     stop = arena.ros.client(rover.STOP, rover.STOP_TYPE)
@@ -544,14 +546,14 @@ def approach_and_stop(arena: Arena) -> None:
 
 
 def distances() -> list[float]:
-    """Far, near, too near, and far again; the middle one is random."""
+    """Far, near, too near, and far again. The second one is random."""
     return [4.0, 0.6 + secrets.randbelow(30) / 100, 0.3, 2.0]
 
 
 def measure(
     arena: Arena, publish: Callable[..., None], commands: Listener, node: Process, *measured: float
 ) -> None:
-    """Publish each distance, and wait for a command after it."""
+    """Publish each distance, and wait for the command that follows it."""
     for distance in measured:
         before = commands.count
         publish(range=distance)
@@ -591,7 +593,7 @@ def controller_subscribes(recording: Recording) -> None:
 
 @controller.check("publishes", f"it publishes on {rover.COMMAND}", needs="starts")
 def controller_publishes(recording: Recording) -> None:
-    remedy = f"Make a publisher: `self.create_publisher(Twist, '{rover.COMMAND}', 10)`."
+    remedy = f"Create a publisher: `self.create_publisher(Twist, '{rover.COMMAND}', 10)`."
     expect_endpoint(recording, "publisher", rover.COMMAND, remedy=remedy)
     expect_type(recording, "publisher", rover.COMMAND, rover.COMMAND_TYPE)
 
@@ -608,7 +610,7 @@ def controller_survives(recording: Recording) -> None:
     expect_running(about_controller(recording), CONTROLLER)
 
 
-@controller.check("speed", "it commands the speed of the library", points=2, needs="survives")
+@controller.check("speed", "it commands the speed that the library returns", points=2, needs="survives")
 def commands_speed(recording: Recording) -> None:
     for distance, speed in answered_distances(recording, -inf, told_at(recording, 0)):
         expect_speed(
@@ -617,12 +619,15 @@ def commands_speed(recording: Recording) -> None:
 
 
 @controller.check(
-    "stops", f"after a call of {rover.STOP} with true, the rover stands", needs=("speed", "offers")
+    "stops", f"after a call to {rover.STOP} with true, the rover stops", needs=("speed", "offers")
 )
 def stops(recording: Recording) -> None:
     expect_answers(about_controller(recording), rover.STOP)
     told = recording.marked(STOPPED)
-    advice = "Keep `request.data` in `self`. If it is true, publish a Twist with 0.0 at each measurement."
+    advice = (
+        "Store `request.data` in `self`. As long as it is true, publish a `Twist` with speed 0.0 after "
+        "each measurement."
+    )
     for distance, speed in answered_distances(recording, told.t if told else -inf, told_at(recording, 1)):
         expect_speed(recording, distance, speed, 0.0, advice)
 
@@ -630,18 +635,18 @@ def stops(recording: Recording) -> None:
 @controller.check("drives_again", "after a call with false, it drives again", needs="stops")
 def drives_again(recording: Recording) -> None:
     free = recording.marked(FREE)
-    advice = "A call with `false` ends the stop: set what you keep in `self` to `request.data` at each call."
+    advice = "Store `request.data` in `self` at each call, so that a call with `false` ends the stop."
     for distance, speed in answered_distances(recording, free.t if free else -inf, inf):
         expect_speed(recording, distance, speed, rover.safe_speed(distance), advice)
 
 
-@controller.check("says_success", "it answers with `success`", needs="stops")
+@controller.check("says_success", "its response reports success", needs="stops")
 def says_success(recording: Recording) -> None:
     for call in recording.service(rover.STOP).calls:
         if not call.response.success:
             raise Failure(
                 Feedback(
-                    summary="The response says that the call had no success.",
+                    summary="The response says that the call failed.",
                     expected="success is True",
                     seen="success is False",
                     where=text_places(recording.sources, "return response")[:1],
@@ -651,13 +656,13 @@ def says_success(recording: Recording) -> None:
 
 
 def told_at(recording: Recording, number: int) -> float:
-    """When the service was called for the n-th time. A right node may brake at once."""
+    """When the service was called for the n-th time. A correct node may stop the rover right then."""
     calls_so_far = recording.service(rover.STOP).calls
     return calls_so_far[number].asked if len(calls_so_far) > number else inf
 
 
 def answered_distances(recording: Recording, begin: float, end: float) -> list[tuple[float, float | None]]:
-    """Each distance (m) that was measured in this time, with the last speed commanded after it (m/s)."""
+    """Each distance (m) measured in this time, with the last speed (m/s) commanded after it."""
     found = []
     for reaction in recording.reactions(rover.RANGE):
         if begin <= reaction.to.t < end:
@@ -675,20 +680,20 @@ def expect_speed(
         return
     raise Failure(
         Feedback(
-            summary=f"At {distance:.2f} m, the command should be {wanted:.2f} m/s."
+            summary=f"At a distance of {distance:.2f} m, the speed is wrong."
             if speed is not None
-            else f"At {distance:.2f} m, there is no command.",
+            else f"At a distance of {distance:.2f} m, there is no command.",
             expected=f"linear.x is {wanted:.2f}",
-            seen="nothing" if speed is None else f"linear.x is {speed:.2f}",
+            seen="no command" if speed is None else f"linear.x is {speed:.2f}",
             where=text_places(about_controller(recording).sources, "linear.x")[:1],
             advice=advice
             if speed is not None
-            else "Publish a Twist in `range_callback`, once for each measurement.",
+            else "Publish a `Twist` in `range_callback`, once for each measurement.",
         )
     )
 
 
-@controller.check("declares", "package.xml declares all that the node imports")
+@controller.check("declares", "package.xml declares every package that the node imports from")
 def controller_dependencies(recording: Recording) -> None:
     expect_dependency(recording, rover.PACKAGE, "rclpy", "sensor_msgs", "geometry_msgs", "std_srvs")
 

@@ -8,7 +8,7 @@ from course.api import AllOf, Mystery, Number, Text
 from lib.following import Answer
 from lib.names import for_both, spellings
 
-# The id in the request that the lesson gives.
+# The id in the request that the task gives.
 ASKED_ID = 42
 NEAR = 1e-3
 REQUESTS = {
@@ -33,7 +33,7 @@ RESPONSES = {
 }
 NESTED = ("header", "stamp", "frame_id", "pose", "position", "orientation", "info", "data", "covariance")
 
-RUNG_WITH_FALSE = "That is the answer to `data: false`."
+RUNG_WITH_FALSE = "That is the response to `data: false`."
 
 mystery = Mystery("21-inspect-services", __file__)
 
@@ -82,22 +82,22 @@ def answers(plan: Any) -> dict[str, Answer]:
 
 
 def _quoted(word: str) -> tuple[str, str]:
-    """The text as it is, and as `ros2 service call` prints it."""
+    """The word as it is, and as `ros2 service call` prints it."""
     return word, f"'{word}'"
 
 
 def _nearly_the_type(name: str) -> dict[str, str]:
     package, _, short = name.split("/")
     return {
-        short: "It could be from any package. Give the full name, as ROS prints it.",
-        f"{package}/{short}": "Almost: the kind of interface goes between the two.",
+        short: "That type could be from any package. Give the full name, as ROS prints it.",
+        f"{package}/{short}": "Almost: the kind of interface goes between the two parts.",
         f"{package}/msg/{short}": "Almost: `msg` is for messages, and this is a service.",
     }
 
 
 def _not_of_the_request(plan: Any) -> dict[str, str]:
-    answered = "That field is below the dashes: it belongs to the response, not to the request."
-    nested = "That one is indented further: it belongs to the field above it."
+    answered = "That field is below the dashes, so it belongs to the response, not to the request."
+    nested = "That field is indented, so it belongs to the field above it."
     default = "That is a default value. The field's name comes before it."
     own = {*REQUESTS[plan.fields_type], *RESPONSES[plan.fields_type]}
     return {
@@ -116,7 +116,7 @@ def _other_numbers(plan: Any) -> dict[float, str]:
     _, y, z = plan.point
     return {
         plan.x(0): (
-            f"That is the answer for the id 0. The {ASKED_ID} did not arrive: check what `ros2 "
+            f"That is the response for the id 0. Your {ASKED_ID} did not arrive. Check what `ros2 "
             "service call` prints after `making request`."
         ),
         y: "That is y.",
@@ -125,16 +125,17 @@ def _other_numbers(plan: Any) -> dict[float, str]:
 
 
 def _not_silent(plan: Any) -> dict[str, str]:
-    awake = {name: "That one does answer: call it to see." for name in plan.chores}
+    awake = {name: "That service does respond. Call it, and you will see." for name in plan.chores}
     nobody = {
         plan.wanted: (
-            "That one has no server at all. The question asks for one that has a server but does not answer."
+            "That service has no server at all. The question is about a service that has a server, but "
+            "never responds."
         )
     }
     return for_both({**awake, **nobody})
 
 
 def _not_wanted(plan: Any) -> dict[str, str]:
-    offered = "That one has a server: `ros2 service info` counts it."
-    silent = {plan.silent: "That one has a server; the server just does not answer."}
+    offered = "That service has a server. `ros2 service info` counts it."
+    silent = {plan.silent: "That service has a server. The server just does not respond."}
     return for_both({**dict.fromkeys(plan.owners, offered), **silent})

@@ -1,4 +1,4 @@
-"""The node what_is_the_point_service_client: asks for the point of quotes."""
+"""The node what_is_the_point_service_client asks for the point of quotes."""
 
 import random
 
@@ -26,7 +26,7 @@ class WhatIsThePointClient(Node):
         self.timer = self.create_timer(PERIOD, self.timer_callback)
 
     def timer_callback(self):
-        """Ask for the point of one quote; give up on the call before, if need be."""
+        """Ask for the point of one quote. Cancel the previous call if it is open."""
         if self.future is not None and not self.future.done():
             self.future.cancel()
             self.get_logger().warning('No answer came in time')
@@ -36,7 +36,7 @@ class WhatIsThePointClient(Node):
         self.future.add_done_callback(self.answer_callback)
 
     def answer_callback(self, future):
-        """Log the point, unless the call was given up."""
+        """Log the point, unless the call was canceled."""
         response = future.result()
         if response is not None:
             point = response.point

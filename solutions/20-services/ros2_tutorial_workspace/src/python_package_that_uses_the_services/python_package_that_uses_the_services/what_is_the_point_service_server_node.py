@@ -1,4 +1,4 @@
-"""The node what_is_the_point_service_server: knows the point of a quote."""
+"""The node what_is_the_point_service_server tells the point of a quote."""
 
 import random
 
@@ -11,7 +11,7 @@ THE_ANSWER = 42.0
 
 
 class WhatIsThePointServer(Node):
-    """Answers /what_is_the_point."""
+    """Responds to calls of /what_is_the_point."""
 
     def __init__(self):
         super().__init__('what_is_the_point_service_server')
@@ -20,7 +20,7 @@ class WhatIsThePointServer(Node):
             WhatIsThePoint, '/what_is_the_point', self.point_callback)
 
     def point_callback(self, request, response):
-        """Choose a point: for quotes about life its sum is 42."""
+        """Choose a point. For quotes about life, its sum is 42."""
         self.calls += 1
         response.point.x = random.uniform(0.0, 100.0)
         response.point.y = random.uniform(0.0, 100.0)

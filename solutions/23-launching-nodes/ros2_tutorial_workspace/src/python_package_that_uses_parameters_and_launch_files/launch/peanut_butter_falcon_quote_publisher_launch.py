@@ -1,11 +1,11 @@
-"""Starts the configurable publisher with the words of a falcon."""
+"""Start the configurable publisher with the words of a falcon."""
 
 from launch import LaunchDescription
 from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    """Describe what is started; `ros2 launch` calls this."""
+    """Describe what to start. `ros2 launch` calls this function."""
     return LaunchDescription([
         Node(
             package='python_package_that_uses_parameters_and_launch_files',

@@ -1,4 +1,4 @@
-"""The node amazing_quote_configurable_publisher_node: its parameters say what it publishes."""
+"""The node amazing_quote_configurable_publisher_node publishes what its parameters say."""
 
 import rclpy
 from package_with_interfaces.msg import AmazingQuote
@@ -7,7 +7,7 @@ from rclpy.node import Node
 
 
 class AmazingQuoteConfigurablePublisher(Node):
-    """Publishes one quote again and again; what, where and how often are parameters."""
+    """Publishes a quote again and again. Its parameters set the text, topic, and period."""
 
     def __init__(self):
         super().__init__('amazing_quote_configurable_publisher_node')
@@ -22,7 +22,7 @@ class AmazingQuoteConfigurablePublisher(Node):
         self.timer = self.create_timer(period, self.timer_callback)
 
     def timer_callback(self):
-        """Publish what the parameters say at this moment."""
+        """Publish the current values of the parameters."""
         message = AmazingQuote()
         message.id = self.next_id
         message.quote = self.get_parameter('quote').value

@@ -1,11 +1,11 @@
-"""Starts the rover: its sensor and its controller."""
+"""Start the rover: its sensor and its controller."""
 
 from launch import LaunchDescription
 from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    """Describe what is started. `ros2 launch` calls this function."""
+    """Describe what to start. `ros2 launch` calls this function."""
     return LaunchDescription([
         Node(
             package='rover',

@@ -21,7 +21,7 @@ setup(
     entry_points={
         'console_scripts': [
             # TODO: put the entry point of what_is_the_point_service_server_node here.
-            # TODO (second exercise): that of what_is_the_point_service_client_node.
+            # TODO (second exercise): add what_is_the_point_service_client_node, too.
         ],
     },
 )

@@ -1,4 +1,4 @@
-"""The node controller drives the rover towards the wall, and stops in front of it."""
+"""The node controller drives the rover toward the wall and stops in front of it."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -8,7 +8,7 @@ from rclpy.node import Node
 
 
 class Controller(Node):
-    """Hears the sensor, and commands the speed that the library calculates."""
+    """Listens to the sensor and commands the speed that the library calculates."""
 
     def __init__(self):
         super().__init__('controller')
@@ -16,7 +16,7 @@ class Controller(Node):
         # TODO 2: create the publisher, the subscription, and the service.
 
     def range_callback(self, message):
-        """Answer each measurement with a speed."""
+        """Publish a speed for each measurement."""
         # TODO 3
 
     def stop_callback(self, request, response):

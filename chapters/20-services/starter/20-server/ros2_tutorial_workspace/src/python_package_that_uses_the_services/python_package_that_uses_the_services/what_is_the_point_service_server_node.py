@@ -4,11 +4,11 @@ import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
-# TODO 1: import random, and import WhatIsThePoint from the package of chapter 17.
+# TODO 1: import random, and import WhatIsThePoint from chapter 17's package.
 
 
 class WhatIsThePointServer(Node):
-    """Answers /what_is_the_point."""
+    """Responds to calls of /what_is_the_point."""
 
     def __init__(self):
         super().__init__('what_is_the_point_service_server')

@@ -11,7 +11,7 @@ class AmazingQuoteConfigurablePublisher(Node):
 
     def __init__(self):
         super().__init__('amazing_quote_configurable_publisher_node')
-        # TODO 1: declare the parameters quote, philosopher_name, topic_name and
+        # TODO 1: declare the parameters quote, philosopher_name, topic_name, and
         #   period, each with its default value.
         # TODO 2: read topic_name and period, and use them in the lines below.
         self.publisher = self.create_publisher(AmazingQuote, 'stubborn_quote', 10)

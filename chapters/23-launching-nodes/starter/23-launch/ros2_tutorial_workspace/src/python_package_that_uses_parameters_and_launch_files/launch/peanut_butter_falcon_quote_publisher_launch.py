@@ -1,4 +1,4 @@
-"""Starts the configurable publisher with the words of a falcon."""
+"""Start the configurable publisher with the words of a falcon."""
 
 from launch import LaunchDescription
 
@@ -6,7 +6,7 @@ from launch import LaunchDescription
 
 
 def generate_launch_description():
-    """Describe what is started; `ros2 launch` calls this."""
+    """Describe what to start. `ros2 launch` calls this function."""
     return LaunchDescription([
-        # TODO 2: the Node of the exercise 22-launch.
+        # TODO 2: add the Node from the exercise 22-launch.
     ])

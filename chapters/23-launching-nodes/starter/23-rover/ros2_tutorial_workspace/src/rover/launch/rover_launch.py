@@ -1,4 +1,4 @@
-"""Starts the rover: its sensor and its controller."""
+"""Start the rover: its sensor and its controller."""
 
 from launch import LaunchDescription
 
@@ -6,7 +6,7 @@ from launch import LaunchDescription
 
 
 def generate_launch_description():
-    """Describe what is started. `ros2 launch` calls this function."""
+    """Describe what to start. `ros2 launch` calls this function."""
     return LaunchDescription([
-        # TODO 2: two Nodes, with the parameters of the task.
+        # TODO 2: add two Nodes, with the parameters in the task.
     ])

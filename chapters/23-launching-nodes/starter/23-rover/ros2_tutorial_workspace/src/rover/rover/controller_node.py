@@ -1,4 +1,4 @@
-"""The node controller drives the rover towards the wall, and stops in front of it."""
+"""The node controller drives the rover toward the wall and stops in front of it."""
 
 import rclpy
 from geometry_msgs.msg import Twist
@@ -10,7 +10,7 @@ from std_srvs.srv import SetBool
 
 
 class Controller(Node):
-    """Hears the sensor, and commands the speed that the library calculates."""
+    """Listens to the sensor and commands the speed that the library calculates."""
 
     def __init__(self):
         super().__init__('controller')
@@ -21,7 +21,7 @@ class Controller(Node):
         self.service = self.create_service(SetBool, '/rover/stop', self.stop_callback)
 
     def range_callback(self, message):
-        """Answer each measurement with a speed."""
+        """Publish a speed for each measurement."""
         command = Twist()
         if not self.stopped:
             command.linear.x = safe_speed(message.range)

@@ -1,4 +1,4 @@
-"""The node range_sensor tells how far away the wall is, ten times per second."""
+"""The node range_sensor publishes the distance to the wall ten times per second."""
 
 import rclpy
 from geometry_msgs.msg import Twist
@@ -10,7 +10,7 @@ PERIOD = 0.1  # seconds
 
 
 class RangeSensor(Node):
-    """Stands for a real sensor: it calculates the distance from the rover's speed."""
+    """Replaces a real sensor: it calculates the distance from the rover's speed."""
 
     def __init__(self):
         super().__init__('range_sensor')
@@ -22,11 +22,11 @@ class RangeSensor(Node):
         self.timer = self.create_timer(PERIOD, self.timer_callback)
 
     def command_callback(self, message):
-        """Remember how fast the rover drives from now on."""
+        """Store the rover's new speed."""
         self.speed = message.linear.x
 
     def timer_callback(self):
-        """Come closer to the wall, and publish the distance that is left."""
+        """Move closer to the wall, and publish the remaining distance."""
         self.distance = max(0.0, self.distance - self.speed * PERIOD)
         message = Range()
         message.range = self.distance

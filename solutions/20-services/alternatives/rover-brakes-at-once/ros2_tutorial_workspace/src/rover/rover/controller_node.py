@@ -8,7 +8,7 @@ from std_srvs.srv import SetBool
 
 
 class Driver(Node):
-    """Has no flag: it takes another function to decide."""
+    """Stops without a flag: it swaps the function that decides."""
 
     def __init__(self):
         super().__init__('controller')
@@ -22,7 +22,7 @@ class Driver(Node):
         self.commands.publish(Twist(linear=Vector3(x=float(speed))))
 
     def measured(self, measurement):
-        """Answer a measurement."""
+        """Publish a speed for one measurement."""
         speed = self.decide(measurement.range)
         self.get_logger().info(f'{measurement.range:.2f} m: {speed:.2f} m/s')
         self.command(speed)

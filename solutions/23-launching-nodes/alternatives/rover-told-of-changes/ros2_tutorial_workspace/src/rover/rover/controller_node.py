@@ -9,7 +9,7 @@ from std_srvs.srv import SetBool
 
 
 class Controller(Node):
-    """Keeps the values of its parameters, and hears of new ones."""
+    """Stores the values of its parameters, and updates them in a callback."""
 
     def __init__(self):
         super().__init__('controller')
@@ -24,14 +24,14 @@ class Controller(Node):
         self.service = self.create_service(SetBool, '/rover/stop', self.stop_callback)
 
     def changed(self, parameters):
-        """Keep what is new."""
+        """Store the new values."""
         for parameter in parameters:
             if parameter.name in self.limits:
                 self.limits[parameter.name] = parameter.value
         return SetParametersResult(successful=True)
 
     def range_callback(self, message):
-        """Answer each measurement with a speed."""
+        """Publish a speed for each measurement."""
         command = Twist()
         if not self.stopped:
             command.linear.x = safe_speed(message.range, **self.limits)
