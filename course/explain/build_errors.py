@@ -250,21 +250,21 @@ HEADERS = tuple(
     for proof, remedy, example, given in (
         (
             _of_this_package,
-            "It belongs to this package: `target_include_directories` must name the folder `include`.",
+            "The header is in this package: `target_include_directories` must name the folder `include`.",
             "talk/talk.hpp: No such file or directory",
             {},
         ),
         (
             _target_without,
-            "It belongs to `{name}`. Add `{use}`.",
+            "The header belongs to `{name}`. Add `{use}`.",
             f"{_HEADER}\ngmake[2]: *** [CMakeFiles/robot.dir/build.make:76: "
             "CMakeFiles/robot.dir/src/main.cpp.o] Error 1",
             {LISTS: "find_package(std_msgs REQUIRED)\nadd_executable(robot src/main.cpp)"},
         ),
         (
             _of_known_package,
-            "It belongs to `{name}`: name that package in `find_package`, in the target's "
-            "libraries, and as `<depend>` in package.xml.",
+            "The header belongs to `{name}`: add that package to `find_package`, to the target's libraries, "
+            "and as `<depend>` to package.xml.",
             _HEADER,
             {},
         ),
@@ -285,14 +285,14 @@ HEADERS = tuple(
 COMPILED = (*HEADERS, *(_for_builds(known, "compiler", _NOT_COMPILED, here) for known in COMPILER))
 _UNDEFINED = r"^undefined reference to `(?!(?:vtable|typeinfo) for )"
 _IS_UNDEFINED = "`{said}` is used, but nothing in `{where}` defines it."
-_FORGOTTEN = f"`{{path}}` defines it, but {LISTS} does not name that file: add it to"
+_FORGOTTEN = f"`{{path}}` defines it, but {LISTS} does not list that file: add it to"
 _CALL = "undefined reference to `Arm::bend(double)'"
 _ARM = {"src/arm.cpp": "void Arm::bend(double x)\n{\n}\n"}
 
 LINKED: tuple[Known[Build], ...] = (
     Known(kind="linker", pattern=r"^cannot find -l",
-          cause="There is no library called `{said}` to link `{where}` with.",
-          remedy="Correct its name in `target_link_libraries`, or find its package first.",
+          cause="`{where}` links to the library `{said}`, which the linker cannot find.",
+          remedy="Correct its name in `target_link_libraries`, or call `find_package` for it first.",
           where=(here, _linked), example="cannot find -ltinyqp"),
     _for_builds(LINKER[0], "linker", "`{said}` is defined twice in `{where}`.", here, _linked),
     *(
@@ -302,8 +302,8 @@ LINKED: tuple[Known[Build], ...] = (
         for proof, remedy, given in (
             (
                 _announced,
-                "It is declared, but no file of the package defines it. Write `{short}(...) "
-                "{ ... }` in a .cpp file, after its return type and with the same arguments.",
+                "It is declared, but no file in the package defines it. Define it in a .cpp file: its "
+                "return type, then `{short}(...) { ... }`, with the same arguments.",
                 {"src/arm.hpp": "struct Arm {\n  void bend(double x);\n};\n"},
             ),
             (
@@ -313,7 +313,7 @@ LINKED: tuple[Known[Build], ...] = (
             ),
             (
                 _unlinked,
-                "`{path}` defines it, and `{library}` is made from that file: add `{link}`.",
+                "`{path}` defines it, and `{library}` is built from that file: add `{link}`.",
                 {**_ARM, LISTS: "project(talk)\nadd_library(arm SHARED src/arm.cpp)\n"},
             ),
         )
@@ -336,11 +336,11 @@ def _no_ament_package(build: Build, symptom: Symptom, words: Words) -> Proven | 
 
 INSTALLED_NOTHING: tuple[Known[Build], ...] = (
     Known(kind="build-type", pattern=r"No task extension to 'build'",
-          cause="package.xml of `{package}` has the build type {type}, which does not exist.",
-          remedy="Write ament_python for a Python package, ament_cmake for one with a CMakeLists.txt.",
+          cause="`{package}`'s package.xml has the build type {type}, which does not exist.",
+          remedy="Write ament_python for a Python package, or ament_cmake for one with a CMakeLists.txt.",
           where=(tag("build_type"),), example="No task extension to 'build' a 'ros.ament_pyton' package"),
     Known(kind="ament-package", pattern=r"^nothing$",
-          cause=f"{LISTS} of `{{package}}` never calls `ament_package()`: ROS will not find the package.",
+          cause=f"`{{package}}`'s {LISTS} never calls `ament_package()`, so ROS cannot find the package.",
           remedy="Add `ament_package()` as the last line.", proof=_no_ament_package,
           where=(lambda build, symptom, words: build.place(LISTS),), example="nothing",
           given={LISTS: "project(talk)"}),

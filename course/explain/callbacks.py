@@ -22,7 +22,7 @@ def called_callback(sources: Sources) -> Cause | None:
     for taker, position in takers:
         callback = taker.argument(position, "callback")
         if isinstance(callback, ast.Constant) and callback.value is None:
-            text = "`None` is given as the callback: pass the function to call."
+            text = "`None` is passed as the callback. Pass the function to call instead."
             return Cause(text, (taker.where,))
         if isinstance(callback, ast.Call) and _gives_nothing(sources, callback):
             written, name = ast.unparse(callback), ast.unparse(callback.func)
@@ -30,13 +30,13 @@ def called_callback(sources: Sources) -> Cause | None:
             given = callback.args[: -1 if position == 0 else None]
             bound = ", ".join(map(ast.unparse, (ast.Name(name), *given, *callback.keywords)))
             right = (
-                f"`partial({bound})`, of functools"
+                f"`partial({bound})` from `functools`"
                 if given or callback.keywords
                 else f"without parentheses: `{name}`"
             )
             return Cause(
-                f"`{written}` calls the function at once and passes on its result, `None`. "
-                f"Pass the function itself, {right}.",
+                f"`{written}` calls the function immediately and passes its result, `None`. Pass the "
+                f"function itself, {right}.",
                 (taker.where,),
             )
     return None
@@ -48,7 +48,7 @@ def long_period(sources: Sources) -> Cause | None:
         value = number(sources, timer.argument(0, "timer_period_sec"))
         if value is not None and value >= _LONG:
             return Cause(
-                f"The period of `create_timer` is in seconds: {value:g} means one call every {value:g} s. "
+                f"`create_timer` takes its period in seconds: {value:g} means one call every {value:g} s. "
                 f"Write `{value / 1000:g}`.",
                 (timer.where,),
             )
@@ -142,7 +142,7 @@ def never_spun(sources: Sources) -> Cause | None:
     spins = tuple(call.where for name in SPINS for call in calls(sources, name))
     if not spins:
         return Cause(
-            "Nothing runs the callbacks: `main()` must pass the node to `rclpy.spin(node)`, which waits and "
+            "Nothing runs the callbacks: `main()` must call `rclpy.spin(node)`, which waits for events and "
             "calls them. A loop of your own does not."
         )
     makes = tuple(
@@ -157,8 +157,8 @@ def never_spun(sources: Sources) -> Cause | None:
     if not early:
         return None
     return Cause(
-        "`rclpy.spin` returns only at the end, so the lines after it in `__init__` never run. "
-        "Make the whole node first, and spin it in `main()`.",
+        "`rclpy.spin` only returns when the program ends, so the lines after it in `__init__` never run. Set "
+        "up the whole node first, then spin it in `main()`.",
         tuple(early),
     )
 

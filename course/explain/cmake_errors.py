@@ -67,7 +67,7 @@ def _built(build: Build, symptom: Symptom, words: Words) -> Proven | None:
 
 
 def _setup_py_instead(build: Build, symptom: Symptom, words: Words) -> Proven | None:
-    says = f"says {build.build_type}" if build.build_type != "catkin" else "says no build type"
+    says = f"has the build type {build.build_type}" if build.build_type != "catkin" else "has no build type"
     return Proven({"says": says}) if build.text("setup.py") else None
 
 
@@ -118,20 +118,20 @@ _SYNTAX: tuple[Known[Evidence], ...] = (
           example="No cmake_minimum_required command is present.  A line of"),
     Known(kind="cmake-syntax", pattern=r"Parse error\. Function missing ending.*unterminated string",
           cause="A closing quote is missing in {file}.",
-          remedy=("Look for it from line {line} on: every `(` needs its `)`, and every quote needs its "
-                 "closing quote."),
+          remedy=("Look for it from line {line} on: every `(` needs a `)`, and every opening quote needs a "
+                  "closing one."),
           proof=_unclosed_quote,
           example='Parse error.  Function missing ending ")".  Instead found\n  unterminated string',
           given={LISTS: 'project(talk)\n\nset(a "b)\n'}),
     Known(kind="cmake-syntax", pattern=r"Parse error\. Function missing ending",
           cause="A closing parenthesis is missing in {file}.",
-          remedy=("Look for it from line {line} on: every `(` needs its `)`, and every quote needs its "
-                  "closing quote.",
-                  "Every `(` needs its `)`, and every quote needs its closing quote."),
+          remedy=("Look for it from line {line} on: every `(` needs a `)`, and every opening quote needs a "
+                  "closing one.",
+                  "Every `(` needs a `)`, and every opening quote needs a closing one."),
           example='Parse error.  Function missing ending ")".  End of file reached.'),
     Known(kind="cmake-syntax", pattern=r"(?P<said>Parse error\. .*?)[.](?:\s|$)",
           cause="CMake cannot read {file}: {said}.",
-          remedy=("A command is a name, then its arguments in parentheses: `find_package(rclcpp "
+          remedy=("A command is a name followed by arguments in parentheses: `find_package(rclcpp "
                  "REQUIRED)`."),
           example='Parse error.  Expected a command name, got unquoted argument with text "x".'),
     *(
@@ -149,7 +149,7 @@ _SYNTAX: tuple[Known[Evidence], ...] = (
           remedy=("Did you mean `{near}`?", "Is it spelled right, or is a `find_package` missing above it?"),
           proof=like(lambda evidence: _COMMANDS), example='Unknown CMake command "find_packge".'),
     Known(kind="target-twice", pattern=r'add_executable.*?cannot create target "(?P<name>\w+)"',
-          cause="The target `{name}` is made twice.", remedy="Remove one of the two lines.",
+          cause="The target `{name}` is created twice.", remedy="Remove one of the two lines.",
           example='add_executable cannot create target "talk" because another target with the same name '
                   'exists'),
 )  # fmt: skip
@@ -176,20 +176,19 @@ def _home_of_bash(evidence: Evidence, symptom: Symptom, words: Words) -> Proven 
 PROJECTS: tuple[Known[Evidence], ...] = (
     *_SYNTAX,
     Known(pattern=r'package configuration file provided by "(?P<name>\S+?)"|Could not find (?P<library>\w+)',
-          cause="CMake looks in the wrong folder: `{wrong}` is not your home in CMake.",
+          cause="CMake looks in the wrong folder: `{wrong}` does not mean your home folder in CMake.",
           remedy="Write `{right}` instead of `{wrong}`.", proof=_home_of_bash,
           given={LISTS: "find_package(door PATHS $HOME/opt)\n"},
           example='Could not find a package configuration file provided by "door" with any of'),
     Known(pattern=r"NOTFOUND|Could not find", cause="`find_library` does not find `{wrong}`.",
-          remedy="Leave out the ending: `NAMES {right}`. CMake adds `lib` and `.so` itself.",
+          remedy="Write `NAMES {right}`: CMake adds `lib` and `.so` itself.",
           example="used in this project, but they are set to NOTFOUND.  Set them: DOOR",
           proof=_whole_file_name, given={LISTS: "find_library(DOOR NAMES door.so)\n"}),
     *(
         Known[Evidence](
             pattern=pattern,
             cause=cause,
-            remedy=("Is its name spelled right, and does this line name the folder that it was installed "
-                   "to?"),
+            remedy=("Is its name spelled right, and does this line name the folder where it is installed?"),
             example=example,
         )
         for pattern, cause, example in (
@@ -211,12 +210,12 @@ PROJECTS: tuple[Known[Evidence], ...] = (
         )
     ),
     Known(pattern=r'links to(?: target)?:? "?(?P<name>(?P<of>[\w]+)::[\w:]+)"?.*not found',
-          cause="There is no `{name}` to link.",
-          remedy="`find_package({of})` succeeds, but `{of}` has no target of this name: correct the name.",
+          cause="There is no target `{name}` to link to.",
+          remedy="`find_package({of})` succeeds, but `{of}` has no target with this name. Correct the name.",
           proof=_package_is_found, given={"CMakeLists.txt": "find_package(door REQUIRED)\n"},
           example='Target "talk" links to:\n\n    door::dor\n\n  but the target was not found.'),
     Known(pattern=r'links to(?: target)?:? "?(?P<name>[\w:]+)"?.*not found',
-          cause="There is no `{name}` to link.",
+          cause="There is no target `{name}` to link to.",
           remedy="`find_package` must come before this line, with the exact name of the package.",
           example='Target "talk" links to:\n\n    door::dor\n\n  but the target was not found.'),
     Known(pattern=r"Cannot find source file: (?P<name>\S+)", cause="There is no source file `{name}`.",
@@ -246,11 +245,11 @@ _TARGETS: tuple[Known[Build], ...] = (
         Known[Build](
             kind="target-missing",
             pattern=pattern,
-            cause=f"{LISTS} names the target `{{name}}`, which no line above it makes.",
+            cause=f"{LISTS} uses the target `{{name}}`, but no line above creates it.",
             remedy=(
                 "Did you mean `{near}`?",
-                "`add_executable` and `add_library` make targets. They must come before the "
-                "lines that name them.",
+                "`add_executable` and `add_library` create targets. They must come before the lines that use "
+                "those targets.",
             ),
             proof=like(_targets),
             example=example,
@@ -276,8 +275,8 @@ _TARGETS: tuple[Known[Build], ...] = (
           where=(at(LISTS, r"(?<![\w:]){name}(?![\w:])"),),
           example='Target "robot" links to:\n\n    rclpy::rclpy\n\n  but the target was not found.'),
     Known(kind="link-target", pattern=_NO_TARGET,
-          cause=f"{LISTS} links `{{name}}`, but the package `{{package_of}}` has no target of that name.",
-          remedy=("It is a package of interfaces: write `{variable}` instead.", "Did you mean `{near}`?",
+          cause=f"{LISTS} links `{{name}}`, but the package `{{package_of}}` has no target with that name.",
+          remedy=("It is an interface package: write `{variable}` instead.", "Did you mean `{near}`?",
                   "Correct the target's name."),
           proof=_without_that_target, where=(at(LISTS, r"(?<![\w:]){name}(?![\w:])"),),
           example='Target "robot" links to:\n\n    std_msgs::std_msgs\n\n  but the target was not found.',
@@ -288,12 +287,13 @@ _TARGETS: tuple[Known[Build], ...] = (
           where=(at(LISTS, r"(?<![\w:]){name}(?![\w:])"),),
           example='Target "robot" links to:\n\n    Qt5::Core\n\n  but the target was not found.'),
     Known(kind="link-signature", pattern=r"signature for target_link_libraries has already been used",
-          cause="Some libraries of a target are linked with `PRIVATE` or `PUBLIC`, and others without.",
-          remedy=("Use such a keyword in all lines for this target, or in none of them. In "
+          cause="Some of a target's libraries are linked with `PRIVATE` or `PUBLIC`, and others with "
+                "neither.",
+          remedy=("Use a keyword on every line for this target, or on none of them. In "
                  "`ament_target_dependencies`, it comes after the target's name."),
           example="The plain signature for target_link_libraries has already been used with the\n  target"),
     Known(kind="export-name", pattern=r'given unknown export "(?P<name>\S+)"',
-          cause="`{name}` is exported, but nothing was installed for an export of that name.",
+          cause="`{name}` is exported, but no `install` line has an export with that name.",
           remedy=("`install(TARGETS ... EXPORT {name} ...)` and `ament_export_targets` must use the same "
                  "name."),
           where=(at(LISTS, r"(?i)ament_export_targets\s*\("),
@@ -301,8 +301,8 @@ _TARGETS: tuple[Known[Build], ...] = (
           example='INSTALL(EXPORT) given unknown export "export_arm"'),
     Known(kind="include-folder",
           pattern=r"INTERFACE_INCLUDE_DIRECTORIES property contains path.* prefixed in the source",
-          cause=("Other packages are told to look for headers in your source folder, which they do not "
-                "have."),
+          cause=("The package makes other packages look for headers in your source folder, which they do not "
+                 "have."),
           remedy=("Name two folders in `target_include_directories`: `$<BUILD_INTERFACE:...>` for the "
                  "headers' source folder, and `$<INSTALL_INTERFACE:include>` for the folder they are "
                  "installed to."),
@@ -320,16 +320,17 @@ PACKAGES: tuple[Known[Build], ...] = (
     *_SYNTAX,
     Known(kind="dependency-undeclared", pattern=_NO_PACKAGE,
           cause="`{package}` uses `{name}`, but its package.xml does not say so.",
-          remedy="Add `<depend>{name}</depend>` to package.xml: only then is `{name}` built first and found.",
+          remedy="Add `<depend>{name}</depend>` to package.xml. Then `{name}` is built first, and can be "
+                 "found.",
           proof=_undeclared, where=(last_dependency, here), example=_NOT_FOUND.format("other")),
     Known(kind="dependency-missing", pattern=_NO_PACKAGE,
           cause="`{name}` was built, but CMake cannot use it.",
           remedy="Does {lists} end with `ament_package()`?", proof=_built,
           example=_NOT_FOUND.format("declared")),
     Known(kind="dependency-missing", pattern=_NO_PACKAGE,
-          cause="{file} of `{package}` looks for `{name}`, which does not exist here.",
+          cause="`{package}`'s {file} looks for `{name}`, which does not exist here.",
           remedy=("Did you mean `{near}`?",
-                  "It is neither in your workspace nor in this ROS: is `{name}` spelled right?"),
+                  "It is neither in your workspace nor in ROS. Is `{name}` spelled right?"),
           proof=like(lambda build: build.known_packages), example=_NOT_FOUND.format("nowhere")),
     *(
         Known[Build](
@@ -343,7 +344,7 @@ PACKAGES: tuple[Known[Build], ...] = (
         for pattern, cause, where, example in (
             (
                 r"match current PROJECT_NAME 'Project'|'Project' is an invalid package name",
-                f"{LISTS} of `{{package}}` does not call `project({{package}})`.",
+                f"`{{package}}`'s {LISTS} does not call `project({{package}})`.",
                 (at(LISTS, ""), tag("name")),
                 "InvalidResourceName: 'Project' is an invalid package name.  It should have",
             ),
@@ -362,28 +363,28 @@ PACKAGES: tuple[Known[Build], ...] = (
         )
     ),
     Known(kind="cmake-variable", pattern=r'target name "\$(?P<name>\w+)" is reserved',
-          cause=f"{LISTS} of `{{package}}` uses the variable {{name}} without braces.",
+          cause=f"`{{package}}`'s {LISTS} uses the variable {{name}} without braces.",
           remedy="Write `{braced}`: a variable's name goes between `${` and `}`.",
           proof=lambda build, symptom, words: Proven({"braced": f"${{{words['name']}}}"}),
           where=(at(LISTS, r"\$(?:{name})\b"),), example='The target name "$PROJECT_NAME" is reserved'),
     Known(kind="build-type", pattern=r"does not appear to contain CMakeLists\.txt",
-          cause="package.xml of `{package}` {says}, but the package has a setup.py and no CMakeLists.txt.",
-          remedy="If it is a Python package, write `<build_type>ament_python</build_type>` within "
+          cause="`{package}`'s package.xml {says}, but the package has a setup.py and no CMakeLists.txt.",
+          remedy="If it is a Python package, write `<build_type>ament_python</build_type>` inside "
                  "`<export>`.",
           proof=_setup_py_instead, where=(tag("export"),),
           example='The source directory "x" does not appear to contain CMakeLists.txt.',
           given={"setup.py": "setup()"}),
     Known(kind="cmake-missing", pattern=r"does not appear to contain CMakeLists\.txt",
-          cause="`{package}` has no CMakeLists.txt, but a package of type {type} needs one to be built.",
+          cause="`{package}` has no CMakeLists.txt, which a package with the build type {type} needs.",
           remedy=("Create a new package with `ros2 pkg create {package} --build-type ament_cmake` and "
                  "compare."),
           where=(at(LISTS),), example='The source directory "x" does not appear to contain CMakeLists.txt.'),
     Known(kind="source-missing", pattern=r"Cannot find source file: (?P<name>\S+)",
-          cause="{file} of `{package}` names the source file {name}, but there is no such file.",
+          cause="`{package}`'s {file} names the source file {name}, but there is no such file.",
           remedy=("Did you mean `{near}`?", "Create the file, or correct its name."), proof=like(Build.files),
           example="Cannot find source file:\n\n    talk.cpp"),
     Known(kind="install-missing", pattern=r'file INSTALL cannot find "(?P<path>.+?)"',
-          cause=f"{LISTS} of `{{package}}` installs {{name}}, but it does not exist.",
+          cause=f"`{{package}}`'s {LISTS} installs {{name}}, but it does not exist.",
           remedy=("Did you mean `{near}`?", "Create it, or remove it from `install(...)`."), proof=_installed,
           where=(at(LISTS, r"\b{last}\b"),),
           example='file INSTALL cannot find\n  "src/talk/launch": No such file'),
@@ -408,7 +409,7 @@ def not_configured(recording: Recording, process: str, folder: str) -> Feedback:
         return Feedback(
             summary="CMake cannot configure the project.",
             where=(evidence.place(LISTS),),
-            advice="Run `cmake ..` yourself, and read the first error.",
+            advice="Run `cmake ..` yourself and read the first error.",
             details=lines[-4:],
         )
     return Feedback(found.cause, where=found.where, advice=found.remedy, details=found.symptom.printed[:4])

@@ -30,23 +30,24 @@ _KINDS = (
     (("overflow-on", "stack-overflow"), "A function calls itself forever.",
      "Find the function that calls itself, and check the condition that should stop it."),
     (("heap-buffer", "stack-buffer", "global-buffer", "container-overflow", "dynamic-stack-buffer"),
-     "The program reads or writes outside of an array or a vector.",
-     "`[...]` does not check that the element exists. `.at(...)` does: it throws an exception if not."),
-    (("use-after-free",), "The program uses an object that is already deleted.",
-     "Keep a copy of the `std::shared_ptr` that the object was made with, not a plain pointer to it."),
+     "The program reads or writes outside the bounds of an array or a vector.",
+     "`[...]` does not check that the element exists. `.at(...)` does, and throws an exception if it does "
+     "not."),
+    (("use-after-free",), "The program uses an object that was already deleted.",
+     "Keep a copy of the `std::shared_ptr` that owns the object, not a plain pointer to it."),
     (("use-after-scope", "use-after-return"), "The program uses a variable that no longer exists.",
-     "A variable of a function is gone once the function returns. Do not keep a reference or pointer to it."),
-    (("double-free",), "The same object is deleted twice.",
-     "Make the object with `std::make_shared`, and copy that pointer. Do not make a second one."),
-    (("attempting free", "bad-free"), "The program deletes something that was not made with `new`.",
-     "Only delete what you made with `new`. With smart pointers, do not write `delete` at all."),
-    (("alloc-dealloc", "new-delete"), "Something is deleted in a different way than it was made.",
+     "A function's local variables are gone once it returns. Do not keep a reference or a pointer to one."),
+    (("double-free",), "The program deletes the same object twice.",
+     "Create the object with `std::make_shared` and copy that pointer. Do not create a second one."),
+    (("attempting free", "bad-free"), "The program deletes something that was not created with `new`.",
+     "Only delete what you created with `new`. With smart pointers, do not write `delete` at all."),
+    (("alloc-dealloc", "new-delete"), "The program deletes something with the wrong kind of `delete`.",
      "`new[]` needs `delete[]`, and `new` needs `delete`. Smart pointers choose the right one for you."),
     (("SEGV",), "The program uses a pointer that does not point to an object.",
-     "Is it empty (`nullptr`)? Check it before you use `->` or `*`: `if (pointer)`."),
+     "Is the pointer empty (`nullptr`)? Check it before you use `->` or `*`: `if (pointer)`."),
 )  # fmt: skip
 _MOST_CALLS = 4
-_OTHERWISE = ("The program uses memory that it may not use.", "Check the line shown here.")
+_OTHERWISE = ("The program uses memory that it must not use.", "Check the line shown here.")
 
 
 @dataclass(frozen=True)
@@ -92,17 +93,17 @@ def _address(kind: str, report: Sequence[str], sources: Sources) -> Trouble:
 
 def _undefined(text: str, place: Location | None, report: Sequence[str], sources: Sources) -> Trouble:
     place = place or next(_own_frames(report, sources), None)
-    summary = f"The program does something that C++ does not define: {text[:80]}."
-    advice = "The result can be different each time. Check the values that this line works with."
+    summary = f"The program does something that is undefined in C++: {text[:80]}."
+    advice = "The result can be different each time. Check the values that this line uses."
     if "null pointer" in text:
-        advice = "Is it empty (`nullptr`)? Check it before you use `->` or `*`: `if (pointer)`."
+        advice = "Is the pointer empty (`nullptr`)? Check it before you use `->` or `*`: `if (pointer)`."
     return Trouble(summary, advice, place, tuple(report[:1]))
 
 
 def _uncaught(thrown: str, lines: Sequence[str]) -> Trouble:
     said = _WHAT.match(lines[1]) if len(lines) > 1 else None
     words = f" ({said['text'][:60]})" if said and said["text"] != thrown else ""
-    summary = f"An exception of type `{thrown}` ends the program{words}: nothing catches it."
+    summary = f"The program ends with an uncaught exception of type `{thrown}`{words}."
     advice = (
         f"Put the call that throws in `try {{ ... }}`, followed by `catch (const {thrown}& error) {{ ... }}`."
     )
@@ -110,7 +111,7 @@ def _uncaught(thrown: str, lines: Sequence[str]) -> Trouble:
 
 
 def _no_library(name: str, line: str) -> Trouble:
-    summary = f"The program does not start: the shared library `{name}` is not found."
+    summary = f"The program cannot start because the shared library `{name}` was not found."
     advice = "Add its folder to `LD_LIBRARY_PATH`, or to the program's `rpath` when you link it."
     return Trouble(summary, advice, None, (line,))
 
@@ -161,11 +162,12 @@ _KNOWN = (
     (r"already.{0,30}initialized|ContextAlreadyInitialized",
      "Call `rclcpp::init(argc, argv)` only once, in `main`."),
     (r"init\(\) has not been called|rcl_init|not initialized|context.{1,14}(?:null|not valid|invalid)",
-     "Call `rclcpp::init(argc, argv);` first in `main`, before the node is made."),
+     "Call `rclcpp::init(argc, argv);` first in `main`, before the node is created."),
     (r"bad_weak_ptr",
-     "`shared_from_this()` works only after the constructor, on a node made with `std::make_shared`."),
+     "`shared_from_this()` works only after the constructor has returned, on a node created with "
+     "`std::make_shared`."),
     (r"already been added to an executor", "Spin each node in one place only."),
-    (r"ParameterAlreadyDeclared", "Declare each parameter once, where the node is made."),
+    (r"ParameterAlreadyDeclared", "Declare each parameter once, where the node is created."),
     (r"ParameterNotDeclared", "Declare the parameter first: `declare_parameter(\"name\", 0.5);`"),
     (r"ParameterType|ParameterUninitialized",
      "A parameter has the type of its default value: `0.5` is a double, `1` an integer, `\"0.5\"` a string."),
@@ -173,13 +175,13 @@ _KNOWN = (
 # The same for values that are wrong in one line, and may be right in others.
 _WRONG_VALUES = (
     (r"_M_range_check|array::at",
-     "There is no such element. The first one has the number 0, the last one `size() - 1`."),
-    (r"map::at", "The map has no such key: look for it with `find(...)` first."),
-    (r"invalid_argument.*what\(\): +sto[a-z]+$", "The text does not begin with a number."),
-    (r"out_of_range.*what\(\): +sto[a-z]+$", "The number in the text is too large for this type."),
+     "There is no such element. The first index is 0, and the last one is `size() - 1`."),
+    (r"map::at", "The map has no such key. Check for it with `find(...)` first."),
+    (r"invalid_argument.*what\(\): +sto[a-z]+$", "The string does not start with a number."),
+    (r"out_of_range.*what\(\): +sto[a-z]+$", "The number in the string is too large for this type."),
     (r"bad_function_call", "The `std::function` is empty: assign a function to it first."),
     (r"bad_optional_access", "The `std::optional` is empty: check it with `has_value()` first."),
-    (r"bad_variant_access|bad_any_cast", "The value has another type than the one that is asked for."),
+    (r"bad_variant_access|bad_any_cast", "The value does not have the type that the code asks for."),
 )  # fmt: skip
 _QUOTED = re.compile(r"^\s+'(?P<name>[^']+)'\s*$")
 _HEAP = re.compile(r"^(?:free|munmap_chunk|realloc)\(\):|^(?:malloc|double free|corrupted|tcache)")
@@ -187,17 +189,18 @@ _NO_LIBRARY = re.compile(r"error while loading shared libraries: lib(?P<name>\S+
 _SHOWN, _MOST_FUNCTIONS = 4, 200
 _ENDINGS = {
     signal.SIGSEGV: ("it uses a pointer that does not point to an object",
-                     "Is it empty (`nullptr`)? Make the object before you use it: `std::make_shared`."),
-    signal.SIGABRT: ("it stopped itself after an error", "Read the last lines of its output."),
+                     "Is the pointer empty (`nullptr`)? Create the object before you use it: "
+                     "`std::make_shared`."),
+    signal.SIGABRT: ("it aborted after an error", "Read the last lines of its output."),
     signal.SIGFPE: ("it divides an integer by zero", "Check for zero before you divide."),
-    signal.SIGILL: ("it reached a place without code",
-                    "Does each function that has a return type return a value?"),
+    signal.SIGILL: ("it ran an invalid instruction",
+                    "Does every function with a return type return a value?"),
 }  # fmt: skip
 _TWICE = (
-    "it frees memory that it may not free",
-    "Make the node with `std::make_shared`, and pass that pointer on. Do not make a second one from it.",
+    "it frees memory that it must not free",
+    "Create the node with `std::make_shared` and pass that pointer on. Do not create a second one from it.",
 )
-C_TEXTS = "`%s` is for C strings: use its `.c_str()`. `%d` is for `int`, `%f` for `double`."
+C_TEXTS = "`%s` takes a C string: use `.c_str()`. `%d` takes an `int`, and `%f` a `double`."
 
 
 def cpp_crash(
@@ -224,7 +227,7 @@ def cpp_crash(
     if ended.signal == signal.SIGSEGV and (texts := texts_without_a_text(sources)):
         where, advice = texts, C_TEXTS
     if ended.signal == signal.SIGSEGV and (endless := calls_itself(sources)):
-        cause, advice, where = "a function calls itself, without end", endless.text, endless.where
+        cause, advice, where = "a function calls itself endlessly", endless.text, endless.where
     if not where:
         located = _located(advice, notes, sources)
         advice, where = located.text, located.where
@@ -245,10 +248,10 @@ def _own_library(lines: Sequence[str], sources: Sources) -> Feedback | None:
         if command.name == "add_library" and command.words[:1] and command.words[0] in names:
             name = command.words[0]
             return Feedback(
-                summary=f"The program does not start: it cannot find the library `lib{name}.so`.",
+                summary=f"The program cannot start because it does not find the library `lib{name}.so`.",
                 where=(command.where,),
-                advice=f"The package builds it but does not install it: "
-                f"`install(TARGETS {name} EXPORT ... LIBRARY DESTINATION lib)`.",
+                advice=f"The package builds it but does not install it. Add `install(TARGETS {name} EXPORT "
+                f"... LIBRARY DESTINATION lib)`.",
                 details=tuple(re.sub(r"^/\S*/", "", line) for line in lines if _NO_LIBRARY.search(line))[:1],
             )
     return None
@@ -315,8 +318,8 @@ def calls_itself(sources: Sources) -> Cause | None:
                 start = found.start("body") + again.start()
                 text = "" if "<<" in found["name"] else "()"
                 return Cause(
-                    f"`{' '.join(found['name'].split())}{text}` calls itself here, again and again. Use the "
-                    "member or the function that has the value.",
+                    f"`{' '.join(found['name'].split())}{text}` calls itself endlessly here. Use the member "
+                    f"or function that has the value.",
                     (Location(file, code.count("\n", 0, start) + 1),),
                 )
     return None

@@ -14,7 +14,7 @@ _OF_EIGEN = (
     "Cholesky", "Core", "Dense", "Eigen", "Eigenvalues", "Geometry", "Householder", "Jacobi", "LU", "QR",
     "SVD", "Sparse", "SparseCore", "StdVector",
 )  # fmt: skip
-_CAPITAL = "Eigen's headers have a capital E and no file extension."
+_CAPITAL = "Eigen's headers are written with a capital E and without a file extension."
 
 
 def _constructor(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
@@ -49,21 +49,20 @@ def _link_directories_late(evidence: Evidence, symptom: Symptom, words: Words) -
 COMPILER: tuple[Known[Evidence], ...] = (
     Known(
         r"application of 'sizeof' to incomplete type '(?:\w+::)*(?P<outer>\w+)::(?P<name>\w+)'",
-        "Code that deletes a `{name}` needs its whole definition. Declare `~{outer}();` in the "
-        "header, and write `{outer}::~{outer}() = default;` in the .cpp file, below `class "
+        "Code that deletes an object of type `{name}` needs the full definition. Declare `~{outer}();` in "
+        "the header, and write `{outer}::~{outer}() = default;` in the .cpp file, below `class "
         "{outer}::{name}`.",
         "invalid application of 'sizeof' to incomplete type 'lab::Arm::Impl'",
     ),
     Known(
         r"application of 'sizeof' to incomplete type '(?P<name>\w+)'",
-        "Include the header of `{name}`: code that deletes an object needs its whole definition.",
+        "Include the header of `{name}`: code that deletes an object needs the full definition of its type.",
         "invalid application of 'sizeof' to incomplete type 'Hand'",
     ),
     Known(
         rf"^Eigen/(?:{'|'.join(_OF_EIGEN)}): No such file or directory",
         "CMake knows where Eigen's headers are: `find_package(Eigen3 REQUIRED)`, then "
-        "`target_link_libraries(... Eigen3::Eigen)`. A target that links `sas_core` gets them "
-        "too.",
+        "`target_link_libraries(... Eigen3::Eigen)`. A target that links to `sas_core` gets them too.",
         "Eigen/Dense: No such file or directory",
     ),
     Known(
@@ -74,8 +73,8 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"use of deleted function '(?:\w+::)*(?P<name>\w+)::(?P=name)\(\)'",
-        "A `{name}` cannot be made without arguments. A class that derives from it passes them "
-        "on in its constructor, after the parentheses: `: {name}(...)`.",
+        "A `{name}` cannot be created without arguments. A class that derives from it passes them in its "
+        "constructor, after the parentheses: `: {name}(...)`.",
         "use of deleted function 'lab::RobotDriver::RobotDriver()'",
     ),
     Known(
@@ -96,13 +95,12 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"\bspin\(std::shared_ptr<[^,]*>&?\)'",
-        "Does its class derive from `rclcpp::Node`, with `public` before it?",
+        "Does the node's class derive from `public rclcpp::Node`?",
         "no matching function for call to 'spin(std::shared_ptr<Talker>)'",
     ),
     Known(
         r"\bspin(?:_some|_once)?\((?!.*(?:shared_ptr|SharedPtr))",
-        "It takes a pointer to a node: `std::make_shared<...>()` makes a node and returns a "
-        "pointer to it.",
+        "This function takes a pointer to a node: `std::make_shared<...>()` creates a node and returns one.",
         "no matching function for call to 'spin(Talker&)'",
     ),
     Known(
@@ -117,19 +115,18 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"use of non-static member function|Wrong number of arguments for pointer-to-member",
-        "A function of a class is called on an object: `std::bind(&Class::function, this)`, or "
+        "A member function is called on an object: `std::bind(&Class::function, this)`, or "
         "`[this]() { function(); }`.",
         "invalid use of non-static member function 'void Talker::talk()'",
     ),
     Known(
         r"static assertion failed: (?:THIS|YOU)_[A-Z_]+",
-        "The words in capital letters are Eigen's: check the sizes of the vectors in this line.",
+        "The message in capital letters comes from Eigen. Check the sizes of the vectors on this line.",
         "static assertion failed: YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES",
     ),
     Known(
         r"no declaration matches",
-        "The class does not declare this function: compare its name, arguments and `const` with "
-        "the header.",
+        "The class does not declare this function. Compare its name, arguments and `const` with the header.",
         "no declaration matches 'std::string Arm::to_string()'",
     ),
     Known(
@@ -145,34 +142,34 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"No such file or directory",
-        "Is the header's name right, and does the target have its folder in `target_include_directories`?",
+        "Is the header's name right, and does `target_include_directories` name its folder for this target?",
         "lost/lost.hpp: No such file or directory",
     ),
     Known(
         r"'(?:override|const|noexcept)' (?:has not been declared|was not declared)",
-        "A `)` is missing before this word: the arguments and their `)` come first.",
+        "A `)` is missing before this word: close the list of arguments first.",
         "'override' has not been declared",
     ),
     Known(
         r"forbids declaration of .* with no type",
-        "A function begins with its return type. Only a constructor has none, and it has the "
-        "name of its class.",
+        "A function starts with its return type. Only a constructor has none, and it is named like its "
+        "class.",
         "ISO C++ forbids declaration of 'Arm' with no type",
     ),
     Known(
         r"use of incomplete type|incomplete type .* used in|has incomplete type",
-        "At this point the compiler knows only its name. Include its header, or move the code "
+        "At this point, the compiler only knows the name of the type. Include its header, or move the code "
         "that uses it to the .cpp file, below `class ... { };`.",
         "invalid use of incomplete type 'class lab::Arm::Impl'",
     ),
     Known(
         r"expected .*;",
-        "A semicolon is missing, most often at the end of the line before.",
+        "A semicolon is missing, usually at the end of the previous line.",
         "expected ';' after class definition",
     ),
     Known(
         r"expected '?\}|expected declaration",
-        "Count the braces: each `{` needs its `}`.",
+        "Count the braces: each `{` needs a `}`.",
         "expected '}' at end of input",
     ),
     Known(
@@ -187,7 +184,7 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"^'(?P<name>\w+)' was not declared",
-        "Do you mean `{name}_`, with `_` at the end?",
+        "Did you mean `{name}_`, with `_` at the end?",
         "'timer' was not declared in this scope",
         proof=_ends_with_underscore,
         given={"arm.hpp": "class Arm\n{\n  Timer timer_;\n};\n"},
@@ -199,22 +196,22 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"use of deleted function .*(?:const .*&|&&)\)",
-        "This copies an object that cannot be copied: pass it by reference, or make it where it stays.",
+        "This copies an object that cannot be copied. Pass it by reference, or create it where it is used.",
         "use of deleted function 'lab::Arm::Arm(const lab::Arm&)'",
     ),
     Known(
         r"abstract (?:class )?type",
-        "A function that its base class only declares is missing: compare name, arguments and `const`.",
+        "The class lacks a function that its base class only declares. Compare names, arguments and `const`.",
         "invalid new-expression of abstract class type 'Driver'",
     ),
     Known(
         r"does not override",
-        "Compare it with the base class: name, arguments and `const` must be the same.",
+        "Compare it with the base class: the name, arguments and `const` must match.",
         "'double Driver::get() const' marked 'override', but does not override",
     ),
     Known(
         r"cannot call member function .* without object",
-        "Call it on an object. If it needs none, write `static` before it in the class.",
+        "Call it on an object. If it does not need one, write `static` before it in the class.",
         "cannot call member function 'double Arm::length(double)' without object",
     ),
     Known(
@@ -224,12 +221,12 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"operator<<\(.* must (?:have|take) (?:exactly|either)",
-        "`operator<<` is not a member: move it below the class, or write `friend` before it.",
+        "`operator<<` cannot be a member function. Move it below the class, or write `friend` before it.",
         "'std::ostream& Arm::operator<<(std::ostream&, const Arm&)' must have exactly one argument",
     ),
     Known(
         r"discards qualifiers",
-        "Write `const` after the parentheses of functions that change nothing.",
+        "Write `const` after the parentheses of each function that does not change the object.",
         "passing 'const Arm' as 'this' argument discards qualifiers",
     ),
     Known(
@@ -240,7 +237,7 @@ COMPILER: tuple[Known[Evidence], ...] = (
     Known(
         r"no matching function|no match for|could not convert|cannot convert|conversion from"
         r"| initialization of",
-        "Compare the types in this line, and their order, with the ones that are expected.",
+        "Compare the types on this line, and their order, with the expected ones.",
         "could not convert 'x' from 'int' to 'std::string'",
     ),
     Known(
@@ -250,7 +247,7 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"'(?:\w+::)*(?P<name>\w+)::(?P=name)\(.*\)' is private within",
-        "Members of a class are private unless it says otherwise: write `public:` above the constructor of "
+        "Class members are private by default: write `public:` above the constructor of "
         "`{name}`, in its header.",
         "'Talker::Talker()' is private within this context",
         proof=_constructor,
@@ -258,14 +255,15 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"\b(?P<name>\w+)::\w+(?:\([^']*)?' is private within",
-        "`{name}` has no `public:`, so all of it is private. Write `public:` above what others may use.",
+        "`{name}` has no `public:`, so all its members are private. Write `public:` above those that other "
+        "code may use.",
         "'int Arm::count() const' is private within this context",
         proof=_all_private,
         given={"src/arm.hpp": "class Arm\n{\n  int count() const;\n};\n"},
     ),
     Known(
         r"is private within|is protected within",
-        "Only its own class may use it: make it `public`, or add a function that returns it.",
+        "Only its own class can use it. Make it `public`, or add a function that returns it.",
         "'int Arm::count_' is private within this context",
     ),
     Known(
@@ -279,13 +277,12 @@ COMPILER: tuple[Known[Evidence], ...] = (
 LINKER: tuple[Known[Evidence], ...] = (
     Known(
         r"^multiple definition of ",
-        "A function that is defined in a header needs `inline` before it. Never include a .cpp file.",
+        "A function defined in a header needs `inline` before it. Never include a .cpp file.",
         "multiple definition of `helper()'; /tmp/a.o:a.cpp:7: first defined here",
     ),
     Known(
         r"^cannot find -l",
-        "`link_directories` only counts for targets that are made after it: move this line above "
-        "`add_executable`.",
+        "`link_directories` only affects targets created after it. Move this line above `add_executable`.",
         "cannot find -ltinyqp",
         proof=_link_directories_late,
         given={LISTS: "add_executable(solve solve.cpp)\nlink_directories(/opt/lib)\n"},
@@ -297,7 +294,7 @@ LINKER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"^undefined reference to `main'",
-        "A program begins in `int main()`: is the file that contains it compiled too?",
+        "A program starts in `int main()`. Is the file that contains it compiled too?",
         "undefined reference to `main'",
         given={"src/main.cpp": "int helper()\n{\n  return 0;\n}\n"},
     ),
@@ -353,8 +350,8 @@ def not_made(recording: Recording, process: str) -> Feedback:
     error = first_error(lines, evidence.own_file)
     if error is None:
         return Feedback(
-            summary="The compiler cannot make a program from your files.",
-            advice="Compile them yourself, and read the first error.",
+            summary="The compiler cannot build a program from your files.",
+            advice="Compile them yourself and read the first error.",
             details=lines[-_LAST_LINES:],
         )
     advice = advice_on(error, recording.sources)
@@ -374,7 +371,8 @@ def warned(recording: Recording, process: str) -> Feedback | None:
         expected="no warning",
         seen="1 warning" if len(found) == 1 else f"{len(found)} warnings",
         where=_places(first),
-        advice="A warning is usually a mistake that compiles. Change the line until the warning is gone.",
+        advice="A warning usually means a mistake, even though the code compiles. Change the line until the "
+        "warning is gone.",
         details=first.details[:2],
     )
 
@@ -385,9 +383,9 @@ def _places(error: CppError) -> tuple[Location, ...]:
 
 def _alone(error: CppError) -> str:
     if error.kind == "compiler":
-        return f"It does not compile: {error.text}."
+        return f"The code does not compile: {error.text}."
     if error.kind == "undefined" and error.text == "main":
-        return "There is no function `main`, where a program begins."
+        return "There is no `main` function, where a program starts."
     if error.kind == "undefined":
         return f"`{error.text}` is used, but nothing defines it."
     if error.kind == "twice":

@@ -35,7 +35,7 @@ def cpp_timer_cause(sources: Sources) -> Cause | None:
         return _slow_rate(sources)
     if not timers:
         return Cause(
-            "The code makes no timer: write `timer_ = create_wall_timer(500ms, ...)` in the node's "
+            "The code does not create a timer. Write `timer_ = create_wall_timer(500ms, ...)` in the node's "
             "constructor."
         )
     return _lost(timers) or _long_period(timers) or _another_node(sources) or _spun_too_early(sources)
@@ -53,10 +53,10 @@ def _lost(timers: tuple[CppCall, ...]) -> Cause | None:
         if len(timer.before) > _LONGEST:
             continue
         if _DECLARED.fullmatch(timer.before):
-            text = "The timer is in a local variable, and ends with it. Keep it in a member of the class:"
+            text = "The timer is in a local variable, which ends with the function. Use a class member:"
             return Cause(f"{text} `timer_ = ...`, without a type before it.", (timer.where,))
         if _NOT_KEPT.fullmatch(timer.before):
-            text = "Nothing keeps the timer, so it ends at once. Keep it in a member of the class:"
+            text = "Nothing keeps the timer, so it ends immediately. Keep it in a member of the class:"
             return Cause(f"{text} `timer_ = create_wall_timer(...)`.", (timer.where,))
     return None
 
@@ -64,7 +64,7 @@ def _lost(timers: tuple[CppCall, ...]) -> Cause | None:
 def _long_period(timers: tuple[CppCall, ...]) -> Cause | None:
     for value, written, where in _periods(timers):
         if value >= _LONG:
-            text = f"The timer waits {value:g} s for each call: `{written}`."
+            text = f"The timer waits {value:g} s before each call: `{written}`."
             return Cause(f"{text} Half a second is `500ms`.", (where,))
     return None
 
@@ -88,8 +88,7 @@ def integer_division(sources: Sources) -> Cause | None:
     """`1/2`, which is 0 in C++."""
     for found in places_of(sources, _DIVISION):
         return Cause(
-            "Of two whole numbers, C++ keeps only the whole part of the quotient: `1/2` is 0. Write "
-            "`1.0/2`, or `0.5`.",
+            "Dividing two whole numbers in C++ drops the fraction: `1/2` is 0. Write `1.0/2`, or `0.5`.",
             (found,),
         )
     return None
@@ -98,7 +97,7 @@ def integer_division(sources: Sources) -> Cause | None:
 def _slow_rate(sources: Sources) -> Cause | None:
     """`rclcpp::Rate rate(0.5)`: once in two seconds."""
     where = places_of(sources, r"Rate\s*\w*\s*[({]\s*0?\.\d+\s*[)}]")
-    text = "A rate is how often per second, not the time between two calls: twice per second is 2.0."
+    text = "A rate is calls per second, not the time between two calls: twice per second is 2.0."
     return Cause(text, where[:1]) if where else None
 
 
@@ -111,8 +110,8 @@ def _another_node(sources: Sources) -> Cause | None:
     if not derives or not plain:
         return None
     return Cause(
-        "The program makes a plain `rclcpp::Node`, which has no timer. Make a node of your own "
-        "class: `std::make_shared<...>()` with the class's name.",
+        "The program creates a plain `rclcpp::Node`, which has no timer. Create a node of your own class: "
+        "`std::make_shared<...>()` with the class's name.",
         plain,
     )
 
@@ -123,7 +122,7 @@ def _spun_too_early(sources: Sources) -> Cause | None:
         spun = [found.start() for found in re.finditer(r"\bspin\s*\(", timer.around)]
         made = [found.start() for name in MAKERS for found in re.finditer(rf"\b{name}\b", timer.around)]
         if spun and made and spun[0] < made[0]:
-            text = "`rclcpp::spin` returns only at the end. Make the timer before it."
+            text = "`rclcpp::spin` only returns when the program ends. Create the timer before it."
             return Cause(text, (timer.where,))
     return None
 

@@ -68,7 +68,7 @@ def _misspelt(wanted: str, close: str, where: Location) -> Feedback:
 
 def _undeclared(missing: ExecutableMissing, where: Location) -> Feedback:
     return Feedback(
-        summary=f"No executable found: `{missing.package}` installs no `{missing.executable}`.",
+        summary=f"No executable found: `{missing.package}` does not install `{missing.executable}`.",
         expected=f"`{missing.executable}` among the entry points",
         seen=f"installed: {listed(missing.available)}",
         where=(where,),
@@ -127,19 +127,19 @@ def _misspelt_target(wanted: str, close: str, where: Location) -> Feedback:
         expected=wanted,
         seen=close,
         where=(where,),
-        advice=f"Correct the name in each line of {LISTS} that has it.",
+        advice=f"Correct the name on each line of {LISTS} that uses it.",
     )
 
 
 def _no_target(missing: ExecutableMissing, made: list[Command], where: Location) -> Feedback:
     others = [command.words[0] for command in made]
     return Feedback(
-        summary=f"No executable found: CMakeLists.txt builds no `{missing.executable}`.",
+        summary=f"No executable found: CMakeLists.txt does not build `{missing.executable}`.",
         expected=f"`{missing.executable}` in `add_executable` and in `install`",
         seen=f"built: {listed(others)}",
         where=(made[0].where if made else where,),
-        advice=f"`add_executable({missing.executable} ...)` names its .cpp files, "
-        f"`install(TARGETS {missing.executable} ...)` puts it where `ros2 run` looks.",
+        advice=f"`add_executable({missing.executable} ...)` names its .cpp files, and `install(TARGETS "
+        f"{missing.executable} ...)` puts it where `ros2 run` looks.",
     )
 
 

@@ -68,7 +68,7 @@ def test_a_callback_that_is_called(taker: str, argument: str, is_called: bool) -
     assert (cause is not None) is is_called
     if cause:
         plain = argument.removeprefix("callback=").removesuffix("()")
-        assert f"`{plain}()` calls the function at once" in cause.text
+        assert f"`{plain}()` calls the function immediately" in cause.text
         assert f"without parentheses: `{plain}`" in cause.text
         assert [str(place) for place in cause.where] == [f"{FILE}:2"]
 

@@ -174,7 +174,7 @@ def test_a_file_that_no_target_names_is_found(case: Callable[..., Build], src: P
         f"{SRC}/small_interfaces/CMakeLists.txt:{line}"
     ]
     advice = (
-        "`helper.cpp` defines it, but CMakeLists.txt does not name that file: add it to the files of `robot`."
+        "`helper.cpp` defines it, but CMakeLists.txt does not list that file: add it to the files of `robot`."
     )
     assert failure.feedback.advice == advice
 
@@ -190,7 +190,7 @@ def test_a_function_that_nobody_wrote_is_where_the_header_announces_it(
     log = "CMakeFiles/robot.dir/arm.cpp.o:(.data.rel+0x40): undefined reference to `sas::Arm::bend(double)'\n"
     feedback = explain_build(case("small_interfaces", log)).feedback
     assert str(feedback.where[0]) == f"{SRC}/small_interfaces/arm.hpp:3"
-    assert feedback.advice and "Write `Arm::bend(...) { ... }` in a .cpp file" in feedback.advice
+    assert feedback.advice and "Define it in a .cpp file: its return type, then `Arm::bend(...) { ... }`" in feedback.advice
 
     (package / "more.cpp").write_text("void sas::Arm::bend(double x) {\n}\n")
     feedback = explain_build(case("small_interfaces", log)).feedback
@@ -212,7 +212,7 @@ def test_a_function_that_nobody_wrote_is_where_the_header_announces_it(
         ("‘count’ was not declared in this scope", "`std::` before it"),
         ("‘cout’ was not declared in this scope; did you mean ‘std::cout’?", "Write `std::cout`."),
         ("‘timer’ was not declared in this scope; did you mean ‘a::detail::timer’?", "`std::` before it"),
-        ("no matching function for call to ‘spin(std::shared_ptr<Talker>)’", "with `public` before it"),
+        ("no matching function for call to ‘spin(std::shared_ptr<Talker>)’", "derive from `public rclcpp::Node`"),
         ("invalid operands of types ‘const char*’ and ‘const char [8]’ to binary ‘operator+’", "with `<<`"),
         ("invalid use of non-static member function ‘void Talker::talk()’", "std::bind(&Class::function"),
         ("static assertion failed: Wrong number of arguments for pointer-to-member", "on an object"),
@@ -222,14 +222,14 @@ def test_a_function_that_nobody_wrote_is_where_the_header_announces_it(
         ("invalid application of ‘sizeof’ to incomplete type ‘sas::Arm::Impl’",
          "write `Arm::~Arm() = default;` in the .cpp file, below `class Arm::Impl`"),
         ("invalid application of ‘sizeof’ to incomplete type ‘Hand’", "Include the header of `Hand`"),
-        ("invalid use of incomplete type ‘class sas::Arm::Impl’", "only its name"),
+        ("invalid use of incomplete type ‘class sas::Arm::Impl’", "only knows the name of the type"),
         ("Eigen/Dense: No such file or directory", "`target_link_libraries(... Eigen3::Eigen)`"),
         ("Eigen/Dens: No such file or directory", "Did you mean `Eigen/Dense`?"),
         ("eigen3/Eigen/Dense.h: No such file or directory", "Did you mean `Eigen/Dense`?"),
         ("use of deleted function ‘sas::RobotDriver::RobotDriver()’", "`: RobotDriver(...)`"),
         ("use of deleted function ‘sas::Arm::Arm(const sas::Arm&)’", "copies an object"),
         ("‘override’ has not been declared", "A `)` is missing before"),
-        ("ISO C++ forbids declaration of ‘Arm’ with no type", "the name of its class"),
+        ("ISO C++ forbids declaration of ‘Arm’ with no type", "named like its class"),
         ("invalid initialization of reference of type ‘const std::vector<double>&’ from expression of type "
          "‘Eigen::Matrix<double, -1, 1>’", "Compare the types"),
         ("‘Eigen::VectorXd sas::RobotDriverMyrobot::get_joint_positions() const’ marked ‘override’, but does "

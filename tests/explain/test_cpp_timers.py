@@ -55,11 +55,11 @@ def test_a_member_that_is_made_before_the_braces() -> None:
         ("create_wall_timer(500ms, tick);", "Nothing keeps the timer"),
         ("this->create_wall_timer(500ms, tick);", "Nothing keeps the timer"),
         ("rclcpp::create_timer(this, get_clock(), 500ms, tick);", "Nothing keeps the timer"),
-        ("timer_ = create_wall_timer(500s, tick);", "500 s for each call: `500s`"),
-        ("timer_ = create_wall_timer(30min, tick);", "1800 s for each call"),
-        ("timer_ = create_wall_timer(std::chrono::seconds(500), tick);", "500 s for each call"),
-        ("timer_ = create_wall_timer(20'000ms, tick);", "20 s for each call"),
-        ("rclcpp::spin(node); timer_ = create_wall_timer(500ms, tick);", "Make the timer before it"),
+        ("timer_ = create_wall_timer(500s, tick);", "500 s before each call: `500s`"),
+        ("timer_ = create_wall_timer(30min, tick);", "1800 s before each call"),
+        ("timer_ = create_wall_timer(std::chrono::seconds(500), tick);", "500 s before each call"),
+        ("timer_ = create_wall_timer(20'000ms, tick);", "20 s before each call"),
+        ("rclcpp::spin(node); timer_ = create_wall_timer(500ms, tick);", "Create the timer before it"),
     ],
 )
 def test_what_is_wrong(statement: str, words: str) -> None:
@@ -69,21 +69,21 @@ def test_what_is_wrong(statement: str, words: str) -> None:
 
 
 def test_no_timer_at_all() -> None:
-    assert "The code makes no timer" in (cause("int main() {}") or "")
+    assert "The code does not create a timer" in (cause("int main() {}") or "")
 
 
 def test_a_plain_node_in_place_of_the_class() -> None:
     text = "class Talker : public rclcpp::Node {};\n" + made(RIGHT)
     assert cause(text) is None
     found = cause(f'{text}int main() {{ spin(std::make_shared<rclcpp::Node>("a")); }}') or ""
-    assert found.startswith("[7] The program makes a plain `rclcpp::Node`")
+    assert found.startswith("[7] The program creates a plain `rclcpp::Node`")
 
 
 @pytest.mark.parametrize(("hertz", "is_told"), [("0.5", True), ("2.0", False)])
 def test_a_rate_is_not_a_period(hertz: str, is_told: bool) -> None:
     found = cause(f"int main()\n{{\n  rclcpp::Rate rate({hertz});\n}}\n")
     assert found == (
-        "[3] A rate is how often per second, not the time between two calls: twice per second is 2.0."
+        "[3] A rate is calls per second, not the time between two calls: twice per second is 2.0."
         if is_told
         else None
     )
