@@ -12,7 +12,7 @@ from course.build.runner import Interrupt
 from course.build.store import Store, storage
 from course.build.workspace import Package, Workspace
 from course.errors import OurFault
-from course.rosenv import Ros, add_to_underlay, missing_of_underlay, underlay_builds
+from course.rosenv import Ros, add_to_underlay, compiled_of_underlay, missing_of_underlay, underlay_builds
 from course.rosenv.underlay import UnderlayPackage, source_root
 
 # Seconds for a package. They are our own, and end; a busy machine takes its time.
@@ -81,8 +81,10 @@ def build_underlay(
             f"{outcome.failure.package} of the course's own packages does not build here: "
             f"{outcome.failure.feedback.summary}{log}"
         )
+    compiled = {package.name for package in compiled_of_underlay(ros)}
     for package in outcome.packages:
-        add_to_underlay(ros, package.prefix)
+        if package.name in compiled:  # the others are in place as they are
+            add_to_underlay(ros, package.prefix)
 
 
 def _needs(package: Package, workspace: Workspace, candidate: UnderlayPackage) -> bool:

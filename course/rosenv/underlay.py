@@ -45,7 +45,8 @@ class UnderlayPackage:
     @property
     def scripts(self) -> tuple[tuple[str, str, str], ...]:
         """Its console scripts: name, module and function of each."""
-        return tuple(_SCRIPT.findall((self.folder / "setup.py").read_text(encoding="utf-8")))
+        setup = self.folder / "setup.py"
+        return tuple(_SCRIPT.findall(setup.read_text(encoding="utf-8"))) if setup.exists() else ()
 
     @property
     def programs(self) -> tuple[str, ...]:
@@ -130,8 +131,7 @@ def _fill(
             link(site_packages(folder, ros) / module.name, module)
         if package.compiled:
             _stand_in(folder, package, ros, builder, prefix)
-        else:
-            _offer_scripts(folder, package, ros)
+        _offer_scripts(folder, package, ros)
 
 
 def site_packages(prefix: Path, ros: Ros) -> Path:
@@ -142,8 +142,9 @@ def site_packages(prefix: Path, ros: Ros) -> Path:
 def _register(folder: Path, package: UnderlayPackage) -> None:
     link(folder / "share" / package.name / "package.xml", package.folder / "package.xml")
     write_atomic(folder / _INDEX / "packages" / package.name, "")
-    for kind in INTERFACE_FOLDERS:
-        if (package.folder / kind).is_dir():
+    for kind in (*INTERFACE_FOLDERS, "launch"):
+        # In a package that is all Python, `launch` is a module.
+        if package.compiled and (package.folder / kind).is_dir():
             link(folder / "share" / package.name / kind, package.folder / kind)
     if package.interfaces:
         write_atomic(folder / _INDEX / "rosidl_interfaces" / package.name, "\n".join(package.interfaces))

@@ -117,7 +117,9 @@ def _in_package(package: str, name: str | None) -> str:
 
 
 def _files_below(folder: str) -> list[Path]:
-    return [Path(root) / name for root, _, names in os.walk(folder) for name in sorted(names)]
+    # A package of the underlay is made of links to folders.
+    walked = os.walk(folder, followlinks=True)
+    return [Path(root) / name for root, _, names in walked for name in sorted(names)]
 
 
 def _pair(word: str) -> tuple[str, str]:
