@@ -238,4 +238,3 @@ def test_the_templates_are_proven(ros2course: Ros2course, robots: Path, kind: st
     filled_in(robots / "chapters/30-power")
     run = ros2course("validate", course=robots)
     assert run.code == 0, run.out + run.err
-

@@ -92,7 +92,11 @@ UNDEFINED = "/usr/bin/ld: consumer.cpp:(.text+0x1f): undefined reference to `Ang
         (
             NO_EIGEN,
             "",
-            ("it cannot find `Eigen/Core`, which your header includes", "in the .cpp file that", "include/mathpack/angle.hpp:1"),
+            (
+                "it cannot find `Eigen/Core`, which your header includes",
+                "in the .cpp file that",
+                "include/mathpack/angle.hpp:1",
+            ),
         ),
         (NO_CONST, "", ("as the task requires: passing 'const Angle'", "`const` after", "angle.hpp")),
         (IN_HEADER, "", ("does not name a type", "angle.hpp:2")),

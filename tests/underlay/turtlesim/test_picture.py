@@ -8,7 +8,7 @@ import pty
 import struct
 import sys
 import termios
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -72,7 +72,8 @@ def test_a_picture_shows_places_where_they_are(canvas: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    ("theta", "arrow"), [(0, "→"), (0.79, "↗"), (1.57, "↑"), (3.14, "←"), (-3.14, "←"), (-1.57, "↓"), (-0.79, "↘")]
+    ("theta", "arrow"),
+    [(0, "→"), (0.79, "↗"), (1.57, "↑"), (3.14, "←"), (-3.14, "←"), (-1.57, "↓"), (-0.79, "↘")],
 )
 def test_an_arrow_points_where_the_turtle_does(canvas: Any, theta: float, arrow: str) -> None:
     rows = _plain(canvas, 10, (5.6, 5.6, theta))
@@ -81,25 +82,41 @@ def test_an_arrow_points_where_the_turtle_does(canvas: Any, theta: float, arrow:
 
 
 class _Window:
+    """A terminal, and what it shows."""
+
     def __init__(self, lines: int, columns: int) -> None:
         self._near, far = pty.openpty()
         self.terminal = os.fdopen(far, "w", encoding="utf-8")
-        self.resize(lines, columns)
-
-    def resize(self, lines: int, columns: int) -> None:
         fcntl.ioctl(self._near, termios.TIOCSWINSZ, struct.pack("HHHH", lines, columns, 0, 0))
         self._screen = pyte.Screen(columns, lines)
         self._stream = pyte.Stream(self._screen)
+
+    def close(self) -> None:
+        self.terminal.close()
+        os.close(self._near)
 
     def rows(self) -> list[str]:
         self._stream.feed(os.read(self._near, 65536).decode())
         return [row.rstrip() for row in self._screen.display]
 
 
-def test_lines_scroll_below_the_picture() -> None:
+@pytest.fixture
+def open_window() -> Iterator[Callable[[int, int], _Window]]:
+    opened: list[_Window] = []
+
+    def open_one(lines: int, columns: int) -> _Window:
+        opened.append(_Window(lines, columns))
+        return opened[-1]
+
+    yield open_one
+    for window in opened:
+        window.close()
+
+
+def test_lines_scroll_below_the_picture(open_window: Callable[[int, int], _Window]) -> None:
     from turtlesim_programs.screen import Screen
 
-    window = _Window(20, 80)
+    window = open_window(20, 80)
     window.terminal.write("before\n")
     screen = Screen(window.terminal)
     screen.draw(lambda height: [str(number) for number in range(height)])
@@ -116,10 +133,10 @@ def test_lines_scroll_below_the_picture() -> None:
     assert window.rows()[0] == "after 11"
 
 
-def test_a_small_window_shows_no_picture() -> None:
+def test_a_small_window_shows_no_picture(open_window: Callable[[int, int], _Window]) -> None:
     from turtlesim_programs.screen import Screen
 
-    window = _Window(13, 80)
+    window = open_window(13, 80)
     Screen(window.terminal).draw(lambda height: ["never"] * height)
     window.terminal.write("here\n")
     window.terminal.flush()

@@ -73,9 +73,7 @@ def test_it_is_found_in_choices(tmp_path: Path, tell: Tell) -> None:
 TERMS = "terms: [wick]\nexercises:"
 
 
-def test_a_term_is_found_before_the_chapter_that_explains_it(
-    root: Path, change: Change, tell: Tell
-) -> None:
+def test_a_term_is_found_before_the_chapter_that_explains_it(root: Path, change: Change, tell: Tell) -> None:
     change("chapters/04-lanterns/lesson.md", "", "# Wicks\n\nTrim the Wicks, not the `wick`.\n")
     shutil.copytree(root / "chapters/04-lanterns", root / "chapters/05-wicks")
     for name in ("04-light.md", "04-dim.md", "mistakes.yaml"):

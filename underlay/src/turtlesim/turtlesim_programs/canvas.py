@@ -32,9 +32,7 @@ class Canvas:
         self._colors = np.full((PIXELS, PIXELS, 3), _UNTOUCHED, dtype=np.uint8)
         self._drawn = np.zeros((PIXELS, PIXELS), dtype=bool)
 
-    def line(
-        self, start: tuple[float, float], end: tuple[float, float], color: Color, width: int
-    ) -> None:
+    def line(self, start: tuple[float, float], end: tuple[float, float], color: Color, width: int) -> None:
         """Draw from `start` to `end` (meters) with a pen that is `width` pixels wide."""
         (row, column), (last_row, last_column) = _pixel(*start), _pixel(*end)
         steps = max(abs(last_row - row), abs(last_column - column), 1)
@@ -53,7 +51,7 @@ class Canvas:
     def picture(
         self, height: int, background: Color, turtles: Iterable[tuple[float, float, float]]
     ) -> list[str]:
-        """As `height` lines of twice as many characters, in color, with an arrow for each turtle (x, y, theta)."""
+        """As `height` lines of twice as many characters; an arrow for each turtle (x, y, theta)."""
         rows, columns = np.nonzero(self._drawn)
         down, right = rows * 4 * height // PIXELS, columns * 4 * height // PIXELS
         cells = (down // 4, right // 2)

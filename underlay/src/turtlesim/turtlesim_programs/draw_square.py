@@ -12,8 +12,7 @@ from rclpy.node import Node
 from std_srvs.srv import Empty
 from turtlesim.msg import Pose
 
-from turtlesim_programs import TOPIC_QOS
-from turtlesim_programs.turtle import normalized
+from turtlesim_programs.turtle import TOPIC_QOS, normalized
 
 _SIDE = 2.0
 _SPEED = 1.0

@@ -10,7 +10,7 @@ from geometry_msgs.msg import Twist
 from rclpy.node import Node
 from turtlesim.msg import Pose
 
-from turtlesim_programs import TOPIC_QOS
+from turtlesim_programs.turtle import TOPIC_QOS
 
 
 class Mimic(Node):

@@ -19,7 +19,7 @@ from rclpy.node import Node
 from rclpy.task import Future
 from turtlesim.action import RotateAbsolute
 
-from turtlesim_programs import TOPIC_QOS
+from turtlesim_programs.turtle import TOPIC_QOS
 
 _HELP = """\
 Reading from keyboard
@@ -99,7 +99,9 @@ def _drive(node: Teleop, terminal: int) -> None:
 def main(args: Sequence[str] | None = None) -> None:
     """Read keys until Q or Ctrl+C."""
     if not sys.stdin.isatty():
-        sys.exit("turtle_teleop_key reads keys, so run it in a terminal of its own, not through `ros2 launch`.")
+        sys.exit(
+            "turtle_teleop_key reads keys, so run it in a terminal of its own, not through `ros2 launch`."
+        )
     terminal = sys.stdin.fileno()
     with running(Teleop, args) as node, _single_keys(terminal):
         print(_HELP, end="", flush=True)

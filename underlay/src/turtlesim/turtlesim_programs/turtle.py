@@ -11,15 +11,16 @@ from rclpy.action import ActionServer, CancelResponse
 from rclpy.action.server import ServerGoalHandle
 from rclpy.duration import Duration
 from rclpy.node import Node
+from rclpy.qos import QoSProfile
 from rclpy.task import Future
 from turtlesim.action import RotateAbsolute
 from turtlesim.msg import Color as ColorMessage
 from turtlesim.msg import Pose
 from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
-from turtlesim_programs import TOPIC_QOS
 from turtlesim_programs.canvas import SIZE, Canvas, Color
 
+TOPIC_QOS = QoSProfile(depth=7)
 _COMMANDS_LAST = Duration(seconds=1)
 _TURN_RATE = 1.0
 _CLOSE_ENOUGH = 0.02
