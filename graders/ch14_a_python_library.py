@@ -209,7 +209,7 @@ def not_offered(recording: Recording, name: str, kind: str, *, is_module: bool) 
         else f"The library does not offer `{name}`" + (f", but it offers `{near}`." if near else "."),
         expected=f"from {MODULE} import {name}",
         seen=f"it offers {listed(offered, 'nothing')}",
-        where=(*defined_at(recording, near or name)[:1], Location(init)),
+        where=(*defined_at(recording, near)[:1], Location(init)) if near else (Location(init),),
         advice=advice_to_offer(recording, name, kind, near),
     )
 

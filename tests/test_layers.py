@@ -56,7 +56,7 @@ PUBLIC = {
     *("course.home.opening", "course.home.storage", "course.batch.intake", "course.batch.run"),
     *("course.batch.intake.recognize", "course.batch.intake.tree", "course.batch.batch_plan"),
     "course.content.layout",
-    *("course.batch.gradings", "course.batch.gradings", "course.isolation.levels", "course.files"),
+    *("course.batch.gradings", "course.batch.pool", "course.isolation.levels", "course.files"),
     # proofs, their recordings, and judging these
     *("course.validate", "course.validate.proofs", "course.validate.schedule", "course.validate.proofs"),
     *("course.validate.claims", "course.validate.claims", "course.evidence.mcap_file"),

@@ -60,11 +60,12 @@ class Probe:
             places.append((error.filename, error.lineno))
             text = f"{type(error).__name__}: {error.msg}"
         found: dict[str, Any] = {"error": text[-MAX_TROUBLE:]}
-        for file, line in reversed(places):
+        ours = [place for place in places if not place[0].startswith(("<", sys.prefix, sys.base_prefix))]
+        for file, line in reversed(ours):
             path = Path(file).resolve()
             if path.is_relative_to(self._home):
                 return {**found, "file": str(path.relative_to(self._home)), "line": line}
-        return found
+        return {**found, "file": ours[-1][0], "line": ours[-1][1]} if ours else found
 
 
 def cut(text: str) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from msgspec import Struct
 
-from course.batch.pool import Pool, Say, Work, Worker
+from course.batch.pool import Work
 from course.model.feedback import Feedback
 from course.model.result import Result, Verdict
 
@@ -56,20 +56,3 @@ def _failed(task: GradingTask, how: str) -> Graded:
 
 
 GRADINGS = Work("course.batch.worker", Graded, _answers, _failed)
-
-
-class GradingPool(Pool[GradingTask, Graded]):
-    """`jobs` workers that grade; see `Pool`."""
-
-    def __init__(self, jobs: int, next_task: NextTask, say: Say = lambda text: None) -> None:
-        super().__init__(GRADINGS, jobs, next_task, say)
-
-
-class GradingProcess(Worker[GradingTask, Graded]):
-    """One worker, for who hands out gradings by themselves."""
-
-    def __init__(self) -> None:
-        super().__init__(GRADINGS)
-
-    def grade(self, task: GradingTask) -> Graded:
-        return self.do(task)

@@ -15,9 +15,9 @@ from typing import Protocol
 import course
 from course.arena.mystery_module import log_file
 from course.batch.batch_plan import BatchPlan, submission_of
-from course.batch.gradings import Graded, GradingPool, GradingTask, NextTask, Unit
+from course.batch.gradings import GRADINGS, Graded, GradingTask, NextTask, Unit
 from course.batch.intake import Found, lay_out
-from course.batch.pool import Say
+from course.batch.pool import Pool, Say
 from course.batch.repair import repair
 from course.batch.results import Results
 from course.content import Exercise, answers_file
@@ -190,7 +190,7 @@ def local_rounds(jobs: int, say: Say = lambda text: None) -> Rounds:
     """Workers of this machine. say: gets what they do at the moment, from several threads."""
 
     def rounds(next_task: NextTask, *, waiting: int, alone: bool) -> Generator[Graded, None, None]:
-        return GradingPool(1 if alone else min(jobs, max(1, waiting)), next_task, say).results()
+        return Pool(GRADINGS, 1 if alone else min(jobs, max(1, waiting)), next_task, say).results()
 
     return rounds
 

@@ -149,12 +149,6 @@ class LaunchView:
         trace = replace(self.main, lines=own).traceback()
         return said or (trace[-1] if trace else None)
 
-    @property
-    def tracebacks(self) -> dict[str, tuple[str, ...]]:
-        """The last traceback of each launched process that printed one, by process name."""
-        found = {name: view.traceback() for name, view in self.processes.items()}
-        return {name: lines for name, lines in found.items() if lines}
-
 
 def _process(name: str, main: ProcessView) -> ProcessView:
     started = (line for line, found in _found(_STARTED, main) if found["name"] == name)
@@ -224,8 +218,8 @@ class ProbeAnswer:
     """The answer to one question of a probe; the question is "" if the probe itself failed.
 
     value: plain JSON data; anything else as its `repr`. type: the name of the value's type. error: the line
-    that names the exception, if one was raised. `file` (relative to the course home) and `line` then give
-    the learner's line that led to it; None if none of their lines was involved.
+    that names the exception, if one was raised. `file` and `line` then name the line
+    that led to it. `file` is relative to the course home, or absolute outside of it; None if there is none.
     """
 
     question: str

@@ -1,7 +1,7 @@
 """A finished recording and the questions that checks ask of it. Needs no ROS.
 
-`Recording` holds everything that was observed on one time line. `topic()`, `process()`, `node_log()` and
-`graphs` give views of it.
+`Recording` holds everything that was observed on one time line. `topic()`, `process()`, `log` and `graphs`
+give views of it.
 """
 
 from __future__ import annotations
@@ -174,14 +174,6 @@ class Recording:
     def missing_executable(self, process: str) -> ExecutableMissing | None:
         """Return an event if the scenario found no executable to run under that name."""
         return next((event for event in self._of(ExecutableMissing) if event.process == process), None)
-
-    def node_log(self, node: str) -> tuple[LogLine, ...]:
-        """Return what a node wrote to /rosout. node: its name without a leading slash.
-
-        ROS names the logger after the node, with dots instead of slashes in its namespace.
-        """
-        logger = node.strip("/").replace("/", ".")
-        return tuple(line for line in self.log if line.node == logger)
 
     @cached_property
     def log(self) -> tuple[LogLine, ...]:

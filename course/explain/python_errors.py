@@ -35,7 +35,7 @@ from course.explain.service_causes import (
     not_the_response,
     result_too_early,
 )
-from course.explain.setup_py import EntryPoint, entry_points
+from course.explain.setup_py import EntryPoint, entry_points, packages_place
 from course.model.feedback import Feedback, Location
 from course.spelling import LOOSELY, listed, nearest
 
@@ -208,8 +208,8 @@ def _misspelled(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
     named = {node.id for node in stores if isinstance(node, ast.Name)}
     near = nearest(name, (named if "plain" in words else stored) - {name}, LOOSELY)
     own = {node.name for _, node in nodes(evidence.sources) if isinstance(node, ast.ClassDef)}
-    foreign = {"foreign": words["of"]} if "of" in words and words["of"] not in own else {}
-    return Proven({"name": name, **foreign, **({"near": near} if near else {})})
+    kind = {"own" if words["of"] in own else "foreign": words["of"]} if "of" in words else {}
+    return Proven({"name": name, **kind, **({"near": near} if near else {})})
 
 
 def _ros_calls_it(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
@@ -432,6 +432,25 @@ def _near_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven |
     return Proven({"near": f"{package}.{near}"}) if near else None
 
 
+def _not_installed(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A folder of the package's sources that setup.py leaves out."""
+    name = words["name"]
+    package = evidence.packages.get(name.partition(".")[0])
+    folder = f"{package.source}/{name.replace('.', '/')}" if package and "." in name else ""
+    if package is None or not evidence.sources.below(folder).files:
+        return None
+    init = {} if f"{folder}/__init__.py" in evidence.sources.files else {"init": f"{folder}/__init__.py"}
+    return Proven({"folder": folder, **init}, packages_place(evidence.sources, package.source))
+
+
+def _no_callback(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`create_service(Type, 'name', 10)`."""
+    for call in calls(evidence.sources, "create_service"):
+        if isinstance(given := call.argument(2, "callback"), ast.Constant):
+            return Proven({"given": ast.unparse(given)}, (call.where,))
+    return None
+
+
 def _is_of_sas(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """A client of the SmartArmStack starts ROS in its own way, which rclpy's message does not mention."""
     files = evidence.sources.files.items()
@@ -589,6 +608,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(_NO_MODULE, "There is no module `{name}`, but there is `{near}`: correct the import.",
           "ModuleNotFoundError: No module named 'talk.helpr'", proof=_near_module, where=(here,),
           given={"talk/helper.py": ""}),
+    Known(_NO_MODULE, ("Create `{init}`: without it, the folder is not installed. The file may be empty.",
+          "`{folder}` is not installed. In setup.py, write `packages=find_packages(exclude=['test'])`."),
+          "ModuleNotFoundError: No module named 'talk.words'", proof=_not_installed, where=(here,),
+          given={"talk/words/__init__.py": "", "setup.py": "setup(packages=['talk'])"}),
     Known(_NO_MODULE, "Check the import: is `{name}` spelled right, and does package.xml name its package?",
           "ModuleNotFoundError: No module named 'std_msg'"),
     Known(_NO_NAME[0], _NO_FUNCTION, "ImportError: cannot import name 'mian' from 'talk.talker'",
@@ -716,6 +739,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "This needs a number and gets `None`: a value was not set yet, a function returned nothing, or a "
           "parameter was declared without a default value.",
           "TypeError: float() argument must be a string or a real number, not 'NoneType'"),
+    Known(r"'(?P<of>int|float|str)' object is not callable",
+          "`create_service` gets `{given}` in the place of its callback. Pass a function there.",
+          "TypeError: 'int' object is not callable", proof=_no_callback, where=(here,),
+          given={"talk/talker.py": "self.create_service(Trigger, 'tell', 10)"}),
     Known(r"'(?P<of>int|float|str|bool|list|dict|tuple)' object is not callable",
           "The parentheses call something that is a value of type `{of}`. A property or an attribute is read "
           "without parentheses.", "TypeError: 'int' object is not callable"),
@@ -825,6 +852,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           ("You probably mean `{near}`.",
            "What comes before `.{name}` is an object of type `{foreign}`, which has no `{name}`. Is it the "
            "object that you mean, and is the name right?",
+           "Nothing in `{own}` sets `self.{name}`. Set it in `__init__`, or correct the name.",
            "Check the spelling of `{name}`: nothing of that name exists here."),
           "AttributeError: 'Talker' object has no attribute 'cuont'", proof=_misspelled,
           given={"talk/talker.py": "self.count = 0\n"}),

@@ -13,7 +13,8 @@ from typing import Any
 from distributed import Worker, WorkerPlugin, get_worker
 from distributed.utils import sync
 
-from course.batch.gradings import Graded, GradingProcess, GradingTask
+from course.batch.gradings import GRADINGS, Graded, GradingTask
+from course.batch.pool import Worker as Process
 from course.batch.run import default_jobs, not_laid
 from course.errors import StorageError
 from course.files import locked, wipe
@@ -69,8 +70,8 @@ class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not
         self.engine = engine_digest()  # of the imported code; its files may be replaced at any time
         self._own = threading.local()
         self._lock = threading.Lock()
-        self._running: dict[str, GradingProcess | None] = {}
-        self._processes: list[GradingProcess] = []
+        self._running: dict[str, Process[GradingTask, Graded] | None] = {}
+        self._processes: list[Process[GradingTask, Graded]] = []
 
     def grade(self, key: str, task: GradingTask, home: bytes, alone: bool, scratch: Path) -> Answer:
         with self._known(key), turn(_gate(), alone=alone):
@@ -110,17 +111,17 @@ class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not
         with self._lock:
             if key in self._running:
                 self._running[key] = process
-        graded = process.grade(here) if key in self._running else _called_off(task)
+        graded = process.do(here) if key in self._running else _called_off(task)
         if key not in self._running:
             process.close()  # it was interrupted, and must not be given another task
         return codec.to_json(graded), evidence_of(recording)
 
-    def _process(self) -> GradingProcess:
+    def _process(self) -> Process[GradingTask, Graded]:
         """This thread's process. The kernel ends it with the thread that started it."""
         if not hasattr(self._own, "process"):
-            self._own.process = GradingProcess()
+            self._own.process = Process(GRADINGS)
             self._processes.append(self._own.process)
-        process: GradingProcess = self._own.process
+        process: Process[GradingTask, Graded] = self._own.process
         return process
 
 

@@ -98,7 +98,7 @@ found["quote"] = quote and [quote.type, quote.value]
 view = recording.launched("talk_launch.py")
 found["main"] = [view.main.exited and view.main.exited.code, view.error, len(view.left)]
 found["processes"] = {name: process.exited is not None for name, process in view.processes.items()}
-found["tracebacks"] = {name: lines[-1] for name, lines in view.tracebacks.items()}
+found["tracebacks"] = {name: lines[-1] for name, one in view.processes.items() if (lines := one.traceback())}
 found["signals"] = [sent.signal for sent in view.main.signals]
 found["broken"] = recording.launched("broken").main.text
 found["missing"] = recording.launched("missing").main.text

@@ -73,7 +73,7 @@ def batch(lay: Lay, quiz_course: Course, tmp_path: Path) -> Callable[..., Batch]
 def workers(monkeypatch: pytest.MonkeyPatch) -> Callable[[Answer], Workers]:
     def of(answer: Answer) -> Workers:
         stand_in = Workers(answer)
-        monkeypatch.setattr(running, "GradingPool", stand_in)
+        monkeypatch.setattr(running, "Pool", lambda work, *given: stand_in(*given))
         return stand_in
 
     return of

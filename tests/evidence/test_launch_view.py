@@ -46,8 +46,9 @@ def test_how_each_ended() -> None:
 
 
 def test_tracebacks_of_what_was_launched() -> None:
-    assert list(view().tracebacks) == ["listener-2"]
-    assert view().tracebacks["listener-2"][-1] == "ValueError: no"
+    traces = {name: process.traceback() for name, process in view().processes.items()}
+    assert [name for name, trace in traces.items() if trace] == ["listener-2"]
+    assert traces["listener-2"][-1] == "ValueError: no"
 
 
 def test_signals_of_the_launch_are_those_of_its_processes() -> None:

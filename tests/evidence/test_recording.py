@@ -96,18 +96,13 @@ def test_messages_are_decoded_once() -> None:
     assert found.messages("/talk") is found.messages("/talk")
 
 
-@pytest.mark.parametrize("node", ["talker", "/talker"])
-def test_the_log_of_a_node(node: str) -> None:
+def test_the_log_has_the_levels_of_its_lines() -> None:
     found = record(log(1.0, "talker", "one"), log(2.0, "listener", "two"), log(3.0, "talker", "drei", 30))
-    assert [(line.t, line.level, line.text) for line in found.node_log(node)] == [
+    assert [(line.t, line.level, line.text) for line in found.log if line.node == "talker"] == [
         (1.0, "INFO", "one"),
         (3.0, "WARN", "drei"),
     ]
     assert len(found.log) == 3
-
-
-def test_the_logger_of_a_node_in_a_namespace_has_dots() -> None:
-    assert len(record(log(1.0, "robot.arm.talker", "one")).node_log("/robot/arm/talker")) == 1
 
 
 def endpoint(node: str, topic: str = "/talk", qos: Qos | None = None) -> Endpoint:

@@ -146,7 +146,7 @@ def main():
             "AttributeError: 'Other' object has no attribute 'count'",
             "What comes before `.count` is an object",
         ),
-        ("AttributeError: 'Talker' object has no attribute 'steps'", "Check the spelling of `steps`"),
+        ("AttributeError: 'Talker' object has no attribute 'steps'", "Nothing in `Talker` sets `self.steps`"),
         ("AttributeError: 'Talker' object has no attribute 'othr'", "You probably mean `other`"),
         ('TypeError: can only concatenate str (not "float") to str', "This line adds a number"),
         ('TypeError: can only concatenate str (not "NoneType") to str', "This line adds `None` to a text"),

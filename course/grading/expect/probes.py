@@ -11,7 +11,7 @@ from course.errors import OurFault
 from course.evidence.process_view import ProbeAnswer
 from course.evidence.recording import Recording
 from course.explain.engine import Evidence, Symptom, explain
-from course.explain.python_errors import EXCEPTIONS, PROVEN
+from course.explain.python_errors import EXCEPTIONS, PROVEN, learners_file
 from course.model.feedback import Failure, Feedback, Location
 
 _LAST_LINES = 6
@@ -22,6 +22,7 @@ _ADVICE = (
     (("takes", "positional argument"), "Does each method name `self` as its first argument?"),
     (("unexpected keyword argument",), "The names of the arguments must match the task: compare them."),
     (("missing", "argument"), "Give the argument a default value, `name=value`: then a call may omit it."),
+    (("module '", "has no attribute"), "Define it there, or import it in the package's `__init__.py`."),
     (("has no attribute",), "Is the name spelled as in the task, and is it set in `__init__` with `self.`?"),
     (("SystemExit",), "An import must not end the program: remove the `exit`, or put it in a function."),
 )
@@ -120,7 +121,10 @@ def trouble(
     recording: Recording, answer: ProbeAnswer, summary: str, where: Location | None = None
 ) -> Feedback:
     """Feedback on an exception in the learner's code, at their line that led to it, else at `where`."""
-    place = Location(answer.file, answer.line) if answer.file else where
+    file = answer.file
+    if file and file.startswith("/"):
+        file = learners_file(file, recording.packages, recording.sources)
+    place = Location(file, answer.line) if file else where
     error = answer.error or ""
     advice = next((text for words, text in _ADVICE if all(word in error for word in words)), None)
     evidence = Evidence(sources=recording.sources, packages=recording.packages)
