@@ -372,7 +372,7 @@ def runs(recording: Recording) -> None:
         Feedback(
             summary="`./howdy.sh` does not start: its first line was changed."
             if broken
-            else "`./howdy.sh` no longer does what it did: the text in it was changed.",
+            else "`./howdy.sh` no longer prints its greeting: its text was changed.",
             expected=GREETING,
             seen=ran.printed[-1][:120] if ran.printed else "nothing",
             where=(Location(HOWDY, 1 if broken else None),),

@@ -477,11 +477,11 @@ def apart(recording: Recording) -> None:
 @minimalist_class.check("method", "`method()` returns their sum", needs="class")
 def method(recording: Recording) -> None:
     where = place(recording, "method")
-    advice = "`return self.attribute + self._private_attribute`: the numbers as they are when it is called."
+    advice = "Write `return self.attribute + self._private_attribute`, so that it adds the current numbers."
     for question, value, what in (
         ("default sum", 30.0, "MinimalistClass().method()"),
         ("sum", -2.5, "MinimalistClass(1.5, -4.0).method()"),
-        ("sum later", 9.5, "MinimalistClass(1.5, 2.5).method(), after attribute = 7.0,"),
+        ("sum later", 9.5, "m = MinimalistClass(1.5, 2.5); m.attribute = 7.0; m.method()"),
     ):
         expect_answer(recording, question, value, what, advice=advice, where=where)
 
@@ -729,7 +729,7 @@ def why_it_failed(recording: Recording, run: str) -> Feedback:
     number = int(line) if line and int(line) <= len(text) else None
     kind = f" with {error}" if error else ""
     return Feedback(
-        summary="On a class that does all that 02-class asks, your tests fail: "
+        summary="Your tests fail on a class that is right: "
         + (f"`{test}` ends{kind}{f' about `{word}`' if word else ''}." if test else "they do not run."),
         seen=text[number - 1].strip() if number else None,
         where=(Location(TEST, number),),

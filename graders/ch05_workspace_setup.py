@@ -95,7 +95,7 @@ def not_built(recording: Recording, missing: list[str]) -> Feedback:
 
 def half_built() -> Feedback:
     return Feedback(
-        summary=f"`build` and `install` in `~/{WS}` are not what colcon makes.",
+        summary=f"`build` and `install` in `~/{WS}` were not made by colcon.",
         expected="both as `colcon build` makes them, with `install/setup.bash`",
         advice=(
             f"Do not create them by hand: `cd ~/{WS}`, then `rm -r {' '.join(MADE)}`, then `colcon build`."

@@ -27,7 +27,7 @@ _TITLES = (
 )
 _EXPECTED, _FUNCTIONS = "What a check expects", "What else a grader calls"
 _CLASSES, _CONSTANTS = "What all of these give", "Constants"
-_HEAD = """# The words of a grader
+_HEAD = """# The API of graders
 
 Everything that `course.api` offers, what each call takes, and what it returns. `ros2course api NAME` shows
 one of them in the terminal. [Writing a grader](writing-a-grader.md) explains how they work together.

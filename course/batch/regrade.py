@@ -155,7 +155,7 @@ def _exercise(course: Course, name: str) -> Exercise:
     found = next((exercise for exercise in course.exercises() if exercise.id == name), None)
     if found is None:
         step = "Name the course that graded it: ros2course --course DIR regrade ..."
-        raise UsageError(f"The course has no exercise {name} any more.", step)
+        raise UsageError(f"The course no longer has an exercise {name}.", step)
     return found
 
 

@@ -277,8 +277,8 @@ INTERFACES: tuple[Known[Build], ...] = (
           proof=_looked_for, where=(at(LISTS, _LOOKED_FOR),),
           example="the passed dependency 'std_msgs' has not been found before using find_package()"),
     Known(kind="member-of-group", pattern=r"must include '<member_of_group>",
-          cause="package.xml of `{package}` does not say that the package contains interfaces: "
-                "`<member_of_group>{group}</member_of_group>` does not.", remedy=f"Write `{_GROUP}` instead.",
+          cause="package.xml of `{package}` names the group `{group}`, not the one of packages "
+                "with interfaces.", remedy=f"Write `{_GROUP}` instead.",
           proof=_wrong_group,
           example="Packages installing interfaces must include '<member_of_group>rosidl_interface_packages",
           given={"package.xml": "<package><name>t</name>\n<member_of_group>x</member_of_group></package>"}),

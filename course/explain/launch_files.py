@@ -97,7 +97,7 @@ def _no_such_file(there: list[str], folder: str, file: str) -> Feedback:
         where=(Location(names[found]),) if found else (),
         advice="A launch file's name ends in `launch.py`; otherwise `ros2 launch` does not find it."
         if found and not found.endswith(_ENDINGS)
-        else f"Create it at `{folder}/launch/{file}`.",
+        else f"{'Rename' if found else 'Create'} it: `{folder}/launch/{file}`.",
     )
 
 
@@ -140,8 +140,8 @@ def no_generate(launch_file: Sources) -> Cause | None:
             return _returns_nothing(path, defined["generate_launch_description"])
         close = nearest("generate_launch_description", defined)
         return Cause(
-            "`ros2 launch` calls the function `generate_launch_description`, and the file "
-            + (f"has `{close}` in its place." if close else "has none of that name."),
+            "`ros2 launch` calls the function `generate_launch_description`, but the file "
+            + (f"has `{close}` instead." if close else "does not define it."),
             (Location(path, defined[close].lineno if close else None),),
         )
     return None

@@ -181,7 +181,7 @@ def _not_run(ran: dict[str, set[int]], sources: Sources) -> Cause | None:
         for line in function.body if _came_to(function.body, ran[file]) else []:
             for call in ast.walk(line):
                 if isinstance(call, ast.Call) and called_name(call) in _MAKERS and not _ran(call, ran[file]):
-                    text = f"The program never comes to line {call.lineno}, which calls "
+                    text = f"The program never reaches line {call.lineno}, which calls "
                     return Cause(f"{text}`{called_name(call)}`.", (Location(file, call.lineno),))
     return None
 

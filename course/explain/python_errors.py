@@ -710,14 +710,14 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "UnboundLocalError: cannot access local variable 'count' where it is not associated with a value"),
     Known(r"(?P<of>\w+) index out of range",
           "The {of} has no element with this index: the last one is `len(...) - 1`. `index % len(...)` "
-          "begins again at the first.", "IndexError: tuple index out of range"),
+          "starts over at the first.", "IndexError: tuple index out of range"),
     Known(r"The '(?P<field>\w+)' field must be of type",
           "`{value}` is a whole {of}, and the field `{field}` takes one value: choose a part, as in "
           "`{value}[0]`.", "AssertionError: The 'quote' field must be of type 'str'", proof=_whole_row,
           given={"talk/talker.py": "ROWS = [('a', 'b')]; message.quote = ROWS[0]\n"}),
     Known(r"The '(?P<field>\w+)' field must be of type '(?P<type>int|float|str|bool)'",
-          "The field `{field}` takes only the type `{type}`. See what this line gives it: a number or a "
-          "text can be converted with `{type}(...)`; of a list or a message, take the part that is meant.",
+          "The field `{field}` takes only the type `{type}`. See what this line gives it. Convert a "
+          "number or a string with `{type}(...)`. Of a list or a message, pass only the part that you need.",
           "AssertionError: The 'id' field must be of type 'int'"),
     Known(r"The '(?P<field>\w+)' field must be a sub message of type '(?P<type>\w+)'",
           "The field `{field}` is itself a message. Set one of the fields of this `{type}`, or give it a "
@@ -778,7 +778,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "TypeError: Talker.say() missing 1 required positional argument: 'text'"),
     Known(r"await wasn't used with future|type (?:_asyncio\.)?(?:Task|coroutine|Future) doesn't"
           r"|'(?:coroutine|_asyncio\.Future|_GatheringFuture|Task)' object",
-          "`await` is missing before what is called here, or before the task: only `await` waits for it.",
+          "Put `await` before this call or task. Without it, the program does not wait for the result.",
           "RuntimeError: await wasn't used with future"),
     Known(r"'(?P<of>Future)' object has no attribute '(?P<name>\w+)'",
           "This is a future, not the answer: `call_async` returns it at once. In an `async def`, write "
@@ -791,8 +791,8 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`await` cannot wait for a `{of}`. Remove `await`, or await a coroutine, a task or a future.",
           "TypeError: object NoneType can't be used in 'await' expression"),
     Known(r"unsupported operand type\(s\) for (?P<sign>\S+): '(?P<left>[^']+)' and '(?P<right>[^']+)'",
-          "`{sign}` does not work between a `{left}` and a `{right}`: one of the two is not what you "
-          "expect, or must be converted first.",
+          "`{sign}` does not work with the types `{left}` and `{right}`. Convert one of the values, or "
+          "find out why it has this type.",
           "TypeError: unsupported operand type(s) for +: 'int' and 'str'"),
     Known(r"not supported between instances of '(?P<left>\w+)' and '(?P<right>\w+)'",
           "A `{left}` cannot be compared with a `{right}`: convert one of them first.",

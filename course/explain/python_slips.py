@@ -382,8 +382,8 @@ def taken_away(sources: Sources) -> Cause | None:
     for name in ("subscription", "timer", "service", "publisher", "client"):
         found = in_callbacks(sources, f"destroy_{name}")
         if found:
-            text = f"A callback calls `destroy_{name}`, and after that the node has no such {name} any more: "
-            return Cause(f"{text}remove that call.", found[:1])
+            text = f"A callback calls `destroy_{name}`. After that, the {name} no longer exists. "
+            return Cause(f"{text}Remove that call.", found[:1])
     timers = {
         ast.unparse(target)
         for _, node in nodes(sources)
@@ -396,7 +396,7 @@ def taken_away(sources: Sources) -> Cause | None:
         for line in callback.node.body
         if isinstance(line, ast.Expr) and ast.unparse(line).removesuffix(".cancel()") in timers
     )
-    return _in(always, "A callback cancels the timer, which then calls nothing any more: remove that call.")
+    return _in(always, "A callback cancels the timer, so it never runs again. Remove that call.")
 
 
 def inverted_wait(sources: Sources) -> Cause | None:

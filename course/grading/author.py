@@ -1,4 +1,4 @@
-"""The words of a grader module: one `Grader` per exercise, with its scenario and its checks.
+"""What a grader module consists of: one `Grader` per exercise, with its scenario and its checks.
 
     publisher = Grader("18-publisher")
 

@@ -104,7 +104,7 @@ def _here() -> Path:
     try:
         return Path.cwd()
     except FileNotFoundError:
-        what = "The folder you are in does not exist any more."
+        what = "The folder you are in no longer exists."
         raise UsageError(what, "Go to another one: `cd`") from None
 
 

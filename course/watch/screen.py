@@ -126,7 +126,7 @@ def _put_change(console: Console, change: ResultChange) -> None:
         return
     put(console, Text.assemble("  Since the last check: ", (gain(change), "bold")))
     for mark, style, titles in (("+", "green", change.fixed), ("-", "yellow", change.broken)):
-        said = "passes now" if mark == "+" else "does not pass any more"
+        said = "passes now" if mark == "+" else "no longer passes"
         for title in titles:
             text = Text(f"{sanitize.paragraph(title)} {said}", style)
             put_prose(console, text, first=f"    {mark} ", rest=" " * 6)

@@ -174,7 +174,7 @@ def test_what_a_busy_machine_recorded_is_not_held_against_anybody(place: Path) -
 
 def test_an_exercise_that_is_gone_is_named(place: Path) -> None:
     with (
-        pytest.raises(UsageError, match="no exercise 02-script any more"),
+        pytest.raises(UsageError, match="no longer has an exercise 02-script"),
         Results.open(place / "grades") as results,
     ):
         regrade(place / "grades", results, open_course(FIXTURES / "quiz_course"), lambda *_: None, jobs=1)

@@ -54,7 +54,7 @@ def test_a_folder_that_is_gone_is_no_bug(
     (tmp_path / "gone").rmdir()
     run = ros2course("list")
     assert run.code == 2
-    assert "does not exist any more" in run.err
+    assert "no longer exists" in run.err
 
 
 def test_no_course_there(ros2course: Ros2course, tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from fnmatch import fnmatch
 from pathlib import Path
 
 import pytest
@@ -75,6 +76,19 @@ def test_links_between_documents_lead_somewhere() -> None:
     for document in (ROOT / "README.md", *DOCS.glob("*.md")):
         for target in re.findall(r"\]\(([^)#:]+)\)", document.read_text(encoding="utf-8")):
             assert (document.parent / target).exists(), f"{document.name}: {target}"
+
+
+def test_the_readme_says_what_each_dependency_is_for() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    table = readme.partition("| package | for |")[2].partition("\n\n")[0]
+    first_column = "".join(row.split("|")[1] for row in table.splitlines() if row)
+    told = re.findall(r"`([\w*-]+)`", first_column)
+    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8").partition("[project.scripts]")[0]
+    needed = re.findall(r'^    "([\w-]+)', project.partition("dependencies = [")[2], re.MULTILINE)
+    assert len(needed) > 30
+    assert {one for one in needed if not any(fnmatch(one, name) for name in told)} == set()
+    extras = {"jazzy", "similar", "cluster", "test"}
+    assert {name for name in told if not any(fnmatch(one, name) for one in needed)} == extras
 
 
 @pytest.mark.slow

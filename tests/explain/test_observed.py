@@ -202,7 +202,7 @@ def test_main_that_nobody_calls() -> None:
 
 def test_a_line_that_is_not_come_to() -> None:
     found = cause_of(ran(1, 2, 3, 6, 11, 12, 13, 14))
-    assert found and found.text == "The program never comes to line 4, which calls `create_timer`."
+    assert found and found.text == "The program never reaches line 4, which calls `create_timer`."
 
 
 def test_a_loop_that_never_ran() -> None:

@@ -76,4 +76,4 @@ def test_what_cannot_be_judged_is_our_error(exercise: Exercise, home: Path) -> N
         helpers.judge = Blind()
         result = attempt_exercise(Request(exercise, home, find_ros()), helpers)
     assert result.verdict is Verdict.OUR_ERROR and result.fault is not None
-    assert result.fault.summary == "The recording is not there any more."
+    assert result.fault.summary == "The recording no longer exists."

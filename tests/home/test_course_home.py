@@ -245,7 +245,7 @@ def test_a_deleted_folder_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     gone.mkdir()
     monkeypatch.chdir(gone)
     gone.rmdir()
-    with pytest.raises(UsageError, match="does not exist any more"):
+    with pytest.raises(UsageError, match="no longer exists"):
         find_home(None, {"HOME": str(tmp_path)})
 
 

@@ -103,7 +103,7 @@ def test_a_result_names_what_changed_and_what_is_to_be_done_first(light: Exercis
     worse = what_changed(result("half"), result("dark"))
     text = plain(drawn(Look(light, updates.ResultText(light, result("dark"), result("half"), worse))))
     assert any("2 points fewer" in line for line in text)
-    assert any("- It stands does not pass any more" in line for line in text)
+    assert any("- It stands no longer passes" in line for line in text)
 
 
 def test_reading_on_shows_every_line_once_and_begins_again(light: Exercise) -> None:

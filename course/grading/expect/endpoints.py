@@ -190,7 +190,7 @@ def _expect_made_once(recording: Recording, kind: Kind, topic: str) -> None:
     if most > 2 and cause:
         raise Failure(
             Feedback(
-                summary=f"There are {most} {kind}s on `{topic}`, and more all the time.",
+                summary=f"There are {most} {kind}s on `{topic}`, and the number keeps growing.",
                 expected=f"one {kind}",
                 seen=f"{most} {kind}s",
                 where=cause.where,

@@ -46,7 +46,7 @@ def expect_period(
     where, advice = (cause.where, cause.text) if cause else (where, advice)
     wanted = f"one every {seconds(period)}"
     if together > 1:
-        summary = f"The {what} come {together} at once, every {seconds(period)}."
+        summary = f"The {what} come {together} at a time, every {seconds(period)}."
         expected, seen = f"{wanted} ({_hertz(period)})", f"{together} every {seconds(period)}"
     elif wrong:
         pace = median(intervals)

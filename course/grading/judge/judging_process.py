@@ -148,7 +148,7 @@ def _read(file: Path, exercise: str) -> Recording | Unjudged:
         recording = load(file)
     except StorageError as error:
         if not file.exists():
-            return Unjudged(UnjudgedCause.MISSING, "The recording is not there any more.")
+            return Unjudged(UnjudgedCause.MISSING, "The recording no longer exists.")
         return Unjudged(UnjudgedCause.DAMAGED, f"The recording cannot be read: {_why(error)}.")
     except OtherFormat as error:
         what = f"Another version of the course made the recording ({_why(error)})."

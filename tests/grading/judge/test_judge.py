@@ -76,7 +76,7 @@ def test_what_is_wrong_with_one_is_a_fault_of_that_one(beside: Judge, store: Sto
     gone.file.unlink()
     judgment = beside.judge(gone.exercise, gone.file)
     assert judgment.fault is not None
-    assert judgment.fault.summary == "The recording is not there any more."
+    assert judgment.fault.summary == "The recording no longer exists."
     assert judgment.doubt is None
     assert outcomes(beside.judge(good.exercise, good.file)) == ["passed", "passed"]
 
