@@ -284,7 +284,7 @@ def drive_to_the_wall(arena: Arena) -> None:
     ranges = arena.ros.subscribe(rover.RANGE, rover.RANGE_TYPE)
     driver = arena.ros.publisher(rover.COMMAND, rover.COMMAND_TYPE)
     node = arena.run(rover.PACKAGE, SENSOR)
-    if node and arena.until(lambda: ranges.count, timeout=15, while_running=node):
+    if node and arena.until(lambda: ranges.count and arena.ros.graph.nodes, timeout=15, while_running=node):
         arena.until(lambda: driver.matched, timeout=4, while_running=node)
         for phase, speed in (
             (STANDS, None),

@@ -534,7 +534,7 @@ def approach_and_stop(arena: Arena) -> None:
     sensor = arena.ros.publisher(rover.RANGE, rover.RANGE_TYPE)
     stop = arena.ros.client(rover.STOP, rover.STOP_TYPE)
     node = arena.run(rover.PACKAGE, CONTROLLER)
-    if node and arena.until(lambda: sensor.matched, timeout=15, while_running=node):
+    if node and arena.until(lambda: sensor.matched and arena.ros.graph.nodes, timeout=15, while_running=node):
         measure(arena, sensor.publish, commands, node, *distances())
         if arena.until(lambda: stop.available, timeout=3, while_running=node):
             for phase, order in ((STOPPED, True), (FREE, False)):

@@ -86,4 +86,4 @@ def _packages(prefix: Path) -> Iterable[str]:
 
 def digest(lines: Iterable[str]) -> str:
     """Sixteen hexadecimal digits that stand for these lines."""
-    return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
+    return hashlib.sha256("\n".join(lines).encode(errors="surrogateescape")).hexdigest()[:16]

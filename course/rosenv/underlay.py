@@ -86,7 +86,7 @@ def _lines(package: UnderlayPackage) -> list[str]:
     if not package.compiled:
         fixed = [package.folder / name for name in ("package.xml", "setup.py", "setup.cfg")]
         return [*map(str, package.modules), *map(_content, fixed)]
-    files = (file for file in sorted(package.folder.rglob("*")) if file.is_file())
+    files = (file for file in sorted(package.folder.rglob("*")) if file.is_file() and file.suffix != ".pyc")
     built = (file for file in files if not any(map(file.is_relative_to, package.modules)))
     return [str(package.folder), *map(str, package.modules), *map(_content, built)]
 

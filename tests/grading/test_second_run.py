@@ -163,7 +163,7 @@ def test_the_line_in_which_cpp_crashes(tmp_path: Path) -> None:
     with contextlib.closing(Helpers()) as helpers:
         result = attempt_exercise(request, helpers)
     line = main.read_text().splitlines().index("  std::stoi(argv[0]);") + 1
-    assert advice(result).startswith(f"It happens on line {line} of `{main.name}`. The text does not begin")
+    assert advice(result).startswith(f"It happens on line {line} of `{main.name}`. The string does not start")
     feedback = the(result, "starts").feedback
     assert feedback and [(place.file, place.line) for place in feedback.where] == [
         (str(main.relative_to(home)), line)

@@ -218,7 +218,16 @@ def test_code_that_is_used_as_it_stands_does_not_change_the_fingerprint(root: Pa
     write(root / "src/demo/demo/main.py", "")
     write(root / "src/words/words_helpers/__init__.py", "edited = True")
     write(root / "src/words/words_helpers/__pycache__/__init__.pyc", "x")
+    compiled = root / "src/words/__pycache__/setup.pyc"
+    compiled.parent.mkdir()
+    compiled.write_bytes(b"\xa7")  # pip compiles every file of an installed course
     assert fingerprint(packages_in(root)) == before
+
+
+def test_a_file_of_a_package_to_be_built_may_be_in_any_encoding(root: Path) -> None:
+    before = fingerprint(packages_in(root))
+    (root / "src/words/msg/Old.msg").write_bytes(b"# caf\xe9\n")
+    assert fingerprint(packages_in(root)) != before
 
 
 # Takes the place of the course: puts the real package where the stand-in is looked for.

@@ -96,7 +96,13 @@ class _Window:
         os.close(self._near)
 
     def rows(self) -> list[str]:
-        self._stream.feed(os.read(self._near, 65536).decode())
+        """After everything that was written so far: the kernel passes it on in pieces, and a little later."""
+        end, shown = "\x1b]0;end\x07", ""
+        self.terminal.write(end)
+        self.terminal.flush()
+        while end not in shown:
+            shown += os.read(self._near, 65536).decode()
+        self._stream.feed(shown)
         return [row.rstrip() for row in self._screen.display]
 
 
