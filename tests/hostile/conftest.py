@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import shutil
+import sys
 import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -13,6 +15,10 @@ from course.arena.lateness import Lateness, measured_lateness
 from course.content import open_course
 from course.evidence.timeline import Timeline
 from tests.hostile.world import SECRET, Grade, Graded, World, graded, lay_world, open_to_all
+
+# Bytecode of our own graders would appear in the world, as if a submission had written it.
+os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
+sys.dont_write_bytecode = True
 
 
 @pytest.fixture(scope="session")
