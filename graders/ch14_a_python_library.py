@@ -410,7 +410,17 @@ driving = Grader("14-rover", ros=False)
 @driving.scenario
 def ask_the_rovers_library(arena: Arena) -> None:
     distances = [random.uniform(low, high) for low, high in ((0.0, 0.5), (0.55, 0.95), (1.0, 9.0)) * 2]
-    cases = [(d, random.uniform(0.1, 0.5), random.uniform(0.1, 2.0)) for d in distances]
+    limits = [(random.uniform(0.1, 0.5), random.uniform(0.1, 2.0)) for _ in range(2)]
+    # For each pair of limits: too near, between the limits, and too far.
+    cases = [
+        (distance, stop, full)
+        for stop, full in limits
+        for distance in (
+            random.uniform(0.0, 0.9) * stop,
+            stop + random.uniform(0.1, 0.9) * full,
+            stop + full + random.uniform(0.1, 5.0),
+        )
+    ]
     drawn = {"DISTANCES": distances, "CASES": cases}
     arena.mark(GIVEN, json.dumps(drawn))
     arena.probe("\n".join(f"{name} = {value!r}" for name, value in drawn.items()) + ROVER_PROBE)

@@ -42,7 +42,8 @@ LIMITS = {
     # Raised by 15 for messages imported without .msg, numbers in place of messages, and no messages at all.
     # Raised by 6 for a missing space after a colon in YAML.
     # Raised by 9 for a pattern without glob, and a parameter without a default value.
-    "lines": 48_651,
+    # Raised by 76 for links to packages: a sandbox costs a tenth of the CPU time.
+    "lines": 48_727,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,

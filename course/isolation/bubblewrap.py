@@ -257,6 +257,7 @@ def arguments(
         *_system(),
         *_mounts("--ro-bind-try", (path for path in plan.shown if not _within(path, plan.empty))),
         *(word for path in plan.empty for word in ("--tmpfs", path)),
+        *(word for path, links in plan.linked for word in ("--ro-bind", links, path)),
         *_mounts("--ro-bind-try", (path for path in plan.shown if _within(path, plan.empty))),
         *_mounts("--bind", plan.write),
         *(_memory(scratch, plan.limits.scratch) if scratch else ()),

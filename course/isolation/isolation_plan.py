@@ -63,7 +63,7 @@ BUILD = ResourceLimits(memory=3072 * _MB, scratch=1024 * _MB, processes=256, fil
 class IsolationPlan:
     """user: the user id of programs; None for the caller's own, in a user namespace.
 
-    shown, empty: what programs can read, see `view.View`. control_groups: folders of their control groups.
+    shown, empty, linked: what programs can read, see `view.View`. control_groups: their folders.
     own_network: with its own network, in which the grading process hears nothing. write: folders that they
     can write to. machine: whether they can read or write the machine's other files; only for our programs.
     """
@@ -76,6 +76,7 @@ class IsolationPlan:
     own_network: bool = False
     write: tuple[str, ...] = ()
     machine: Literal["hidden", "read", "write"] = "hidden"
+    linked: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from course.files import write_atomic
 from course.isolation.domains import free_domain
 from course.isolation.identity import Identity, new_identity
 from course.isolation.isolation_plan import IsolationPlan, Level, ResourceLimits
-from course.isolation.view import View, view
+from course.isolation.view import View, linked, view
 from course.rosenv import Ros, cache_dir
 
 # The name under which a success is remembered.
@@ -118,8 +118,14 @@ def _plan(
     write: tuple[str, ...] = (),
     own_network: bool = False,
 ) -> IsolationPlan:
-    groups = _texts(identity.control_groups)
-    return IsolationPlan(identity.user, seen.shown, seen.empty, groups, limits, own_network, write)
+    groups, seen = _texts(identity.control_groups), linked(seen, packages_dir())
+    of = (seen.shown, seen.empty, groups, limits, own_network, write)
+    return IsolationPlan(identity.user, *of, linked=seen.linked)
+
+
+def packages_dir() -> Path:
+    """Where links to Python packages are, which the grading process needs as one of its `MachinePlaces`."""
+    return cache_dir(os.environ) / "packages"
 
 
 def _texts(paths: Sequence[Path]) -> tuple[str, ...]:

@@ -40,6 +40,7 @@ def test_the_control_group_refuses_first() -> None:
 
 def test_a_plan_travels() -> None:
     plan = IsolationPlan(12, ("/a", "/b"), ("/c",), ("/d",), ResourceLimits(memory=1, cpu=2.5))
+    plan = dataclasses.replace(plan, linked=(("/c", "/e"),))
     assert codec.from_json(codec.to_json(plan), IsolationPlan, "the plan") == plan
 
 

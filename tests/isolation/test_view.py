@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import sys
 from pathlib import Path
 
@@ -11,7 +13,7 @@ import course
 from course.isolation import view as module
 from course.isolation.bubblewrap import arguments
 from course.isolation.isolation_plan import IsolationPlan
-from course.isolation.view import view
+from course.isolation.view import View, linked, view
 from course.model import replace
 from course.rosenv import Ros
 
@@ -173,3 +175,62 @@ def test_nothing_but_the_writable_stays_writable() -> None:
     after = [words[index + 1] for index, word in enumerate(words) if word == "--remount-ro"]
     assert after == ["/", "/dev", "/proc", "/opt/course"]
     assert [words[index + 1] for index, word in enumerate(words) if word == "--bind"] == ["/scratch"]
+
+
+def files(folder: Path) -> set[str]:
+    return {str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file()}
+
+
+@pytest.fixture
+def packages(prefix: Path) -> View:
+    """What is seen of the environment, with a package that is a link."""
+    folder = prefix / "lib/python3.11/site-packages"
+    (folder / "yaml").symlink_to("numpy")
+    seen = view(wheels(prefix), {})
+    return View(tuple(path for path in seen.shown if Path(path).is_relative_to(prefix)), (str(folder),))
+
+
+def test_links_take_the_place_of_many_packages(packages: View, prefix: Path, tmp_path: Path) -> None:
+    folder = prefix / "lib/python3.11/site-packages"
+    old = os.umask(0o077)
+    try:
+        seen = linked(packages, tmp_path / "cache")
+    finally:
+        os.umask(old)
+    links = dict(seen.linked)[str(folder)]
+    assert files(Path(links)) == {*NEEDED}
+    assert Path(links, "rclpy/__init__.py").samefile(folder / "rclpy/__init__.py")
+    assert Path(links, "yaml").is_symlink() and Path(links, "yaml/__init__.py").exists()
+    assert all(place.stat().st_mode & 0o055 == 0o055 for place in Path(links).rglob("*") if place.is_dir())
+    assert Path(links).stat().st_mode & 0o055 == 0o055
+    assert not any(Path(path).is_relative_to(folder) for path in (*seen.shown, *seen.empty))
+    assert {*packages.shown, *packages.empty} >= {*seen.shown, *seen.empty}
+    words = arguments(IsolationPlan(None, seen.shown, seen.empty, linked=seen.linked))
+    at = words.index(links)
+    assert words[at - 1 : at + 2] == ("--ro-bind", links, str(folder))
+    assert linked(packages, tmp_path / "cache") == seen
+
+
+def test_what_pip_replaces_is_linked_again(packages: View, prefix: Path, tmp_path: Path) -> None:
+    ((folder, first),) = linked(packages, tmp_path / "cache").linked
+    package = prefix / "lib/python3.11/site-packages/rclpy"
+    package.rename(package.with_name("before"))
+    lay(package / "__init__.py")
+    lay(package / "node.py")
+    ((_, second),) = linked(packages, tmp_path / "cache").linked
+    assert Path(second, "rclpy/node.py").exists() > Path(first, "rclpy/node.py").exists()
+    os.utime(first, (0, 0))
+    os.utime(package, (1, 1))
+    assert linked(packages, tmp_path / "cache").linked[0] not in ((folder, first), (folder, second))
+    assert Path(second).exists() > Path(first).exists()
+
+
+def test_without_links_all_is_as_it_was(
+    packages: View, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise OSError(errno.EXDEV, "Invalid cross-device link")
+
+    monkeypatch.setattr(os, "link", refuse)
+    assert linked(packages, tmp_path / "cache") == packages
+    assert list((tmp_path / "cache").iterdir()) == []
