@@ -73,6 +73,7 @@ def counts(recording: Recording) -> None:
     expect_counting(
         lines,
         LINE,
+        sources=recording.sources,
         terminal=recording.process(NODE).text,
         first=FIRST,
         begin="Start with a count of 0, and add one after each message that you log, not before it.",

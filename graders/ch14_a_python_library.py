@@ -450,7 +450,8 @@ def arguments(recording: Recording) -> None:
 
 
 def expect_speeds(recording: Recording, question: str, cases: list[Any]) -> None:
-    found = answered(recording, question, f"{SPEED}(...)").value
+    where = next(iter(defined_at(recording, SPEED)), None)
+    found = answered(recording, question, f"{SPEED}(...)", where=where).value
     speeds = found if isinstance(found, list) else []
     for case, speed in zip(cases, speeds, strict=False):
         if not same(speed, rover.safe_speed(*case)):

@@ -207,6 +207,7 @@ def wrong(recording: Recording, found: Sum) -> Feedback:
             summary="The numbers were rounded before they were logged, so C no longer matches A and B.",
             expected=f"{(found.a + found.b) ** 2!r}",
             seen=found.line.text[:200],
+            where=tuple(call.where for call in calls(recording.sources, "info"))[:1],
             advice="Log them as they are: `{a}`, not `{a:.2f}`.",
         )
     return Feedback(

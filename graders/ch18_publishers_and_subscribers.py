@@ -340,11 +340,8 @@ def stands(recording: Recording) -> None:
     for message in during(recording, None, DRIVES):
         if abs(message.data.range - START) > rover.CLOSE:
             advice = "Start with a distance of 3.0 and a speed of 0.0. Only commands change the speed."
-            raise Failure(
-                wrong_range(
-                    "The distance is not 3.0 m before the first command.", f"{START}", message, advice
-                )
-            )
+            summary = "The distance is not 3.0 m before the first command."
+            raise Failure(wrong_range(recording, summary, f"{START}", message, advice))
 
 
 @sensor.check("drives", "a command brings the wall closer", points=2, needs=("rate", "subscribes"))
@@ -375,9 +372,8 @@ def halts(recording: Recording) -> None:
     for message in others:
         if abs(message.data.range - first.data.range) > rover.CLOSE:
             advice = "Set the speed to `linear.x` from each command, even if it is 0.0. Don't add to it."
-            raise Failure(
-                wrong_range("The command is 0, but the distance changes.", "the same", message, advice)
-            )
+            summary = "The command is 0, but the distance changes."
+            raise Failure(wrong_range(recording, summary, "the same", message, advice, "linear.x"))
 
 
 @sensor.check("wall", "the distance is never below zero", needs="drives")
@@ -385,12 +381,19 @@ def wall(recording: Recording) -> None:
     last = during(recording, RACES, None)[-1]
     if abs(last.data.range) > rover.CLOSE:
         advice = "Keep the distance at zero or above. Use `max(0.0, ...)`, which is never below zero."
-        raise Failure(wrong_range("At the wall, the distance is not 0.0.", "0.0", last, advice))
+        raise Failure(wrong_range(recording, "At the wall, the distance is not 0.0.", "0.0", last, advice))
 
 
-def wrong_range(summary: str, expected: str, message: Message, advice: str) -> Feedback:
+def wrong_range(
+    recording: Recording, summary: str, expected: str, message: Message, advice: str, code: str = ".range"
+) -> Feedback:
+    """code: what is in the line to look at."""
     return Feedback(
-        summary=summary, expected=expected, seen=f"range is {message.data.range:.3f}", advice=advice
+        summary=summary,
+        expected=expected,
+        seen=f"range is {message.data.range:.3f}",
+        where=text_places(recording.sources, code)[:1],
+        advice=advice,
     )
 
 

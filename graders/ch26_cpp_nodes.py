@@ -68,6 +68,7 @@ def counts(recording: Recording) -> None:
     expect_counting(
         lines,
         LINE,
+        sources=recording.sources,
         terminal=recording.process(NODE).text,
         first=FIRST,
         begin="Start with `int count_ = 0;`. Log the message first, then add one to the count.",

@@ -43,7 +43,9 @@ LIMITS = {
     # Raised by 6 for a missing space after a colon in YAML.
     # Raised by 9 for a pattern without glob, and a parameter without a default value.
     # Raised by 76 for links to packages: a sandbox costs a tenth of the CPU time.
-    "lines": 48_727,
+    # Raised by 90 for imports that are left out, names without self, commas in numbers, and places of
+    # logged words.
+    "lines": 48_817,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,

@@ -181,10 +181,10 @@ def _not_spun(sources: Sources) -> Cause | None:
         return None
     if once:
         return Cause("`spin_once` handles one event and returns. `rclpy.spin(node)` runs until Ctrl+C.", once)
-    until = tuple(call.where for call in calls(sources, "spin_until_future_complete"))
+    ends = calls(sources, "spin_until_future_complete") or calls(sources, "init")
     return Cause(
         "Nothing keeps the program running: call `rclpy.spin(node)` in `main()` after you make the node.",
-        until,
+        tuple(call.where for call in ends),
     )
 
 

@@ -239,6 +239,73 @@ def _not_imported(evidence: Evidence, symptom: Symptom, words: Words) -> Proven 
     return Proven() if is_module and name in asked and not _given(evidence.sources, name) else None
 
 
+# Names that the tutorial's programs import, where nothing in the sources says from where.
+_HOMES = {
+    "rclpy.node": {"Node"},
+    "rclpy.executors": {"ExternalShutdownException", "MultiThreadedExecutor", "SingleThreadedExecutor"},
+    "rclpy.parameter": {"Parameter"},
+    "rclpy.qos": {"QoSProfile"},
+    "rcl_interfaces.msg": {"ParameterDescriptor", "SetParametersResult"},
+    "launch": {"LaunchDescription"},
+}
+
+
+def _import_left_out(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`Node` without its import: another file of the learner has it, or it is one that all nodes need."""
+    name = words["name"]
+    found = [node for _, node in nodes(evidence.sources) if isinstance(node, ast.ImportFrom) and node.module]
+    others = [node.module for node in found if any(alias.name == name for alias in node.names)]
+    known = [module for module, names in _HOMES.items() if name in names]
+    defined = {getattr(node, "name", None) for _, node in nodes(evidence.sources)}
+    module = next(iter((*others, *known)), None)
+    return Proven({"module": module}) if module and name not in defined else None
+
+
+def _of_the_object(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """What a class defines, or keeps in `self`, without `self.` or the class before it."""
+    place, name = symptom.where, words["name"]
+    for file, owner in nodes(evidence.sources):
+        if not (place and place.line and file == place.file and isinstance(owner, ast.ClassDef)):
+            continue
+        methods = [part for part in owner.body if isinstance(part, ast.FunctionDef)]
+        around = next((one for one in methods if one.lineno <= place.line <= (one.end_lineno or 0)), None)
+        shared = {part.name for part in methods}
+        shared |= {one.id for part in owner.body for one in _stored(part) if isinstance(one, ast.Name)}
+        kept = {one.attr for one in _stored(owner) if isinstance(one, ast.Attribute)}
+        if around and _takes_self(around) and name in shared | kept:
+            return Proven({"owner": "self"})
+        if around and name in shared:
+            return Proven({"owner": owner.name})
+    return None
+
+
+def _stored(top: ast.AST) -> Iterator[ast.Name | ast.Attribute]:
+    """`x` of `x = 0`, and `self.x` of `self.x = 0`; those of functions only within a class."""
+    for node in ast.walk(top) if not isinstance(top, ast.FunctionDef) else ():
+        if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store):
+            yield node
+
+
+def _comma_in_number(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`time.sleep(0,5)`."""
+    for file, node in nodes(evidence.sources):
+        match node:
+            case ast.Call(args=[ast.Constant(value=int(whole)), ast.Constant(value=int(part))]):
+                if Location(file, node.lineno) == symptom.where:
+                    return Proven({"right": f"{ast.unparse(node.func)}({whole}.{part})"})
+    return None
+
+
+def _function_for_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`from time import time`, and then `time.sleep`."""
+    for file, node in nodes(evidence.sources):
+        if isinstance(node, ast.ImportFrom) and [alias.name for alias in node.names] == [node.module]:
+            used = (one for _, one in nodes(evidence.sources) if isinstance(one, ast.Attribute))
+            if any(ast.unparse(one) == f"{node.module}.{words['name']}" for one in used):
+                return Proven({"module": str(node.module)}, (Location(file, node.lineno),))
+    return None
+
+
 def _given(sources: Sources, name: str) -> list[Location]:
     """Where a variable of this name is assigned."""
     return [
@@ -836,6 +903,21 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"name '(?P<name>\w+)' is not defined", "Add `import {name}` at the top of the file.",
           "NameError: name 'time' is not defined", proof=_not_imported,
           given={"talk/talker.py": "timer = 1\ntime.sleep(timer)\n"}),
+    Known(r"name '(?P<name>\w+)' is not defined", "Add `from {module} import {name}` at the top of the file.",
+          "NameError: name 'Node' is not defined", proof=_import_left_out,
+          given={"talk/talker.py": "class Talker(Node):\n    pass\n"}),
+    Known(r"name '(?P<name>\w+)' is not defined",
+          "`{name}` belongs to the object or its class: write `{owner}.{name}`.",
+          "NameError: name 'tick' is not defined", proof=_of_the_object,
+          given={"talk/talker.py": "class Talker:\n    def tick(self):\n        print(tick)  # here\n"}),
+    Known(r"takes exactly one argument \(2 given\)", "Numbers are written with a point: `{right}`.",
+          "TypeError: time.sleep() takes exactly one argument (2 given)", proof=_comma_in_number,
+          given={"talk/talker.py": "time.sleep(0,5)\n"}),
+    Known(r"'builtin_function_or_method' object has no attribute '(?P<name>\w+)'",
+          "This imports the function `{module}`, not the module. Write `import {module}` instead.",
+          "AttributeError: 'builtin_function_or_method' object has no attribute 'sleep'",
+          proof=_function_for_module, where=(here,),
+          given={"talk/talker.py": "from time import time\ntime.sleep(1)\n"}),
     Known(r"name '(?P<name>\w+)' is not defined",
           "`{name}` gets its value where this line cannot see it, or later than this line runs.",
           "NameError: name 'count' is not defined", proof=_given_elsewhere, where=(here,),

@@ -42,7 +42,8 @@ def python_timer_cause(sources: Sources) -> Cause | None:
     """Why no callback runs: no timer, one without a function, or a callback that never returns."""
     if not calls(sources, "create_timer") and not calls(sources, "Thread"):
         return Cause(
-            "The code makes no timer: call `self.create_timer(0.5, self.timer_callback)` in `__init__`."
+            "The code makes no timer: call `self.create_timer(0.5, self.timer_callback)` in `__init__`.",
+            tuple(call.where for call in calls(sources, "__init__")),
         )
     return first(
         sources,

@@ -5,7 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from course.api import Arena, Cause, Failure, Feedback, LogLine, Process, Recording, calls
+from course.api import (
+    Arena,
+    Cause,
+    Failure,
+    Feedback,
+    LogLine,
+    Process,
+    Recording,
+    Sources,
+    calls,
+    text_places,
+)
 
 _SHOWN = 3
 _NUMBERS = 5
@@ -48,6 +59,7 @@ def expect_counting(
     lines: Sequence[LogLine],
     pattern: re.Pattern[str],
     *,
+    sources: Sources,
     terminal: Sequence[str],
     first: str,
     begin: str,
@@ -61,19 +73,20 @@ def expect_counting(
     cause: why a later one is wrong, if the code proves it.
     """
     numbers = _numbers((line.text for line in lines), pattern)
+    where = text_places(sources, re.split(r"\d", first)[0])[:_SHOWN]
     if _go_up_by_one(numbers) or _go_up_by_one(_numbers(terminal, pattern)):
         return
     if numbers[0] != 0:
         said = lines[0].text
         summary = f"The first message is `{said[:60]}`, not `{first}`."
-        raise Failure(Feedback(summary=summary, expected=first, seen=said, advice=begin))
+        raise Failure(Feedback(summary=summary, expected=first, seen=said, where=where, advice=begin))
     seen = ", ".join(map(str, numbers[:_NUMBERS]))
     raise Failure(
         Feedback(
             summary=f"The count does not go up by one: {seen}.",
             expected=", ".join(map(str, range(_NUMBERS))),
             seen=seen,
-            where=cause.where if cause else (),
+            where=cause.where if cause else where,
             advice=cause.text if cause else step,
             details=tuple(line.text for line in lines[:_SHOWN]),
         )

@@ -82,7 +82,10 @@ def an_error(evidence: Evidence, log: str) -> tuple[CppError, Location | None]:
 
 
 def from_python(evidence: Evidence, example: str) -> list[Symptom]:
-    return [Symptom(example, evidence.place("talk/talker.py", 1), (example,))]
+    """In the line that ends with `# here`, else in the first one."""
+    lines = evidence.sources.files.get(f"{FOLDER}/talk/talker.py", "").splitlines()
+    number = next((n for n, line in enumerate(lines, start=1) if line.endswith("# here")), 1)
+    return [Symptom(example, evidence.place("talk/talker.py", number), (example,))]
 
 
 TABLES = {

@@ -96,7 +96,14 @@ def _lost(recording: Recording, process: str) -> Cause:
 
 
 def _written(recording: Recording, text: str) -> tuple[Location, ...]:
-    return text_places(recording.sources, text[:20])[:1] if text.strip() else ()
+    words = max(re.split(r"[-\d.]+", text), key=len).strip()[:20]  # numbers are seldom written there
+    files = recording.sources.files
+    places = tuple(
+        place
+        for place in (text_places(recording.sources, words) if len(words) > _FEW else ())
+        if not files[place.file].splitlines()[(place.line or 1) - 1].lstrip().startswith(("#", "//"))
+    )
+    return places if len(places) == 1 else ()
 
 
 def _printed(recording: Recording, text: str) -> Feedback:

@@ -86,10 +86,15 @@ def test_a_count_that_is_part_of_the_words(
     lines = counted(*(f"Said {n} times." for n in numbers)).log
     pattern = re.compile(r"Said (\d+) times")
     terminal = [f"[INFO] [1.0] [node]: {line.text}" for line in lines]
+    code = "def say(self):\n    self.get_logger().info(f'Said {self.n} times.')\n"
+    sources = counted(code=code).sources
     found = said(
-        expect_counting, lines, pattern, terminal=terminal, first="Said 0 times.", begin="begin", step="step"
+        *(expect_counting, lines, pattern),
+        **{"sources": sources, "terminal": terminal},
+        **{"first": "Said 0 times.", "begin": "begin", "step": "step"},
     )
     assert (found and found.summary, found and found.advice) == (summary, advice)
+    assert found is None or [place.line for place in found.where] == [2]
 
 
 @pytest.mark.parametrize(
@@ -103,6 +108,7 @@ def test_messages_of_a_flood_that_never_reached_the_log(shown: tuple[int, ...], 
         expect_counting,
         lines,
         re.compile(r"Said (\d+) times"),
+        sources=counted().sources,
         terminal=terminal,
         first="Said 0 times.",
         begin="begin",
