@@ -43,7 +43,7 @@ from course.grading.supervisor import ForkServer, Supervisor
 from course.grading.trial_answers import SEED
 from course.isolation import Level
 from course.isolation.isolation_plan import IsolationPlan
-from course.isolation.levels import Isolation, MachinePlaces, isolated, packages_dir
+from course.isolation.levels import Isolation, MachinePlaces, isolated
 from course.isolation.view import view
 from course.model import replace
 from course.model.result import Result, Timing, Verdict, not_applicable, verdict_of
@@ -330,11 +330,9 @@ def _places(request: Request, ros: Ros) -> MachinePlaces:
     store, exercise = request.store.root, request.exercise
     engine = Path(course.__file__).parents[1]
     with contextlib.suppress(OSError):  # building says so
-        for folder in (store, packages_dir()):
-            folder.mkdir(parents=True, exist_ok=True)
+        store.mkdir(parents=True, exist_ok=True)
     pythons = (Path(sys.prefix), Path(sys.base_prefix), *places_of(ros))
-    ours = (engine, exercise.grader.parents[1], exercise.solution.parent, packages_dir())
-    read = (*pythons, *ours, request.home, store)
+    read = (*pythons, engine, exercise.grader.parents[1], exercise.solution.parent, request.home, store)
     return MachinePlaces(tuple(dict.fromkeys(read)))
 
 

@@ -71,9 +71,11 @@ def isolated(
     if places is not None and namespaces:
         missing = unless_known(KNOWN, isolation.ISOLATION.program(), lambda: obstacle_to(Level.CONTAINED))
         if missing is None:
+            with contextlib.suppress(OSError):  # whoever makes links in it does without them
+                _packages_dir().mkdir(parents=True, exist_ok=True)
             with new_identity(limits) as identity:
-                write = (*places.write, *identity.control_groups)
-                plan = IsolationPlan(shown=_texts(places.read), write=_texts(write), machine="read")
+                read, write = (*places.read, _packages_dir()), (*places.write, *identity.control_groups)
+                plan = IsolationPlan(shown=_texts(read), write=_texts(write), machine="read")
                 yield Isolation(Level.CONTAINED, plan, identity=identity, limits=limits)
             return
     no_namespaces = obstacle_to(Level.NAMESPACES) if namespaces else None
@@ -118,13 +120,13 @@ def _plan(
     write: tuple[str, ...] = (),
     own_network: bool = False,
 ) -> IsolationPlan:
-    groups, seen = _texts(identity.control_groups), linked(seen, packages_dir())
+    groups, seen = _texts(identity.control_groups), linked(seen, _packages_dir())
     of = (seen.shown, seen.empty, groups, limits, own_network, write)
     return IsolationPlan(identity.user, *of, linked=seen.linked)
 
 
-def packages_dir() -> Path:
-    """Where links to Python packages are, which the grading process needs as one of its `MachinePlaces`."""
+def _packages_dir() -> Path:
+    """Where links to Python packages are."""
     return cache_dir(os.environ) / "packages"
 
 
