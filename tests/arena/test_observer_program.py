@@ -204,12 +204,12 @@ def test_a_call_that_does_not_return(watched: Watched) -> None:
 
 
 def test_one_that_took_its_time_and_went_on(watched: Watched) -> None:
-    notes = watched.run("import time\ntime.sleep(1.5)\ntime.sleep(0.5)\n")
+    notes = watched.run("import time\ntime.sleep(1.9)\ntime.sleep(0.5)\n")
     assert [note.seconds > 0 for note in notes if note.what == "stood"] == [True, False]
 
 
 def test_one_that_goes_on_again_and_again(watched: Watched) -> None:
-    notes = watched.run("import time\nfor _ in range(3):\n    time.sleep(1.5)\ntime.sleep(0.5)\n")
+    notes = watched.run("import time\nfor _ in range(3):\n    time.sleep(1.9)\ntime.sleep(0.5)\n")
     assert [note.seconds > 0 for note in notes if note.what == "stood"] == [True, False] * 3
 
 
