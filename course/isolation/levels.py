@@ -71,7 +71,7 @@ def isolated(
     if places is not None and namespaces:
         missing = unless_known(KNOWN, isolation.ISOLATION.program(), lambda: obstacle_to(Level.CONTAINED))
         if missing is None:
-            with contextlib.suppress(OSError):  # whoever makes links in it does without them
+            with contextlib.suppress(OSError):  # then packages are shown without links
                 _packages_dir().mkdir(parents=True, exist_ok=True)
             with new_identity(limits) as identity:
                 read, write = (*places.read, _packages_dir()), (*places.write, *identity.control_groups)
