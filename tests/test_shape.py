@@ -45,7 +45,8 @@ LIMITS = {
     # Raised by 76 for links to packages: a sandbox costs a tenth of the CPU time.
     # Raised by 90 for imports that are left out, names without self, commas in numbers, and places of
     # logged words.
-    "lines": 48_817,
+    # Raised by 9 for results that a second command must not remove.
+    "lines": 48_826,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,

@@ -121,7 +121,7 @@ def default_jobs() -> int:
 @contextlib.contextmanager
 def results_folder(out: Path) -> Iterator[Results]:
     """Nobody else may grade into it meanwhile. Raises UsageError and StorageError."""
-    with _alone_in(out):
+    with alone_in(out):
         repair(out)
         with Results.open(out) as results:
             _sweep(out)
@@ -136,7 +136,8 @@ def _sweep(out: Path) -> None:
 
 
 @contextlib.contextmanager
-def _alone_in(out: Path) -> Iterator[None]:
+def alone_in(out: Path) -> Iterator[None]:
+    """Nobody else grades into the folder meanwhile. Raises UsageError and StorageError."""
     with storing(f"results cannot be kept in {out}"):
         stack = contextlib.ExitStack()
         try:

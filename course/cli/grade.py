@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from datetime import datetime, timezone
 from functools import partial
@@ -35,6 +35,7 @@ from course.batch.run import (
     Batch,
     BatchProgress,
     Rounds,
+    alone_in,
     default_jobs,
     local_rounds,
     results_folder,
@@ -46,7 +47,7 @@ from course.cli.options import options_of
 from course.cli.session import course_of
 from course.cli.signals import ended_cleanly
 from course.cli.usage import examples, spoken, typed
-from course.errors import ExitCode, MissingHere, UsageError
+from course.errors import ExitCode, MissingHere, StorageError, UsageError
 from course.files import wipe, write_pieces
 from course.isolation import Level
 from course.isolation.levels import obstacle_to
@@ -429,10 +430,17 @@ def grade(
         arrivals = Arrivals(asked.submissions) if watch else None
         sound = grade_class(course, asked, graders, gradescope, arrivals)
     except UsageError:
-        if is_new and not (asked.out / EVIDENCE).exists() and not _holds_gradings(asked.out):
-            wipe(asked.out)
+        if is_new:
+            remove_if_unused(asked.out)
         raise
     raise typer.Exit(ExitCode.PASSED if sound else ExitCode.OUR_FAULT)
+
+
+def remove_if_unused(out: Path) -> None:
+    """Remove a results folder without results, unless somebody is grading into it."""
+    with suppress(UsageError, StorageError), alone_in(out):
+        if not (out / EVIDENCE).exists() and not _holds_gradings(out):
+            wipe(out)
 
 
 def _holds_gradings(out: Path) -> bool:

@@ -17,6 +17,7 @@ import pytest
 
 from course.batch.results import FILE
 from course.batch.run import results_folder
+from course.cli.grade import remove_if_unused
 from course.content import open_course
 from course.isolation import Level
 from course.isolation.levels import obstacle_to
@@ -163,7 +164,17 @@ def test_two_at_the_same_moment_grade_once(quiz: Command) -> None:
     with quiz.start() as one, quiz.start() as other:
         said = [one.communicate()[0], other.communicate()[0]]
     assert sorted((one.returncode, other.returncode)) in ([0, 2], [0, 0]), said
-    assert len(gradings(quiz.out)) == 40
+    assert len(gradings(quiz.out)) == 40, said
+
+
+def test_the_second_one_leaves_the_folder_alone(tmp_path: Path) -> None:
+    """It was not there when that command began, so it looks like one of its own."""
+    out = tmp_path / "grades"
+    with results_folder(out):
+        remove_if_unused(out)
+        assert (out / FILE).exists()
+    remove_if_unused(out)
+    assert not out.exists()
 
 
 @contextmanager
