@@ -884,7 +884,8 @@ def swing(recording: Recording) -> None:
                     advice="Send a target in each round of the loop.",
                 )
             )
-        if abs(made.amplitude - math.degrees(SWING)) < 0.5:
+        around = made.offset - begin[joint]
+        if abs(made.amplitude - math.degrees(SWING)) < 0.5 and abs(around) < 1.0:
             raise Failure(
                 Feedback(
                     summary="The targets are in degrees, but the robot expects radians.",
@@ -909,7 +910,7 @@ def swing(recording: Recording) -> None:
                     "before the loop.",
                 )
             )
-        if not floods(targets) and abs(made.offset - begin[joint]) > 0.02:
+        if not floods(targets) and abs(around) > 0.02:
             raise Failure(
                 Feedback(
                     summary="The targets do not swing around the joints' first positions.",

@@ -7,6 +7,7 @@ tests/batch/test_class_of_sixty.py says whether it is still so.
 
 from __future__ import annotations
 
+import os
 import re
 import tempfile
 from collections.abc import Iterator
@@ -29,7 +30,8 @@ def picture(said: str, beside: Path) -> str:
 
     beside: the folder that the class and the results are in; paths are shown as from there.
     """
-    said = said.replace(f"{beside}/", "")
+    for named in (str(beside), os.path.relpath(beside)):
+        said = said.replace(f"{named}/", "")
     lines = [line.rstrip() for line in said.splitlines() if not PROGRESS.search(line)]
     end = next(number for number, line in enumerate(lines) if REMARK.match(line))
     text = "\n".join([*_some_rows(lines[:end]), "...", *lines[end:]])
