@@ -35,5 +35,6 @@ def prefixes(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 def room(prefixes: list[Path], tmp_path: Path) -> Iterator[Room]:
     """Starts programs that hear each other and nobody else."""
     with isolated(namespaces=False) as place:
-        environment = {**node_environment(find_ros(), prefixes), **place.environment}
+        no_daemon = {"ROS2COURSE_ARENA": "1"}  # it would outlive the test
+        environment = {**node_environment(find_ros(), prefixes), **place.environment, **no_daemon}
         yield Room(environment, tmp_path, prefixes[0] / "lib" / "rclcpp_probes")
