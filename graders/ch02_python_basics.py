@@ -217,7 +217,7 @@ def rate(recording: Recording) -> None:
     )
 
 
-@script.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+@script.check("interrupt", "Ctrl+C ends it cleanly", needs="starts")
 def interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, "script")
 
@@ -499,6 +499,8 @@ def private(recording: Recording) -> None:
     )
     after = "after set_private_attribute(8.0),"
     sets = "`self._private_attribute = ` and the argument, in `set_private_attribute`."
+    if slip := slips.compared(only(recording, CLASS, INIT)):
+        sets, (was_set, *_) = slip.text, slip.where
     expect_answer(
         recording, "set and get", 8.0, f"get_private_attribute(), {after}", advice=sets, where=was_set
     )

@@ -128,6 +128,6 @@ def declares_rclpy(recording: Recording) -> None:
     expect_dependency(recording, PACKAGE, "rclpy")
 
 
-@print_forever.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+@print_forever.check("interrupt", "Ctrl+C ends it cleanly", needs="starts")
 def interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, NODE)

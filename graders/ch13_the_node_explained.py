@@ -171,7 +171,7 @@ def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
     )
 
 
-@repair.check("interrupt", "Ctrl+C ends all three in silence", needs=[f"{node}_runs" for node in NODES])
+@repair.check("interrupt", "Ctrl+C ends all three cleanly", needs=[f"{node}_runs" for node in NODES])
 def interrupt(recording: Recording) -> None:
     for node in NODES:
         expect_clean_interrupt(only(recording, node), program(node))

@@ -398,6 +398,6 @@ def declares(recording: Recording) -> None:
     expect_dependency(recording, PACKAGE, "rclpy", LIBRARY)
 
 
-@user.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+@user.check("interrupt", "Ctrl+C ends it cleanly", needs="starts")
 def interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, NODE)

@@ -167,7 +167,7 @@ def publisher_dependencies(recording: Recording) -> None:
     expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
 
 
-@publisher.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+@publisher.check("interrupt", "Ctrl+C ends it cleanly", needs="starts")
 def publisher_interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, PUBLISHER)
 
@@ -240,7 +240,7 @@ def subscriber_dependencies(recording: Recording) -> None:
     expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
 
 
-@subscriber.check("interrupt", "Ctrl+C ends it in silence", needs="survives")
+@subscriber.check("interrupt", "Ctrl+C ends it cleanly", needs="survives")
 def subscriber_interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, SUBSCRIBER)
 
@@ -419,6 +419,6 @@ def sensor_dependencies(recording: Recording) -> None:
     expect_dependency(recording, rover.PACKAGE, "rclpy", "sensor_msgs", "geometry_msgs")
 
 
-@sensor.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+@sensor.check("interrupt", "Ctrl+C ends it cleanly", needs="starts")
 def sensor_interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, SENSOR)

@@ -292,7 +292,7 @@ def server_dependencies(recording: Recording) -> None:
     expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
 
 
-@server.check("interrupt", "Ctrl+C ends it in silence", needs="answers")
+@server.check("interrupt", "Ctrl+C ends it cleanly", needs="answers")
 def server_interrupt(recording: Recording) -> None:
     expect_clean_interrupt(about_server(recording), SERVER)
 
@@ -474,7 +474,7 @@ def client_dependencies(recording: Recording) -> None:
     expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
 
 
-@client.check("interrupt", "Ctrl+C ends it in silence", needs="survives")
+@client.check("interrupt", "Ctrl+C ends it cleanly", needs="survives")
 def client_interrupt(recording: Recording) -> None:
     expect_clean_interrupt(about_client(recording), CLIENT)
 
@@ -698,6 +698,6 @@ def controller_dependencies(recording: Recording) -> None:
     expect_dependency(recording, rover.PACKAGE, "rclpy", "sensor_msgs", "geometry_msgs", "std_srvs")
 
 
-@controller.check("interrupt", "Ctrl+C ends it in silence", needs="survives")
+@controller.check("interrupt", "Ctrl+C ends it cleanly", needs="survives")
 def controller_interrupt(recording: Recording) -> None:
     expect_clean_interrupt(about_controller(recording), CONTROLLER)

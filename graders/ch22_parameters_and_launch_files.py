@@ -384,7 +384,7 @@ def dependencies(recording: Recording) -> None:
     expect_dependency(recording, PACKAGE, "rclpy", INTERFACES)
 
 
-@parameters.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+@parameters.check("interrupt", "Ctrl+C ends it cleanly", needs="starts")
 def interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, EXECUTABLE)
 

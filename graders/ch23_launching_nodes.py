@@ -94,7 +94,7 @@ def rate(recording: Recording) -> None:
         raise Failure(replace(failure.feedback, where=where)) from None
 
 
-@launch.check("interrupt", "one Ctrl+C ends all of it in silence", points=2, needs="launches")
+@launch.check("interrupt", "one Ctrl+C ends all of it cleanly", points=2, needs="launches")
 def interrupt(recording: Recording) -> None:
     expect_launch_interrupt(recording, FILE)
 
@@ -224,6 +224,6 @@ def elsewhere(recording: Recording, wanted: float, seen: float, advice: str) -> 
     )
 
 
-@whole.check("interrupt", "one Ctrl+C ends all of it in silence", needs="launches")
+@whole.check("interrupt", "one Ctrl+C ends all of it cleanly", needs="launches")
 def rover_interrupt(recording: Recording) -> None:
     expect_launch_interrupt(recording, ROVER_FILE)

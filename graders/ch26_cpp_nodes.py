@@ -105,7 +105,7 @@ def declares_rclcpp(recording: Recording) -> None:
     expect_dependency(recording, PACKAGE, "rclcpp")
 
 
-@cpp_node.check("interrupt", "Ctrl+C ends it in silence", needs="starts")
+@cpp_node.check("interrupt", "Ctrl+C ends it cleanly", needs="starts")
 def interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, NODE)
 

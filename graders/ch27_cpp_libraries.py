@@ -303,7 +303,7 @@ def rate(recording: Recording) -> None:
         expect_period(times, 0.5, what=what, program=recording)
 
 
-@cpp_library.check("interrupt", "Ctrl+C ends the node in silence", needs="starts")
+@cpp_library.check("interrupt", "Ctrl+C ends the node cleanly", needs="starts")
 def interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, NODE)
 

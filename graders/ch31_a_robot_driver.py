@@ -667,14 +667,14 @@ def follows_wave(recording: Recording) -> None:
     expect_step_and_wave(recording, LEFT, "wave", advice, where)
 
 
-@driver.check("wrong_target", "a target of five elements ends it in order", points=2, needs="joints")
+@driver.check("wrong_target", "a target of five elements ends it cleanly", points=2, needs="joints")
 def wrong_target(recording: Recording) -> None:
     advice = "Throw in `set_target_joint_positions`, and don't catch it. `control_loop()` does the rest."
     order = "Let `control_loop()` return. It always calls `deinitialize` and `disconnect`."
     expect_end_by_a_wrong_target(recording, AGAIN, advice, order, CALLS)
 
 
-@driver.check("interrupt", "Ctrl+C ends it in order: deinitialize, then disconnect", points=2, needs="starts")
+@driver.check("interrupt", "Ctrl+C ends it cleanly: deinitialize, then disconnect", points=2, needs="starts")
 def interrupt(recording: Recording) -> None:
     expect_clean_interrupt(recording, EXECUTABLE)
     view = recording.process(EXECUTABLE)
@@ -954,7 +954,7 @@ def client_rate(recording: Recording) -> None:
     )
 
 
-@client.check("client_end", "Ctrl+C ends it in silence", needs="runs")
+@client.check("client_end", "Ctrl+C ends it cleanly", needs="runs")
 def client_end(recording: Recording) -> None:
     expect_clean_interrupt(only_script(recording), SCRIPT)
 
@@ -1029,14 +1029,14 @@ def python_wave(recording: Recording) -> None:
     expect_step_and_wave(recording, WRITING, "wave", advice, places(recording.sources, "create_subscription"))
 
 
-@in_python.check("python_wrong", "a target of five elements ends it in order", needs="python_joints")
+@in_python.check("python_wrong", "a target of five elements ends it cleanly", needs="python_joints")
 def python_wrong(recording: Recording) -> None:
     advice = "Check `len(message.data)` first. Log an error, and raise an exception that `main` catches."
     order = "In `main`, switch off and disconnect in a `finally:`, which runs no matter how `spin` ended."
     expect_end_by_a_wrong_target(recording, AGAIN, advice, order, WORDS)
 
 
-@in_python.check("python_end", "Ctrl+C ends it in order", needs="python_starts")
+@in_python.check("python_end", "Ctrl+C ends it cleanly", needs="python_starts")
 def python_end(recording: Recording) -> None:
     expect_clean_interrupt(recording, PYTHON_NODE)
     view = recording.process(PYTHON_NODE)

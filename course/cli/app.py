@@ -18,7 +18,7 @@ from course.cli.usage import PROGRAM, examples
 EPILOG = (
     examples(
         ("next", "begin, or continue where you left off"),
-        ("check", "check the exercise you are at"),
+        ("check", "check your current exercise"),
         ("watch", "check it at every save"),
         ("hint", "a hint for it"),
         ("shell", "a shell in your course home, with ROS 2 ready"),
@@ -94,7 +94,7 @@ COMMANDS = (
     LazyCommand(
         "build-underlay", "Build the ROS packages that come with the course.", "underlay", "build_underlay"
     ),
-    LazyCommand("evidence", "Look at what `check` recorded, or take it along.", "evidence", "evidence"),
+    LazyCommand("evidence", "Show what `check` recorded, or export it.", "evidence", "evidence"),
 )
 
 

@@ -29,7 +29,7 @@ from course.report.verdict import render_result, render_so_far
 from course.rosenv import find_ros
 
 EXAMPLES = examples(
-    ("check", "check the exercise you are at"),
+    ("check", "check your current exercise"),
     ("check 18-publisher", "check another one"),
     ("check --timeline", "and draw what happened"),
     ("check --again", "try again what is wrong in a quiz"),

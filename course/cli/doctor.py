@@ -112,8 +112,8 @@ def containment() -> MachineFinding:
 
 def _bounds() -> str:
     if available():
-        return "bounds on memory and processes are the kernel's (control groups)"
-    return "bounds on memory and processes are watched (no control groups here)"
+        return "the kernel limits memory and processes (control groups)"
+    return "memory and processes are only watched (no control groups here)"
 
 
 def _in_container() -> bool:
@@ -135,9 +135,7 @@ def storage(name: str, folder: Path) -> MachineFinding:
         with tempfile.TemporaryFile(dir=folder):
             free = shutil.disk_usage(folder).free
     except OSError as error:
-        step = (
-            f"See to the owner and the rights of {folder}, and to its disk: `ls -ld {folder}; df {folder}`."
-        )
+        step = f"Check the owner and permissions of {folder}, and its disk: `ls -ld {folder}; df {folder}`."
         return MachineFinding(name, State.MISSING, f"{folder}: {error.strerror}", step)
     found = f"{folder}, {free / GIBIBYTE:.1f} GiB free"
     if free >= ENOUGH_SPACE:

@@ -57,12 +57,12 @@ def read_recording(file: Path, otherwise: str) -> Recorded:
 
 
 SHOW_EXAMPLES = examples(
-    ("evidence show", "of the exercise you are at"),
+    ("evidence show", "of your current exercise"),
     ("evidence show 18-publisher", "of another one"),
     ("evidence show quotes.mcap", "of any recording of the course"),
 )
 EXPORT_EXAMPLES = examples(
-    ("evidence export --to quotes.mcap", "of the exercise you are at"),
+    ("evidence export --to quotes.mcap", "of your current exercise"),
     ("evidence export 18-publisher --to ~/bags/", "of another one, into a folder"),
 )
 EXAMPLES = examples(
@@ -76,7 +76,7 @@ evidence = typer.Typer(rich_markup_mode=None)
 
 @evidence.callback()
 def about() -> None:
-    """Look at what `check` recorded, or take it along."""
+    """Show what `check` recorded, or export it."""
 
 
 @evidence.command(epilog=SHOW_EXAMPLES)
@@ -87,7 +87,7 @@ def show(
         typer.Argument(
             metavar="[ID|FILE]",
             help="The exercise, or a recording: a file that ends with .mcap. "
-            "Without it, the exercise you are at.",
+            "Without it, your current exercise.",
             autocompletion=complete_exercise,
             show_default=False,
         ),

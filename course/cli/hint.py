@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from course.content import Exercise
 
 EXAMPLES = examples(
-    ("hint", "the next hint for the exercise you are at"),
+    ("hint", "the next hint for your current exercise"),
     ("hint 18-publisher", "for another one"),
     ("hint --again", "the last one once more"),
     ("hint --all", "all of them"),

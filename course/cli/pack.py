@@ -33,7 +33,7 @@ from course.report.gradebook.gradescope import zipped
 from course.rosenv import Ros, find_ros
 
 EXAMPLES = examples(
-    ("pack", "the exercise you are at"),
+    ("pack", "your current exercise"),
     ("pack 17 18", "all exercises of two chapters"),
     ("pack 18-publisher --out ada.zip", "under another name"),
 )

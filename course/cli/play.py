@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from course.content import Exercise
 
 EXAMPLES = examples(
-    ("play", "the mystery you are at"),
+    ("play", "your current mystery"),
     ("play 19-inspect-topics", "another one"),
 )
 

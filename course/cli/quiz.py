@@ -192,7 +192,7 @@ def _worth_less(question: Question) -> str:
 def _misunderstood(question: Question) -> str:
     if question.form == "number":
         return "That is not a number. Write it in digits, such as 2.5."
-    return f"That is none of the choices. Type a letter from a to {LETTERS[len(question.choices) - 1]}."
+    return f"That is not one of the choices. Type a letter from a to {LETTERS[len(question.choices) - 1]}."
 
 
 def put_questions(console: Console, session: CourseSession, exercise: Exercise) -> None:

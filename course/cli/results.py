@@ -40,7 +40,7 @@ EXAMPLES = examples(
 )
 FILL_EXAMPLES = examples(
     ("results fill canvas.csv week3 --column 771", "one of several columns"),
-    ("results fill worksheet.csv week3 --scale", "where the LMS counts other points"),
+    ("results fill worksheet.csv week3 --scale", "if the LMS has a different maximum"),
 )
 
 MOODLE_EXAMPLES = examples(("results moodle week3", "week3/moodle-feedback.zip"))
@@ -189,7 +189,7 @@ def _score(sheet: Sheet, exercise: str) -> Score:
 def _say(file: Path, found: Filled, names: dict[str, str]) -> None:
     console = open_console()
     put(console, str(file))
-    changed = f", {found.changed} of them in place of another value" if found.changed else ""
+    changed = f", {found.changed} of them replacing another value" if found.changed else ""
     put(console, f"{found.lms}, {sanitize.one_line(found.column)}: {found.filled} filled in{changed}.")
     for who, why in found.left:
         put_prose(

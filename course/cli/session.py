@@ -137,7 +137,7 @@ CurrentExercise = Annotated[
     typer.Argument(
         metavar="ID",
         help="The exercise, such as 18-publisher; a part that fits only one will do. "
-        "Without it, the one you are at.",
+        "Without it, your current exercise.",
         autocompletion=complete_exercise,
         show_default=False,
     ),

@@ -13,7 +13,7 @@ from course.report.console import open_console, paged
 from course.report.exercise_text import render_exercise, render_lesson
 
 EXAMPLES = examples(
-    ("show", "the exercise you are at"),
+    ("show", "your current exercise"),
     ("show 18-publisher", "another one"),
     ("show 18-publisher --lesson", "with its chapter's whole lesson"),
 )

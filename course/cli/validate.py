@@ -263,7 +263,7 @@ def validate(
     some exercise.
     """
     if mutate and (static or repeat > 1 or junit):
-        raise UsageError("--mutate goes with none of --static, --repeat and --junit.", "Run them by turns.")
+        raise UsageError("--mutate does not go with --static, --repeat, or --junit.", "Run them separately.")
     course, wanted = course_of(options_of(ctx)), exercises or []
     if mutate:
         raise typer.Exit(mutate_graders(course, wanted, jobs))

@@ -138,7 +138,7 @@ class Recording:
         return ParameterView.of(node, lambda name: self.service(name).calls, self.messages(EVENTS))
 
     def process(self, name: str) -> ProcessView:
-        """Return a program that the scenario ran, by the name that it got there."""
+        """Return a program that the scenario ran, by the name the scenario gave it."""
         return ProcessView.of(name, self.events)
 
     def shell(self, name: str = "bash") -> ShellView:
@@ -168,7 +168,7 @@ class Recording:
         return next((event for event in self._of(ProgramMissing) if event.process == process), None)
 
     def launched(self, name: str) -> LaunchView:
-        """Return a launch file that the scenario ran, by the name that it got there."""
+        """Return a launch file that the scenario ran, by the name the scenario gave it."""
         return LaunchView.of(name, self.events)
 
     def missing_executable(self, process: str) -> ExecutableMissing | None:

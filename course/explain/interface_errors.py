@@ -318,7 +318,7 @@ INTERFACES: tuple[Known[Build], ...] = (
     Known(kind="field-type",
           pattern=r"Error processing '(?P<line>(?P<type>(?P<of>\w+)/\w+/(?P<bare>\w+))\S*.*?)' of "
                   r"'[^'/]*/(?P<message>\w+)': .*?Traceback", cause=_NO_TYPE,
-          remedy="In an interface file, the folder is left out: `{of}/{bare}`.", proof=_type,
+          remedy="In an interface file, leave out the folder: `{of}/{bare}`.", proof=_type,
           example=_processing("geometry_msgs/msg/Point p", "geometry_msgs/msg/Point"),
           given={"msg/Quote.msg": "geometry_msgs/msg/Point p\n"}),
     Known(kind="field-type", pattern=_PROCESSING + ".*?Traceback", cause=_NO_TYPE,

@@ -250,7 +250,7 @@ def spin_in_a_thread(sources: Sources) -> Cause | None:
     return _in(
         spinning,
         "Call `rclpy.spin(node)` in `main()` itself, in the main thread: only there does Ctrl+C arrive as "
-        "KeyboardInterrupt. A thread of its own does not see it, and spins on while ROS shuts down.",
+        "KeyboardInterrupt. Any other thread does not see it, and keeps spinning while ROS shuts down.",
     )
 
 

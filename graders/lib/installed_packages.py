@@ -65,5 +65,5 @@ def _elsewhere(files: tuple[str, ...], folder: str, path: str, error: str) -> Fe
         summary, advice = f"There is no folder {name}; there is `{near}`.", f"Rename it to `{name}`."
     else:
         summary = f"The package has no folder {path} with an `__init__.py` in it."
-        advice = f"Create both: `{wanted}/__init__.py`. For the build the file may be empty."
+        advice = f"Create both: `{wanted}/__init__.py`. An empty file is enough for the build."
     return Feedback(summary=summary, expected=wanted, seen=error, where=where, advice=advice)

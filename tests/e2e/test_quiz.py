@@ -86,7 +86,7 @@ def test_a_letter_means_what_is_shown_beside_it(answer: Ask, course_home: Path) 
 def test_what_makes_no_sense_is_asked_again(answer: Ask) -> None:
     shown, code = answer("check", typed=("x", "1", "\x1b[A", INTERRUPT))
     assert code == 130
-    assert shown.count("That is none of the choices. Type a letter from a to d.") == 2
+    assert shown.count("That is not one of the choices. Type a letter from a to d.") == 2
     assert shown.count("Question 1 of 5") == 1
 
 

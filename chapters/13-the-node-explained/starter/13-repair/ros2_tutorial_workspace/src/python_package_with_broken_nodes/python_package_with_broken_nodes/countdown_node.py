@@ -1,7 +1,7 @@
 """
 The node countdown: it logs 3, 2, 1, and "Lift-off!", one every half second.
 
-After that it keeps running, in silence. Ctrl+C ends it, without a traceback.
+After that it keeps running without output. Ctrl+C ends it, without a traceback.
 """
 # TODO: one thing in this file is wrong. Run it, see what it does, and fix it.
 
