@@ -77,7 +77,7 @@ def test_no_bubblewrap_is_no_obstacle(only: Path) -> None:
 
 def test_full_containment_says_how_it_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(doctor, "obstacle_to", lambda level: None)
-    for available, words in ((True, "(control groups)"), (False, "are watched")):
+    for available, words in ((True, "(control groups)"), (False, "are only watched")):
         monkeypatch.setattr(doctor, "available", lambda available=available: available)
         found = doctor.containment()
         assert found.state is State.OK
