@@ -125,10 +125,12 @@ def drive_up_to_the_wall(arena: Arena) -> None:
         if arena.until(lambda: controller.available, timeout=3, while_running=launched):
             controller.get("stop_at", "full_speed")
         if arena.until(lambda: commands.count, timeout=4, while_running=launched):
-            arena.until(lambda: ranges.count >= APPROACH, timeout=8, while_running=launched)
+            begun = ranges.count  # the sensor may have measured for a while before there is a controller
+            arena.until(lambda: ranges.count >= begun + APPROACH, timeout=8, while_running=launched)
             controller.set(stop_at=NEARER)
             arena.mark(TUNED)
-            arena.until(lambda: ranges.count >= APPROACH + REST, timeout=6, while_running=launched)
+            tuned = ranges.count
+            arena.until(lambda: ranges.count >= tuned + REST, timeout=6, while_running=launched)
     arena.interrupt(launched)
 
 
