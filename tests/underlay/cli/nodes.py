@@ -103,10 +103,9 @@ def fibonacci() -> Node:
     def work(goal: Any) -> Any:
         sequence = [0, 1]
         for _ in range(goal.request.order - 1):
-            time.sleep(0.2)  # as real work: ROS does not promise that feedback overtakes no result
             sequence.append(sequence[-2] + sequence[-1])
             goal.publish_feedback(Fibonacci.Feedback(sequence=sequence))
-        time.sleep(0.2)
+            time.sleep(0.2)  # ROS does not promise that feedback arrives before the result
         goal.succeed()
         return Fibonacci.Result(sequence=sequence)
 

@@ -1,7 +1,7 @@
 """
 The node countdown: it logs 3, 2, 1 and "Lift-off!", one every half a second.
 
-After that it keeps running, cleanly. Ctrl+C ends it, without a traceback.
+After that it keeps running without output. Ctrl+C ends it, without a traceback.
 """
 
 import rclpy
