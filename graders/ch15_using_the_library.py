@@ -225,10 +225,10 @@ def wrong(recording: Recording, found: Sum) -> Feedback:
 @user.check("random_numbers", "A and B are new each time", needs=("ranges", "right"))
 def random_numbers(recording: Recording) -> None:
     found = sums(recording)
-    if all(each.a.is_integer() and each.b.is_integer() for each in found):
-        whole = [call.where for way in WHOLE for call in calls(recording.sources, way)]
-        if whole:
-            raise Failure(whole_numbers(found[0], whole[0]))
+    whole = [call.where for way in WHOLE for call in calls(recording.sources, way)]
+    for name, limits in (("a", A_RANGE), ("b", B_RANGE)) if whole else ():
+        if all(getattr(each, name).is_integer() for each in found):
+            raise Failure(whole_numbers(found[0], name.upper(), limits, whole[0]))
     for name, values in (("A", [each.a for each in found]), ("B", [each.b for each in found])):
         if len(values) < 2:
             raise Failure(too_few(recording, found[0].line))
@@ -236,13 +236,14 @@ def random_numbers(recording: Recording) -> None:
             raise Failure(always(recording, f"{name} is", f"{values[0]!r}"))
 
 
-def whole_numbers(found: Sum, where: Location) -> Feedback:
+def whole_numbers(found: Sum, name: str, limits: tuple[float, float], where: Location) -> Feedback:
+    low, high = map(int, limits)
     return Feedback(
-        summary="Your program draws only integers: A is 0 or 1, and B is 1 or 2.",
+        summary=f"Your program draws only integers for {name}: it is always {low} or {high}.",
         expected="any number in between, such as 0.3745401188473625",
         seen=found.line.text[:200],
         where=(where,),
-        advice="Use `random.uniform(0, 1)`, which draws any number between 0 and 1.",
+        advice=f"Use `random.uniform({low}, {high})`, which draws any number between {low} and {high}.",
     )
 
 

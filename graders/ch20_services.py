@@ -208,6 +208,23 @@ def case_sensitive(sources: Sources) -> Cause | None:
     return None
 
 
+def never_found(sources: Sources) -> Cause | None:
+    """`'Life' in text.lower()`."""
+    for file, tree in trees(sources):
+        for node in ast.walk(tree):
+            match node:
+                case ast.Compare(
+                    left=ast.Constant(value=str(word)),
+                    comparators=[ast.Call(func=ast.Attribute(attr="lower" | "upper" as folds))],
+                ) if getattr(word, folds)() != word:
+                    return Cause(
+                        f"A text after `.{folds}()` never contains `{word}`. Look for "
+                        f"`{getattr(word, folds)()}` in it.",
+                        (Location(file, node.lineno),),
+                    )
+    return None
+
+
 @server.check("life", "quotes about life get a point whose sum is 42", points=2, needs="answers")
 def life(recording: Recording) -> None:
     asked = [call for call in recording.service(SERVICE).calls if is_about_life(call)]
@@ -216,7 +233,9 @@ def life(recording: Recording) -> None:
         return
     own = about_server(recording)
     some = len(wrong) < len(asked)
-    cause = case_sensitive(own.sources) if some else slips.other_response(own.sources)
+    cause = (
+        case_sensitive(own.sources) if some else slips.first(own.sources, slips.other_response, never_found)
+    )
     raise Failure(
         Feedback(
             summary=(

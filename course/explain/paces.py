@@ -12,7 +12,7 @@ from course.explain.callbacks import callbacks, in_callbacks
 from course.explain.cpp_code import cpp_files
 from course.explain.cpp_timers import cpp_periods, integer_division
 from course.explain.engine import Cause
-from course.explain.python_code import called_name, calls, number
+from course.explain.python_code import called_name, calls, nodes, number
 from course.explain.python_slips import long_sleep, loop_without_sleep, several_timers
 from course.model.feedback import Location
 
@@ -68,6 +68,19 @@ def _several_at_once(gaps: Sequence[float], period: float, sources: Sources) -> 
         if len(inside) >= count:
             what = f"{count} come together each {period:g} s: the callback does it {count} times."
             return Cause(what, inside[:2])
+    return _prints(sources, count, period)
+
+
+def _prints(sources: Sources, count: int, period: float) -> Cause | None:
+    """A loop that prints `count` times in each round."""
+    for file, loop in nodes(sources):
+        inside = list(ast.walk(loop)) if isinstance(loop, ast.While) else []
+        lines = [
+            part.lineno for part in inside if isinstance(part, ast.Call) and called_name(part) == "print"
+        ]
+        if len(lines) == count:
+            where = tuple(Location(file, line) for line in lines[:2])
+            return Cause(f"{count} come together each {period:g} s: each round prints {count} times.", where)
     return None
 
 

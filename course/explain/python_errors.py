@@ -28,7 +28,14 @@ from course.explain.engine import (
 )
 from course.explain.parameter_causes import undeclared, value_forgotten
 from course.explain.python_code import assigned, called_name, calls, nodes, number, parsed
-from course.explain.python_slips import accidental_tuple, misnamed_constructor, shadowed_import, uncalled
+from course.explain.python_slips import (
+    accidental_tuple,
+    class_spun,
+    misnamed_constructor,
+    shadowed_import,
+    uncalled,
+    waits_for_input,
+)
 from course.explain.service_causes import (
     fields_of_the_request,
     no_response,
@@ -276,6 +283,37 @@ def _of_the_object(evidence: Evidence, symptom: Symptom, words: Words) -> Proven
             return Proven({"owner": "self"})
         if around and name in shared:
             return Proven({"owner": owner.name})
+    return None
+
+
+def _argument(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`self.request`, in a function with the argument `request`."""
+    place = symptom.where
+    for file, node in nodes(evidence.sources):
+        if place and place.line and file == place.file and isinstance(node, ast.FunctionDef):
+            inside = node.lineno <= place.line <= (node.end_lineno or 0)
+            if inside and words["name"] in [one.arg for one in node.args.args[1:]]:
+                return Proven({"function": node.name})
+    return None
+
+
+_TEXT_METHODS = {"casefold", "endswith", "join", "lower", "replace", "split", "startswith", "strip", "upper"}
+
+
+def _of_text(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A method of texts, on an object of a class that is not the learner's."""
+    own = {node.name for _, node in nodes(evidence.sources) if isinstance(node, ast.ClassDef)}
+    return Proven() if words["name"] in _TEXT_METHODS and words["of"] not in own else None
+
+
+def _in_a_class(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`main`, which is indented like the methods of a class in the module."""
+    wanted = f"/{words['module'].replace('.', '/')}.py"
+    for file, owner in nodes(evidence.sources):
+        if file.endswith(wanted) and isinstance(owner, ast.ClassDef):
+            for part in owner.body:
+                if isinstance(part, ast.FunctionDef) and part.name == words["name"]:
+                    return Proven({"owner": owner.name}, (Location(file, part.lineno),))
     return None
 
 
@@ -579,6 +617,10 @@ _NO_NAME = (
     r"module '(?P<module>[\w.]+)' has no attribute '(?P<name>\w+)'",
 )
 _NO_FUNCTION = "The entry point names the function `{name}`; `{module}` has {functions}."
+_IN_A_CLASS = (
+    "`{name}` is inside the class `{owner}`. Move its `def` to the left margin, with all of its lines."
+)
+_CLASS_WITH_MAIN = {"talk/talker.py": "class Talker:\n    def main():\n        pass\n"}
 _NO_SUCH_NAME = "`{module}` has nothing called `{name}`. Check the spelling of both."
 _NOT_STARTED = r"rclpy\.init\(\) has not been called|NotInitializedException"
 _SUPER = "Call `super().__init__('name_of_the_node')` first in `__init__` of the class."
@@ -623,6 +665,28 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`{name}` is in a module of its own: `{line}` above, and `{name}` without `rclpy.`.",
           "AttributeError: module 'rclpy' has no attribute 'Node'", proof=_in_its_module),
     SHUT_DOWN_TWICE,
+    Known(r"property|'self'|attribute", "{cause}",
+          "TypeError: Node._remove_entity() missing 1 required positional argument: 'self'",
+          proof=because(class_spun),
+          given={"talk/talker.py": "class Talker(Node):\n    pass\n\nrclpy.spin(Talker)\n"}),
+    Known(r"EOFError", "{cause}", "EOFError: EOF when reading a line", proof=because(waits_for_input),
+          given={"talk/talker.py": "while True:\n    input()\n"}),
+    Known(r"Service classes can not be instantiated",
+          "A service has two kinds of messages. Make a request with `.Request()`, as in `Trigger.Request()`.",
+          "NotImplementedError: Service classes can not be instantiated"),
+    Known(r"RcutilsLogger\.\w+\(\) takes 2 positional arguments but \d+ were given",
+          "A logger takes a single text, unlike `print`. Put the values into an f-string.",
+          "TypeError: RcutilsLogger.info() takes 2 positional arguments but 3 were given"),
+    Known(r"rclpy_logging_rcutils_log\(\): incompatible function arguments",
+          "A logger takes a text. Make one of the value: `str(value)`, or an f-string.",
+          "TypeError: rclpy_logging_rcutils_log(): incompatible function arguments."),
+    Known(r"'\w+' object has no attribute '(?P<name>\w+)'",
+          "`{name}` is an argument of `{function}`, not a part of the object: write it without `self.`.",
+          "AttributeError: 'Talker' object has no attribute 'text'", proof=_argument,
+          given={"talk/talker.py": "class Talker:\n    def say(self, text):\n        self.text  # here\n"}),
+    Known(r"'(?P<of>[A-Z]\w*)' object has no attribute '(?P<name>\w+)'",
+          "`{name}` is a method of a text, and this is a whole `{of}`. Use it on a field that is a text.",
+          "AttributeError: 'Quote' object has no attribute 'lower'", proof=_of_text),
     Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",
           "`{name}` is defined {there}, so it is not a method of `{of}`. Indent its `def` like "
           "`def __init__`.",
@@ -681,6 +745,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           given={"talk/words/__init__.py": "", "setup.py": "setup(packages=['talk'])"}),
     Known(_NO_MODULE, "Check the import: is `{name}` spelled right, and does package.xml name its package?",
           "ModuleNotFoundError: No module named 'std_msg'"),
+    Known(_NO_NAME[0], _IN_A_CLASS, "ImportError: cannot import name 'main' from 'talk.talker'",
+          proof=_in_a_class, where=(here,), given=_CLASS_WITH_MAIN),
+    Known(_NO_NAME[1], _IN_A_CLASS, "AttributeError: module 'talk.talker' has no attribute 'main'",
+          proof=_in_a_class, where=(here,), given=_CLASS_WITH_MAIN),
     Known(_NO_NAME[0], _NO_FUNCTION, "ImportError: cannot import name 'mian' from 'talk.talker'",
           proof=_entry_of_function, where=(here,),
           given={"setup.py": _ENTRY.format("talk.talker:mian"), "talk/talker.py": "def main(): pass"}),

@@ -162,6 +162,57 @@ def compared(sources: Sources) -> Cause | None:
     return None
 
 
+def never_counts(sources: Sources) -> Cause | None:
+    """A count that each call of a callback sets again, or of which only a copy goes up."""
+    for callback in callbacks(sources):
+        body = callback.node.body
+        added = {ast.unparse(target) for line in body if (target := _added_to(line))}
+        for line in body:
+            if not isinstance(line, ast.Assign) or (name := ast.unparse(line.targets[0])) not in added:
+                continue
+            value = ast.unparse(line.value)
+            if isinstance(line.value, ast.Constant):
+                own = name if "." in name else f"self.{name}"
+                text = f"Each call sets `{name}` to {value} again. Set `{own}` once instead, in `__init__`."
+                return Cause(text, (Location(callback.file, line.lineno),))
+            if value.startswith("self.") and value not in added | {ast.unparse(t) for t in _targets(body)}:
+                text = f"`{name}` is a copy of `{value}`, which never changes. Add to `{value}` itself."
+                return Cause(text, (Location(callback.file, line.lineno),))
+    return None
+
+
+def _targets(body: Iterable[ast.stmt]) -> list[ast.expr]:
+    return [target for line in body if isinstance(line, ast.Assign) for target in line.targets]
+
+
+def _added_to(line: ast.stmt) -> ast.expr | None:
+    """`count`, for `count += 1` and `count = count + 1`."""
+    if isinstance(line, ast.AugAssign):
+        return line.target
+    if isinstance(line, ast.Assign) and isinstance(line.value, ast.BinOp):
+        target = line.targets[0]
+        return target if ast.unparse(line.value.left) == ast.unparse(target) else None
+    return None
+
+
+def waits_for_input(sources: Sources) -> Cause | None:
+    """A program that asks for input, where nobody types."""
+    found = calls(sources, "input")
+    text = "`input` waits until somebody types a line, and nobody does here: remove it."
+    return Cause(text, (found[0].where,)) if found else None
+
+
+def class_spun(sources: Sources) -> Cause | None:
+    """`rclpy.spin(Talker)`, where `Talker` is a class of the learner's."""
+    own = {node.name for _, node in nodes(sources) if isinstance(node, ast.ClassDef)}
+    for call in calls(sources, "spin"):
+        given = call.argument(0, "node")
+        if isinstance(given, ast.Name) and given.id in own:
+            text = f"`{given.id}` is the class. Make a node of it, with parentheses: `{given.id}()`."
+            return Cause(text, (call.where,))
+    return None
+
+
 def filled_late(sources: Sources) -> Cause | None:
     """A message whose fields are set only after it was published."""
     for file, function in nodes(sources):

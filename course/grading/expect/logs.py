@@ -106,8 +106,21 @@ def _written(recording: Recording, text: str) -> tuple[Location, ...]:
     return places if len(places) == 1 else ()
 
 
+# What ROS writes into the terminal for a message that some logger logs.
+_BY_A_LOGGER = re.compile(r"\[[A-Z]+\] \[[\d.]+\] \[(?P<logger>[^\]]+)\]: ")
+
+
 def _printed(recording: Recording, text: str) -> Feedback:
     language = language_of(recording.sources)
+    other = _BY_A_LOGGER.match(text)
+    if other:
+        return Feedback(
+            summary=f"The message comes from the logger `{other['logger']}`, which is not the node's own.",
+            expected="a message in the node's log",
+            seen=f"only in the terminal: {text[:120]}",
+            where=_named_logger(recording, other["logger"]),
+            advice=f"Only the node's own logger also sends to `/rosout`. Use it: `{language.log_info}`.",
+        )
     name, places = language.printed(recording.sources)
     return Feedback(
         summary=f"The text comes from `{name}`: it is in the terminal, but not in the node's log.",
@@ -116,6 +129,11 @@ def _printed(recording: Recording, text: str) -> Feedback:
         where=places[:_SHOWN],
         advice=f"Use the node's logger instead of `{name}`: `{language.log_info}`.",
     )
+
+
+def _named_logger(recording: Recording, name: str) -> tuple[Location, ...]:
+    named = text_places(recording.sources, name)
+    return tuple(place for place in text_places(recording.sources, "get_logger(") if place in named)[:1]
 
 
 def _silent(recording: Recording, process: str, example: str) -> Feedback:
