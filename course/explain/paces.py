@@ -13,7 +13,7 @@ from course.explain.cpp_code import cpp_files
 from course.explain.cpp_timers import cpp_periods, integer_division
 from course.explain.engine import Cause
 from course.explain.python_code import called_name, calls, nodes, number
-from course.explain.python_slips import long_sleep, loop_without_sleep, several_timers
+from course.explain.python_slips import long_sleep, loop_without_sleep, several_timers, waits_for_input
 from course.model.feedback import Location
 
 _NEAR = 0.25
@@ -28,7 +28,7 @@ def pace_cause(times: Sequence[float], period: float, sources: Sources, *, writt
     """
     gaps = [later - earlier for earlier, later in pairwise(times)]
     if not gaps:
-        return None
+        return waits_for_input(sources)
     if cpp_files(sources):
         found = integer_division(sources) if median(gaps) < period / 10 else None
     else:
