@@ -46,7 +46,8 @@ LIMITS = {
     # Raised by 90 for imports that are left out, names without self, commas in numbers, and places of
     # logged words.
     # Raised by 9 for results that a second command must not remove.
-    "lines": 48_826,
+    # Raised by 148 for twelve causes that a third set of unlisted mistakes showed.
+    "lines": 48_974,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,

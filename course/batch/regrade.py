@@ -39,7 +39,7 @@ class Moved:
 
 @dataclass(frozen=True)
 class Lacking:
-    """A grading that stays as it was, because its evidence does not suffice. why: one line."""
+    """A grading that stays as it was, because the evidence is not enough. why: one line."""
 
     person: str
     exercise: str

@@ -127,7 +127,7 @@ def render_lacking(console: Console, lines: Sequence[tuple[str, str, str]], comm
     if not lines:
         return
     put(console)
-    put(console, f"{len(lines)} stay as they were, because their evidence does not suffice:")
+    put(console, f"{len(lines)} stay as they were, because the evidence is not enough:")
     for person, exercise, why in lines:
         put_prose(console, sanitize.paragraph(why), first=f"  {sanitize.one_line(person)}  {exercise}  ")
     put(console)

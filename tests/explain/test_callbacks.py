@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import accumulate
 
 import pytest
 
@@ -18,8 +19,10 @@ from course.explain.engine import Cause
 from course.explain.languages import timer_places
 from course.explain.paces import pace_cause
 from course.explain.python_slips import (
+    class_spun,
     inverted_wait,
     loop_without_sleep,
+    never_counts,
     python_timer_cause,
     taken_away,
     uncalled,
@@ -151,6 +154,29 @@ def test_a_loop_in_a_callback(gaps: float, code: str, is_told: bool) -> None:
     assert (found is not None and "This loop" in found.text) is is_told
 
 
+PRINTS = "def main():\n    while True:\n        print('x')\n        {}\n        time.sleep(0.5)\n"
+
+
+@pytest.mark.parametrize(
+    ("pauses", "line", "is_told"),
+    [
+        ((0.001, 0.499), "print('y')", True),
+        ((0.5, 0.5), "print('y')", False),
+        ((0.001, 0.499), "pass", False),
+    ],
+)
+def test_a_loop_that_prints_twice(pauses: tuple[float, float], line: str, is_told: bool) -> None:
+    times = list(accumulate(pauses * 8))
+    found = pace_cause(times, 0.5, sources(PRINTS.format(line)), written=False)
+    assert (found is not None and "each round prints 2 times" in found.text) is is_told
+
+
+@pytest.mark.parametrize("line", ["input()", "pass"])
+def test_a_loop_that_waits_for_input(line: str) -> None:
+    found = pace_cause([0.1], 0.5, sources(PRINTS.format(line)), written=False)
+    assert ([place.line for place in found.where] if found else None) == ([4] if "input" in line else None)
+
+
 @pytest.mark.parametrize(
     ("code", "advice"),
     [
@@ -169,6 +195,8 @@ def test_a_method_that_is_only_named(code: str, advice: str | None) -> None:
 
 KEPT = f"self.timer = self.create_timer(1, self.tick)\n{TICK}"
 WAITING = "while client.{}():\n    log('waiting')\n"
+SPUN = "class Talker(Node):\n    pass\nrclpy.spin(Talker{})\n"
+COUNTING = "create_timer(1, tick)\ndef tick(self):\n    {}\n    {} += 1\n"
 ENDLESS = "while True:\n    print('x')\n    {}\n{}time.sleep(1)\n"
 
 
@@ -192,6 +220,16 @@ ENDLESS = "while True:\n    print('x')\n    {}\n{}time.sleep(1)\n"
         (inverted_wait, WAITING.format("service_is_ready"), WAITING.format("is_busy"), 1),
         (loop_without_sleep, ENDLESS.format("", ""), ENDLESS.format("", "    "), 4),
         (loop_without_sleep, ENDLESS.format("", ""), ENDLESS.format("time.sleep(2)", ""), 4),
+        (class_spun, SPUN.format(""), SPUN.format("()"), 3),
+        (never_counts, COUNTING.format("self.n = 0", "self.n"), COUNTING.format("n = 0", "self.n"), 3),
+        (never_counts, COUNTING.format("n = self.n", "n"), COUNTING.format("n = self.n", "self.n"), 3),
+        (never_counts, COUNTING.format("n = self.n", "n"), COUNTING.format("n = len(x)", "n"), 3),
+        (
+            never_counts,
+            COUNTING.format("n = self.n", "n"),
+            f"{COUNTING.format('n = self.n', 'n')}    self.n = n\n",
+            3,
+        ),
     ],
 )
 def test_a_slip_and_right_code_like_it(

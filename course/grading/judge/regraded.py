@@ -40,9 +40,9 @@ def regraded(
 
 
 def lacks(before: Result, after: Result, rejudged: Judged | Unjudged) -> str | None:
-    """Why the evidence does not suffice for the checks of now, in one line; None when it does.
+    """Why the evidence is not enough for today's checks, in one line; None if it is.
 
-    It does not suffice where there is no recording to judge; where a check ran into anything but a
+    It is not enough where there is no recording to judge; where a check ran into anything but a
     failure: it asks for what was not recorded; and where the scenario is not the one that made the
     recording, and a check says something else than before: a new one may pass or fail for want of what
     today's scenario would have done. The same scenario would bring the same evidence, so its checks count.

@@ -49,13 +49,13 @@ def total(mark: Mark) -> str:
 
 
 def decisions(mark: Mark) -> Iterator[str]:
-    """What people decided about an exercise, a sentence each: `By hand: +1 point. Well named.`"""
+    """One sentence for each decision that a person made: `By hand: +1 point. Well named.`"""
     titles = {check.id: check.title for check in (mark.result.checks if mark.result else ())}
     yield from (_decision(each, titles) for each in mark.by_hand if each != HandMark(excused=True))
 
 
 def decisions_on_all(sheet: Sheet) -> Iterator[str]:
-    """What people decided about the submission as a whole, and what lateness cost."""
+    """What a person decided about the whole submission, and what lateness cost."""
     yield from (_decision(each, {}) for each in sheet.by_hand)
     if sheet.late:
         yield late_words(sheet)

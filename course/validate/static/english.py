@@ -1,4 +1,4 @@
-"""Plain American English: what a translation leaves behind, long sentences, and terms used too early.
+"""Plain American English: what a translation leaves behind, long sentences, repetitions, and early terms.
 
 A line with a false alarm says why: `<!-- plain: a town of this name -->`, in Python `# plain: ...`.
 """
@@ -35,12 +35,27 @@ RULES = [
 ]  # fmt: skip
 _ALLOWED = re.compile(r"(?:<!--|#|//) plain: \w")
 _CODE = re.compile(r"^ *```.*?^ *```|`[^`\n]+`", re.DOTALL | re.MULTILINE)
+_BLOCKS = re.compile(r"^ *```.*?^ *```", re.DOTALL | re.MULTILINE)
+_PARAGRAPH = re.compile(r"(?:(?!\n\s*\n|\n *(?:[-*|#>]|\d+\.) ).)+", re.DOTALL)
+# Up to 30 words at once again, or eight words again later.
+_TWICE = re.compile(
+    r"(?<!\S)(?!again\b|`)((?=\S*[a-z])\S+(?:\s+\S+){0,29})\s+\1(?!\S)"
+    r"|(?<!\S)(?P<run>[^\s|]+(?:\s+[^\s|]+){7})(?=\s.*?\s(?P=run)(?!\S))",
+    re.DOTALL,
+)
 
 
 def english_findings(texts: Iterable[Prose]) -> Iterator[Finding]:
     for text in texts:
-        for line, what, step in (*odd_words(text.text), *long_sentences(text.text)):
+        for line, what, step in plain_findings(text.text):
             yield Finding(text.file, text.at(line), what, step, text.exercise)
+
+
+def plain_findings(text: str) -> Iterator[tuple[int, str, str]]:
+    """In a Markdown text: the line, from 1; what is there; what to do."""
+    yield from odd_words(text)
+    yield from long_sentences(text)
+    yield from repetitions(text)
 
 
 def odd_words(text: str) -> Iterator[tuple[int, str, str]]:
@@ -55,7 +70,7 @@ def odd_words(text: str) -> Iterator[tuple[int, str, str]]:
 def long_sentences(text: str) -> Iterator[tuple[int, str, str]]:
     """In paragraphs and items of lists, not in tables: the line, from 1; what is there; what to do."""
     plain = _without_code(text)
-    for paragraph in re.finditer(r"(?:(?!\n\s*\n|\n *(?:[-*|#>]|\d+\.) ).)+", plain, re.DOTALL):
+    for paragraph in _PARAGRAPH.finditer(plain):
         for sentence in re.finditer(r"\S(?:(?![.!?:]\s).)*[.!?:]?", paragraph[0], re.DOTALL):
             words = [word for word in sentence[0].split() if re.search(r"\w", word)]
             is_table = paragraph[0].lstrip().startswith("|")
@@ -63,6 +78,18 @@ def long_sentences(text: str) -> Iterator[tuple[int, str, str]]:
                 line = plain.count("\n", 0, paragraph.start() + sentence.start()) + 1
                 start = " ".join(words[:5])
                 yield line, f"`{start} ...` has {len(words)} words", f"split it: at most {LONGEST} a sentence"
+
+
+def repetitions(text: str) -> Iterator[tuple[int, str, str]]:
+    """Words that an edit left behind, not in tables and blocks of code: line, what is there, what to do."""
+    plain = re.sub(r"^> ?", "", _without_code(text, _BLOCKS), flags=re.MULTILINE)
+    for paragraph in _PARAGRAPH.finditer(plain):
+        found = _TWICE.search(paragraph[0])
+        is_prose = not re.match(r"\s*\||\n*    ", paragraph[0])
+        if found and is_prose and not _ALLOWED.search(paragraph[0]):
+            line = plain.count("\n", 0, paragraph.start() + found.start()) + 1
+            words = " ".join((found[1] or found["run"]).split())
+            yield line, f"`{words}` is there twice", "delete one of the two"
 
 
 def early_terms(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding]:
@@ -94,6 +121,6 @@ def _lines_with(words: str, text: Prose) -> Iterator[int]:
             yield text.at(number + 1)
 
 
-def _without_code(text: str) -> str:
+def _without_code(text: str, code: re.Pattern[str] = _CODE) -> str:
     """The text with the same lines, and an X in place of each piece of code."""
-    return _CODE.sub(lambda found: "X" + "\n" * found[0].count("\n"), text)
+    return code.sub(lambda found: "X" + "\n" * found[0].count("\n"), text)

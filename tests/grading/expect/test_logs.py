@@ -73,6 +73,11 @@ def test_printed_and_not_logged() -> None:
     golden(feedback(record(OutputLine(1.0, "talker", EXAMPLE), code="\nprint('x')\nprint('y')")))
 
 
+def test_of_another_logger() -> None:
+    line = OutputLine(1.0, "talker", f"[INFO] [1795810087.158] [forever]: {EXAMPLE}")
+    golden(feedback(record(line, code="\nprint('x')\nlogging.get_logger('forever').info(x)")))
+
+
 def test_what_another_program_prints_does_not_count() -> None:
     golden(feedback(record(OutputLine(1.0, "other", EXAMPLE), OutputLine(1.0, "talker", "ready"))))
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from course.validate.static.english import LONGEST, RULES, long_sentences, odd_words
+from course.validate.static.english import LONGEST, RULES, long_sentences, odd_words, repetitions
 
 from .conftest import Change, Tell
 
@@ -48,6 +48,39 @@ def test_a_long_sentence_is_found_where_it_begins() -> None:
 @pytest.mark.parametrize("line", ["- word word word\n", "| word word word |\n", "1. word word word\n"])
 def test_a_list_and_a_table_are_not_one_sentence(line: str) -> None:
     assert [*long_sentences("Do this:\n\n" + line * 12)] == []
+
+
+LEFT = "where you read a parameter, or where you call."
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "words"),
+    [
+        ("One.\n\nThis chapter uses two:\ntwo:\n\n- a\n- b\n", 3, "two:"),
+        ("Write it in\nthe the file.", 2, "the"),
+        ("> It is called:\n> called:\n", 1, "called:"),
+        (f"Do it {LEFT} The edge,\n{LEFT}\n", 1, "where you read a parameter, or where you"),
+    ],
+)
+def test_words_that_an_edit_left_behind(text: str, line: int, words: str) -> None:
+    assert [*repetitions(text)] == [(line, f"`{words}` is there twice", "delete one of the two")]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Again and again and again.",
+        "Send `0 0 0` or `a`, `a`.",
+        "On Linux\n\nLinux is free.",
+        "Write this:\n\n    x1 x1 + x2\n\nHere.",
+        "Do:\n\n```\nls ls\n```\n",
+        "| a | b b |\n",
+        "He had had it. <!-- plain: it is right -->",
+        f"- {LEFT}\n- {LEFT}\n",
+    ],
+)
+def test_a_repetition_on_purpose(text: str) -> None:
+    assert [*repetitions(text)] == []
 
 
 @pytest.mark.parametrize("file", ["lesson.md", "04-light.md"])
