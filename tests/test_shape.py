@@ -47,7 +47,8 @@ LIMITS = {
     # logged words.
     # Raised by 9 for results that a second command must not remove.
     # Raised by 148 for twelve causes that a third set of unlisted mistakes showed.
-    "lines": 48_974,
+    # Raised by 27 for words that an edit leaves behind in a text.
+    "lines": 49_001,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,
