@@ -41,7 +41,7 @@ CREATE TABLE submissions (
     name TEXT NOT NULL,
     place INTEGER NOT NULL,       -- in the order of the class
     source TEXT NOT NULL,         -- as it was handed in
-    digest TEXT NOT NULL,         -- of what was found in it: another digest is graded anew
+    digest TEXT NOT NULL,         -- of what was found in it: another digest is graded again
     remarks TEXT NOT NULL         -- JSON, a list of sentences
 );
 CREATE TABLE gradings (
@@ -371,7 +371,7 @@ def settings_of(results: Results) -> BatchSettings:
     try:
         return codec.from_json(text or "", BatchSettings, FILE)
     except DamagedData as error:
-        step = "Type the command that graded the class again: it notes that anew, and keeps what was graded."
+        step = "Type the command that graded the class again: it notes that again, and keeps what was graded."
         raise StorageError(f"What was asked for is damaged in {FILE}.", step) from error
 
 

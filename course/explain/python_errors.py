@@ -1003,7 +1003,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
            "What comes before `.{name}` is an object of type `{foreign}`, which has no `{name}`. Is it the "
            "object that you mean, and is the name right?",
            "Nothing in `{own}` sets `self.{name}`. Set it in `__init__`, or correct the name.",
-           "Check the spelling of `{name}`: nothing of that name exists here."),
+           "Check the spelling of `{name}`, or import it: nothing of that name exists here."),
           "AttributeError: 'Talker' object has no attribute 'cuont'", proof=_misspelled,
           given={"talk/talker.py": "self.count = 0\n"}),
     Known("", "The error came from this line of your code.",

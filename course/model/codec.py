@@ -50,7 +50,7 @@ def from_json(data: bytes | str, kind: Any, source: str | Path) -> Any:
 
 def _finite(text: str) -> float:
     if not math.isfinite(number := float(text)):
-        raise ValueError(f"{text} is no number of JSON")
+        raise ValueError(f"{text} is not a number in JSON")
     return number
 
 

@@ -140,7 +140,7 @@ def _stamp(ros: Ros) -> str:
 # A path that is there already stays where it is: what was sourced on top of it must stay on top.
 _HEAD = """\
 # Uses ROS 2 from these pip packages. Source it: it changes the environment of the shell it is read by.
-# Written by ros2course, and written anew when the packages change.
+# Written by ros2course, and written again when the packages change.
 
 _ros2course_prepend() {
   eval "_ros2course_old=\\"\\${$1-}\\""

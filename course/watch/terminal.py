@@ -36,7 +36,7 @@ _LEAVE = str(Control.clear()) + _HOME + str(Control.show_cursor(True)) + str(Con
 def require_terminal() -> None:
     """Raises UsageError where there is no terminal that can be drawn on."""
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
-        what = "`watch` shows a screen and reads keys, and this is no terminal."
+        what = "`watch` shows a screen and reads keys, and this is not a terminal."
         raise UsageError(what, "Run it in a terminal; elsewhere: ros2course check")
     if os.environ.get("TERM", "dumb") in ("dumb", "unknown", ""):
         what = "This terminal says that it cannot be drawn on (TERM is not set, or dumb)."

@@ -32,7 +32,7 @@ class Solutions(Enum):
 
     ALONE = "left alone"
     COMPARED = "compared too, as if somebody had handed them in"
-    GIVEN = "given, as starters are: what stands in them counts for nobody"
+    GIVEN = "given, as starters are: what is in them counts for nobody"
 
 
 def find_similar(

@@ -286,7 +286,7 @@ def test_off_a_terminal(seat: Seat) -> None:
         check=False,
     )
     assert done.returncode == 2
-    assert "this is no terminal" in done.stderr and "ros2course check" in done.stderr
+    assert "this is not a terminal" in done.stderr and "ros2course check" in done.stderr
 
 
 def test_all_passed(seat: Seat) -> None:
