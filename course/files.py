@@ -141,7 +141,7 @@ def open_lock(path: Path) -> int:
 
 
 def try_lock(descriptor: int, *, shared: bool = False) -> bool:
-    """Hold it, unless somebody else does."""
+    """Take the lock, unless somebody else has it. Whether it was taken."""
     try:
         fcntl.flock(descriptor, _kind(shared) | fcntl.LOCK_NB)
     except BlockingIOError:

@@ -233,10 +233,10 @@ def _connect(file: Path) -> sqlite3.Connection:
 def _leave_wal(database: sqlite3.Connection) -> None:
     """WAL needs shared memory, which some network disks lack. Convert a home that was moved to one."""
     try:
-        database.execute("PRAGMA locking_mode = EXCLUSIVE")  # which does without shared memory
+        database.execute("PRAGMA locking_mode = EXCLUSIVE")  # works without shared memory
         database.execute("PRAGMA journal_mode = DELETE")
         database.execute("PRAGMA locking_mode = NORMAL")
-        database.execute("SELECT count(*) FROM sqlite_master").fetchall()  # lets go of the lock
+        database.execute("SELECT count(*) FROM sqlite_master").fetchall()  # releases the lock
     except BaseException:
         database.close()
         raise

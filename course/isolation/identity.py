@@ -133,7 +133,7 @@ def _of_version_2(own: Path, root: Path) -> tuple[Path, ...]:
 def _limit(group: Path, limits: ResourceLimits) -> None:
     values = {
         "memory.limit_in_bytes": str(limits.memory),
-        "memory.kmem.tcp.limit_in_bytes": str(limits.memory // 8),  # of all sockets; 2 counts them anyway
+        "memory.kmem.tcp.limit_in_bytes": str(limits.memory // 8),  # all sockets; memory.max counts them
         "memory.max": str(limits.memory),
         "memory.swap.max": "0",
         "pids.max": str(limits.processes),

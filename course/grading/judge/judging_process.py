@@ -109,7 +109,7 @@ class _Work:
     def _one_more(self) -> Portion | None:
         if self._following is None or self._asked >= PORTION:
             return None
-        signal.alarm(0)  # there may be nothing to do for long
+        signal.alarm(0)  # there may be nothing to do for a long time
         portion = self._following.take_like(self._portion)
         signal.alarm(MOST_TIME)
         return portion

@@ -62,7 +62,7 @@ class ExerciseView:
 
     @property
     def percent(self) -> int | None:
-        """Of those whose work was judged, how many passed."""
+        """The share that passed, among those whose work was judged."""
         return _percent(self.passed, self.passed + self.not_passed)
 
 

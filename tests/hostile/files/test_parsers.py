@@ -236,7 +236,7 @@ YAML = {
 
 @pytest.mark.parametrize("text", YAML.values(), ids=list(YAML))
 def test_yaml(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As compose files and parameters are read."""
+    """Compose files and parameter files are read this way."""
     found = HomeFile("a.yaml", "file", text=text)
     monkeypatch.setattr(yaml_files, "expect_text", lambda recording, path, advice: found)
     with ends():

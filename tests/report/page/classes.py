@@ -21,7 +21,7 @@ def page_of(book: Gradebook, cleaner: Cleaner, drawn: dict[Key, tuple[str, ...]]
 
 
 def small() -> ClassPage:
-    """Ada passed, Bảo and Carl did not, of Dilara it is not known, Emre handed nothing in."""
+    """Ada passed, Bảo and Carl did not, Dilara's result is unknown, and Emre handed in nothing."""
     drawn = {(1, "18-publisher"): pictures(recording(*COUNTER), key="p1", clean=str)}
     page = page_of(CLASS, Cleaner(), drawn)
     then = {sheet.person.id: sheet for sheet in page_of(gradebook(*few()), Cleaner()).sheets}

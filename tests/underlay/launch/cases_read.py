@@ -95,7 +95,7 @@ def _written(answer: Answer, process: str) -> list[str]:
 
 
 def _parameters(answer: Answer, process: str) -> dict[str, Any]:
-    """Those of the temporary files, together; what the package's own file says is left out."""
+    """The parameters of all temporary files, without those of the package's own file."""
     merged: dict[str, Any] = {}
     for text in _files(answer, process):
         tree = yaml.safe_load(text)

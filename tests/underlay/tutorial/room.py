@@ -101,7 +101,7 @@ class Room:
 
 @contextlib.contextmanager
 def open_room(home: Path, scratch: Path) -> Iterator[Room]:
-    """A room; everything in it is ended when the block is left. `scratch` plays the learner's real home."""
+    """A room. Everything in it ends with the block. `scratch` plays the learner's real home."""
     here, there = socket.socketpair()
     with here, there, isolated() as around:
         command = [*around.prefix, sys.executable, str(_OPENER), str(there.fileno())]
