@@ -48,7 +48,8 @@ LIMITS = {
     # Raised by 9 for results that a second command must not remove.
     # Raised by 148 for twelve causes that a third set of unlisted mistakes showed.
     # Raised by 27 for words that an edit leaves behind in a text.
-    "lines": 49_001,
+    # Raised by 12 for the line of a constant that is a wrong period.
+    "lines": 49_013,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,

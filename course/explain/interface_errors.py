@@ -346,7 +346,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           given={"msg/Quote.msg": "stringname\n"}),
     Known(kind="separator", pattern=r"Could not find unique separator",
           cause="{path} must have exactly one line `---` between request and response.",
-          remedy="Remove all but one of them.", proof=_separators,
+          remedy="Keep one line `---`, and remove the others.", proof=_separators,
           example="Could not find unique\nseparator '---' between request and response",
           given={"srv/Ask.srv": "int32 a\n---\nint32 b\n---\n"}),
     Known(kind="separator", pattern=r"Could not find separator",

@@ -12,7 +12,7 @@ from course.explain.callbacks import callbacks, in_callbacks
 from course.explain.cpp_code import cpp_files
 from course.explain.cpp_timers import cpp_periods, integer_division
 from course.explain.engine import Cause
-from course.explain.python_code import called_name, calls, nodes, number
+from course.explain.python_code import called_name, calls, nodes, number, number_where
 from course.explain.python_slips import long_sleep, loop_without_sleep, several_timers, waits_for_input
 from course.model.feedback import Location
 
@@ -117,15 +117,16 @@ def _written(gaps: Sequence[float], period: float, sources: Sources) -> Cause | 
     seen = median(gaps)
     for value, where in _periods(sources):
         if not _near(value, period) and (_near(value, seen) or max(value, seen) < period / 10):
-            return Cause(_on(value, period), (where,))
+            return Cause(_on(value, period), where)
     return None
 
 
-def _periods(sources: Sources) -> list[tuple[float, Location]]:
+def _periods(sources: Sources) -> list[tuple[float, tuple[Location, ...]]]:
+    """Of timers, in seconds, with the line of the number and then the timer's."""
     if cpp_files(sources):
-        return cpp_periods(sources)
-    timers = calls(sources, "create_timer")
-    found = ((number(sources, timer.argument(0, "timer_period_sec")), timer.where) for timer in timers)
+        return [(value, (where,)) for value, where in cpp_periods(sources)]
+    timers = ((timer, timer.argument(0, "timer_period_sec")) for timer in calls(sources, "create_timer"))
+    found = ((number(sources, arg), (*number_where(sources, arg), timer.where)) for timer, arg in timers)
     return [(value, where) for value, where in found if value is not None]
 
 

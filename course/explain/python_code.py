@@ -111,14 +111,25 @@ def _plain_name(node: ast.AST | None) -> str | None:
     return node.id if isinstance(node, ast.Name) else None
 
 
+def number_where(sources: Sources, node: ast.expr | None) -> tuple[Location, ...]:
+    """Where the variable that `number` reads gets its value; nothing if the number is here."""
+    name = _plain_name(node)
+    found = _assigned(sources, name) if name else ()
+    return tuple(where for where, value in found if number(sources, value) is not None)[:1]
+
+
 def assigned(sources: Sources, name: str) -> Iterator[ast.expr]:
     """Literals assigned to this name anywhere: other names in them are not followed."""
-    for _, node in nodes(sources):
+    return (value for _, value in _assigned(sources, name))
+
+
+def _assigned(sources: Sources, name: str) -> Iterator[tuple[Location, ast.expr]]:
+    for file, node in nodes(sources):
         targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
         value = getattr(node, "value", None)
         assigns = isinstance(node, ast.Assign | ast.AnnAssign) and _literal(value)
         if assigns and value is not None and any(_plain_name(target) == name for target in targets):
-            yield value
+            yield Location(file, value.lineno), value
 
 
 def _literal(node: ast.expr | None) -> bool:

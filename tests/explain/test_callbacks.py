@@ -171,6 +171,19 @@ def test_a_loop_that_prints_twice(pauses: tuple[float, float], line: str, is_tol
     assert (found is not None and "each round prints 2 times" in found.text) is is_told
 
 
+@pytest.mark.parametrize(
+    ("code", "lines"),
+    [
+        ("PERIOD = 1.0\nself.create_timer(PERIOD, self.tick)\n", [1, 2]),
+        ("self.create_timer(PERIOD, self.tick)\nx = PERIOD = 1.0\n", [2, 1]),
+        ("PERIOD = 'x'\nself.create_timer(1.0, self.tick)\n", [2]),
+    ],
+)
+def test_where_a_wrong_period_is_written(code: str, lines: list[int]) -> None:
+    found = pace_cause([1.0, 2.0, 3.0], 0.5, sources(code), written=True)
+    assert found is not None and [place.line for place in found.where] == lines
+
+
 @pytest.mark.parametrize("line", ["input()", "pass"])
 def test_a_loop_that_waits_for_input(line: str) -> None:
     found = pace_cause([0.1], 0.5, sources(PRINTS.format(line)), written=False)
