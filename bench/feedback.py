@@ -2,8 +2,8 @@
 
 Each mistake is made in the solution, or in the alternative that `over` names, and graded as `check` does. The
 feedback for those that match PATTERN is printed, for a person to read and judge. --figures prints the
-judgments in `bench/mistakes/judgments.yaml`: for each mistake its letters c (the true cause is named), l (the
-feedback leads to the fix) or p (it leads there partly), m (it misleads), and u (not caught). `e` marks edits
+judgments in `bench/mistakes/judgments.yaml`. Each mistake has letters: c (the true cause is named), l (the
+feedback leads to the fix) or p (it leads there partly), m (it misleads), u (not caught). `e` marks edits
 that turned out to be right. Every other mistake of each file belongs to the set `blind`: read these only
 after explanations were improved.
 """

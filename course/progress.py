@@ -294,4 +294,4 @@ def _advice(error: str) -> str:
         return "make the course home writable for you; what was saved before is still there"
     if "locked" in said:
         return "another ros2course is busy with it: wait until it has ended, then try again"
-    return "check the disk that holds the course home, then try again"
+    return "check the disk of the course home, then try again"

@@ -67,7 +67,7 @@ PUBLIC = {
     "course.child",
     "course.isolation",
 }
-# The only module of the engine that knows of the optional tools.
+# The only module of the engine that knows the optional tools.
 PLUG_IN = "course.cli.extras"
 
 

@@ -32,8 +32,8 @@ unset PROMPT_COMMAND
 PROMPT_COMMAND='PS1="[\\160{word} $?]
 " PS0= PS2='
 """
-# The same words as we type them, with the p as octal 160 until bash prints it, so that neither
-# `set -x` nor an echo of the input looks like the prompt itself.
+# The same words as we type them. The p is octal 160 until bash prints it. So neither `set -x` nor an echo
+# of the input looks like the prompt itself.
 _TYPED = (
     'builtin printf "[\\160{word} start]\\n"; eval {command}; '
     'builtin printf "[\\160{word} %d typed]\\n" "$?"\n'

@@ -2,9 +2,9 @@
 
 PID: the grading process. The control groups contain the submission's programs; without any, everything
 below PID counts as theirs. For each line on standard input it prints a line of JSON with what it noted
-since the line before: `late`, pairs of a moment (s, monotonic clock) and the delay (s); `used`, the average
-number of CPUs that the submission and the grading process kept busy; and `waited`, the longest time (s) for
-which one of their threads was kept from running.
+since the line before. `late` contains pairs of a moment (s, monotonic clock) and the delay (s). `used` is the
+average number of CPUs that the submission and the grading process kept busy. `waited` is the longest time (s)
+for which one of their threads was kept from running.
 
 It runs alone, so no program of a submission can send it anything, or hold a lock that it needs.
 """

@@ -95,7 +95,7 @@ _PLACES = ("docs/schema", ".schema")
 
 
 def schema_folder(root: Path) -> str:
-    """Relative to the course: the first place that holds one, else where they are to be made."""
+    """Relative to the course: the first place that has one, else where they are to be made."""
     held = (place for place in _PLACES if (root / place / _schema_name(Kind.LESSON)).is_file())
     return next(held, _PLACES[-1])
 

@@ -117,7 +117,7 @@ _IGNORED = "`colcon build` ignores {} because of {}: delete that file."
 
 
 def too_much(package: Package, largest: str) -> BuildFailure:
-    summary = f"The folder of `{package.name}` holds more than a package can: look at `{largest}`."
+    summary = f"The folder of `{package.name}` contains more than a package can: look at `{largest}`."
     advice = (
         f"Move it out of the package: more than {MOST_FILES} files or {MOST_BYTES // 10**6} MB are not built."
     )
@@ -133,7 +133,7 @@ def too_many(package: Package, number: int, most: float) -> BuildFailure:
 
 
 def crowded(workspace: Workspace, most: int) -> BuildFailure:
-    summary = f"{workspace.source} holds more than {most} packages; they are not looked at."
+    summary = f"{workspace.source} contains more than {most} packages; they are not looked at."
     advice = "Move those that do not belong to the course out of the workspace."
     feedback = Feedback(summary, where=(Location(workspace.source),), advice=advice)
     return BuildFailure("", "packages-limit", feedback)

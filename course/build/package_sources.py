@@ -46,7 +46,7 @@ class SourcesChanged(Exception):
 
 
 class TooMuch(Exception):
-    """The package's folder holds more than a package can; `largest` is the entry that weighs most."""
+    """The package's folder contains more than a package can; `largest` is the entry that weighs most."""
 
     def __init__(self, largest: str) -> None:
         super().__init__(largest)

@@ -1,8 +1,8 @@
 """A build from an earlier one of a package that differs in what its modules say, and in nothing else.
 
 Nearly every build is one after a line was changed in a module. colcon asks setup.py three times, and all that
-comes of it is a copy of that module. So where a package's build is known to do no more than that (see
-`is_plain`), the entry of a package like it is copied, and the changed modules are put in their places.
+comes of it is a copy of that module. Some builds are known to do no more than that (see `is_plain`). Then
+the entry of a package like it is copied, and the changed modules are put in their places.
 
 setup.py is a program and may do anything; nearly all say only what `ros2 pkg create` wrote and what ROS's
 tutorials add to it. These are known here by what they consist of. Whatever else there is counts as not plain.

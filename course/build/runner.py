@@ -63,9 +63,9 @@ def run(
 ) -> Ended:
     """Run `command` to its end, as the plan says, and write what it prints to the file `output`.
 
-    breach: asked now and then, with the pid of what was started, for a limit that was reached. Raises
-    Interrupted when `interrupt` is set, OSError when it cannot be started or the disk is full, and Spoilt
-    when somebody else has killed a process of ours that it depends on.
+    breach: asked now and then, with the pid of what was started, for a limit that was reached.
+    Raises Interrupted when `interrupt` is set, and OSError when it cannot be started or the disk is full.
+    Raises Spoilt when somebody else has killed a process of ours that it depends on.
     No process of its session is alive afterwards.
     """
     began, guarded = time.monotonic(), command if plan else _guarded(command)

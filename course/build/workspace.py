@@ -21,7 +21,7 @@ _MOST_BYTES = 256 * 1024
 _MOST_FOLDERS = 20_000
 # No more are read; one more than that is found, to tell.
 MOST_PACKAGES = 200
-_MANIFEST_IS_SHORT = "It holds a few lines; compare it with that of another package."
+_MANIFEST_IS_SHORT = "It has a few lines; compare it with that of another package."
 
 
 @dataclass(frozen=True)

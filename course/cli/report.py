@@ -62,9 +62,9 @@ def report(
     """Make a page of a graded class.
 
     It is a single file that needs no server. It shows people and exercises to
-    sort and filter, the distribution of marks, how hard each check was, the
-    most common mistakes, and each submission's code and feedback with pictures
-    of what happened.
+    sort and filter, the distribution of marks, how hard each check was, and
+    the most common mistakes. It also shows each submission's code, and its
+    feedback with pictures of what happened.
     """
     if learners and (learner or out):
         raise UsageError("--learners makes a page each.", "Leave --learner and --out out.")

@@ -44,9 +44,11 @@ def watch(
     """Check at every save, and show the results.
 
     Leave it open in a terminal next to your editor. A save during a check
-    starts it again. Keys: n goes to the next exercise when this one is passed,
-    h gives a hint, t shows the task or the lesson, r the last result, l lists
-    all exercises, c checks now, q leaves. Your files are only read.
+    starts it again. Your files are only read.
+
+    Keys: n goes to the next exercise when this one is passed, and h gives a
+    hint. t shows the task or the lesson, r the last result, and l all
+    exercises. c checks now, and q leaves.
     """
     require_terminal()
     with open_session(ctx) as session:

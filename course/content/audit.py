@@ -1,6 +1,6 @@
 """Everything that is wrong with a course folder, at once: what its author runs before anyone else does.
 
-A command of a learner stops at the first error in the chapter that it needs; this goes through all files,
+A command of a learner stops at the first error in the chapter that it needs. This goes through all files,
 and through what only several of them together can tell.
 """
 
@@ -155,8 +155,8 @@ def way_between(graph: Graph, start: str, goal: str) -> tuple[str, ...]:
     return ()
 
 
-# The right answers to questions, and the acts in a mystery, are computed where no file of them is stored;
-# and a workspace that is built in the trial home is in none. (What is installed there: see `_is_made`.)
+# The right answers to questions, and the acts in a mystery, are computed where no file of them is stored.
+# No solution contains a workspace's build. (What is installed there: see `_is_made`.)
 _MADE = re.compile(r"answers/|\.ros2course/acts/|[^/]+_workspace/(build|install|log|src$)")
 
 

@@ -41,7 +41,7 @@ def require_course(root: Path) -> None:
     except PermissionError as error:
         raise UsageError(f"{root} is not readable: {error.strerror}", "ask its owner for access") from None
     if lack:
-        form = f"a course holds chapters/NN-name/{LESSON}, graders/ and solutions/"
+        form = f"a course contains chapters/NN-name/{LESSON}, graders/ and solutions/"
         raise UsageError(f"{root} is not a course: {lack}", form)
 
 
@@ -87,7 +87,7 @@ def exercise_text(chapter: Path, exercise: str) -> Path:
     return chapter / f"{exercise}.md"
 
 
-# A package holds a course as its own folders, or beside its code in a folder of its own.
+# A package contains a course as its own folders, or beside its code in a folder of its own.
 _INSIDE = ("", "_course")
 
 
@@ -113,8 +113,8 @@ def _inside(name: str, places: tuple[Path, ...]) -> Path:
     if course is None:
         where = f" ({places[0]})" if places else ""
         raise UsageError(
-            f"the installed package {name}{where} holds no course",
-            "a course holds chapters/, graders/ and solutions/",
+            f"the installed package {name}{where} contains no course",
+            "a course contains chapters/, graders/ and solutions/",
         )
     return course
 

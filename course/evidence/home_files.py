@@ -159,7 +159,7 @@ def read_entries(home: Path, patterns: Iterable[str]) -> tuple[HomeEntry, ...]:
     """Everything that `patterns` match in the course home, each once, in their order, up to a limit.
 
     A pattern is a file, a folder (with everything below it), or a name with `*`, `?` or `[...]` in any of
-    its parts, which stands only for what it matches. As in a shell, a leading `*` does not match a leading
+    its parts. Such a name means only what it matches. As in a shell, a leading `*` does not match a leading
     dot. What the course stores in the home for itself is never included.
     """
     inside = home.resolve()

@@ -557,7 +557,7 @@ def _no_callback(evidence: Evidence, symptom: Symptom, words: Words) -> Proven |
 
 
 def _is_of_sas(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """A client of the SmartArmStack starts ROS in its own way, which rclpy's message does not mention."""
+    """A client of the SmartArmStack starts ROS itself, and rclpy's message does not mention that."""
     files = evidence.sources.files.items()
     return Proven() if any("rclcpp_Node" in text for file, text in files if file.endswith(".py")) else None
 

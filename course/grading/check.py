@@ -1,6 +1,6 @@
 """One check from the learner's files to the verdict.
 
-Builds what the exercise needs, starts the recording process as far apart as this machine allows, waits
+Builds what the exercise needs, and starts the recording process as far apart as this machine allows. Waits
 for its recording within the time limit, and has it judged by another process. Whatever goes wrong on our side
 becomes the result "our error": the learner is never blamed for it.
 """

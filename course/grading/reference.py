@@ -61,7 +61,7 @@ def _solution_with(package: str, solutions: Path) -> Path:
     """The workspace among the reference solutions that holds this package."""
     found = sorted(solutions.glob(f"*/*workspace/src/{package}/package.xml"))
     if not found:
-        raise OurFault(f"no solution of the course holds the package {package}")
+        raise OurFault(f"no solution of the course contains the package {package}")
     return found[0].parents[2]
 
 

@@ -1,6 +1,6 @@
 """Right and wrong answers, and acts in mysteries, laid into trial homes.
 
-Where the solution holds no answers file, the right answers are taken from the lesson, or computed
+Where the solution has no answers file, the right answers are taken from the lesson, or computed
 for a mystery: all trials use the same seed.
 """
 

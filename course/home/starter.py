@@ -43,7 +43,7 @@ def _lay(home: CourseHome, starter: Path, files: tuple[str, ...]) -> Iterator[Pa
 
 
 def keep_answers(home: CourseHome, exercise: str, text: str) -> None:
-    """Write the exercise's answers, whole or not at all. The caller holds the home's lock.
+    """Write the exercise's answers, whole or not at all. The caller has the home's lock.
 
     Raises StorageError when the disk does not take it, UsageError for a folder that leads elsewhere.
     """

@@ -261,11 +261,15 @@ class Acted(Event, frozen=True):
 class Observed(Event, frozen=True):
     """What a second run noted inside a program: see `course.arena.observer_program`.
 
-    The program may have forged it, so it is used for advice, never for a verdict. what: "caught" (an
-    `except` at `by` took `error`, raised at `raised`), "died" (it ended a thread or task), "stood" or
-    "looped" (the main thread was in the function at `by` for `seconds`; `error` says whether ROS had called
-    it), "ran" (`lines` of the file `by`), or "crashed" (a sanitizer stopped C++ at or
-    below `raised`; `error` is its term for the reason). Files are named as the program knows them.
+    The program may have forged it, so it is used for advice, never for a verdict. Files are named as the
+    program knows them. `what` is one of these:
+
+    - "caught": an `except` at `by` took `error`, raised at `raised`.
+    - "died": it ended a thread or task.
+    - "stood" or "looped": the main thread was in the function at `by` for `seconds`. `error` says whether ROS
+      had called it.
+    - "ran": `lines` of the file `by`.
+    - "crashed": a sanitizer stopped C++ at or below `raised`. `error` is its term for the reason.
     """
 
     what: Literal["caught", "died", "stood", "looped", "ran", "crashed"]

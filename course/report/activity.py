@@ -1,6 +1,6 @@
 """How far a command is: a moving line, or a count with its pace; plain lines off a terminal.
 
-Written to standard error, so that standard output holds the result alone.
+Written to standard error, so that standard output contains only the result.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 """Makes text from a submission harmless on a terminal, and short enough to read.
 
-Escape sequences are removed (a log line may be colored; that is not evidence), other control
-characters are shown as what they are, and overlong lines and lists are cut with a count of
-what is missing.
+Escape sequences are removed (a log line may be colored; that is not evidence). Other control
+characters are shown as what they are. Overlong lines and lists are cut with a count of what is missing.
 """
 
 from __future__ import annotations
@@ -21,8 +20,8 @@ _ESCAPES = re.compile(
     r"|(?:\x1b[\]PX^_]|[\x90\x98\x9d-\x9f])[^\x07\x1b\x9c\n]*(?:\x07|\x1b\\|\x9c)?"
     r"|\x1b[ -/]*[0-~]?"
 )
-# Control characters; line and paragraph separators; marks that turn the reading direction
-# around, with which one text can be made to look like another; halves of surrogate pairs,
+# Control characters. Line and paragraph separators. Marks that turn the reading direction
+# around, with which one text can be made to look like another. Halves of surrogate pairs,
 # which no terminal's encoding can take.
 _CONTROLS = re.compile(
     r"[\x00-\x08\x0b-\x1f\x7f-\x9f]|[\u2028\u2029]|[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]|[\ud800-\udfff]"

@@ -102,7 +102,7 @@ _PATIENCE = 60  # seconds; sourcing takes well under one, on a cold and busy dis
 
 
 def captured_variables(ros: Ros, environ: Mapping[str, str]) -> dict[str, str]:
-    """The variables of paths that setup.bash sets; PATH holds only what it adds."""
+    """The variables of paths that setup.bash sets; PATH contains only what it adds."""
     remembered = cache_dir(environ) / "rosenv" / f"{digest([str(ros.prefix)])}.json"
     if (variables := _recall(remembered, ros)) is not None:
         return variables

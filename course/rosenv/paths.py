@@ -56,6 +56,6 @@ def split(value: str | None) -> list[str]:
 
 
 def _is_isolated(prefix: Path) -> bool:
-    """Whether this prefix holds one package of a colcon workspace, beside others."""
+    """Whether this prefix contains one package of a colcon workspace, beside others."""
     marker = prefix.parent / ".colcon_install_layout"
     return marker.exists() and marker.read_text(encoding="utf-8").strip() == "isolated"

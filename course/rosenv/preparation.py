@@ -110,7 +110,7 @@ def _storage_error(ros: Ros, error: OSError) -> StorageError:
 
 
 # Elements of a CMake list inside quotes. They match the paths of the build machine and our own earlier ones
-# alike, so that a second time changes nothing, and an environment that was moved is put right again.
+# alike. So a second time changes nothing, and an environment that was moved is put right again.
 _PYTHON_INCLUDE = re.compile(r'(?<=[";])/[^";]*/include/python3\.\d+(?=[";])')
 _NUMPY_INCLUDE = re.compile(r'(?<=[";])/[^";]*/numpy/(?:_core|core)/include(?=[";])')
 _TINYXML = re.compile(r';/[^";]*/libtinyxml2\.so(?=[";])|(?<=")/[^";]*/libtinyxml2\.so;?')

@@ -99,7 +99,7 @@ class Checks:
 
 
 class CheckProcess:
-    """The process. What it prints as errors is kept for the case that it falls over."""
+    """The process. What it prints as errors is kept in case it crashes."""
 
     def __init__(self) -> None:
         self.is_called_off = False

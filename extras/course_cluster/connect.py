@@ -111,7 +111,7 @@ def _configuration(file: Path | None) -> dict[str, Any]:
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
         raise UsageError(f"{file} cannot be read: {error}", "Name a YAML file with Dask settings.") from error
     if not isinstance(read, dict) or not isinstance(read.get("distributed"), dict):
-        raise UsageError(f"{file} holds no `distributed:` settings.", "docs/cluster.md shows such a file.")
+        raise UsageError(f"{file} has no `distributed:` settings.", "docs/cluster.md shows such a file.")
     merged: dict[str, Any] = dask.config.merge(dask.config.config, read)
     return merged
 

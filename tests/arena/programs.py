@@ -16,7 +16,7 @@ SOURCED = {"PATH": "/usr/bin:/bin", "KIND": "sourced", "ROS_DISTRO": "jazzy"}
 
 
 class Programs(HomePrograms):
-    """Starts programs in `folder`/home, which exists; what is ours lies beside it. `close` ends them."""
+    """Starts programs in `folder`/home, which exists; our own files are beside it. `close` ends them."""
 
     def __init__(
         self,

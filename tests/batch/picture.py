@@ -1,6 +1,6 @@
 """The sample in docs/grading-a-class.md: what the command says of the class of sixty.
 
-    .venv/bin/python -m tests.batch.picture        write it anew
+    .venv/bin/python -m tests.batch.picture        write it again
 
 tests/batch/test_class_of_sixty.py says whether it is still so.
 """

@@ -1,6 +1,6 @@
 """What commands say in documents: each block after `<!-- told -->` is typed, and its output written down.
 
-    .venv/bin/python -m tests.batch.told        write it anew
+    .venv/bin/python -m tests.batch.told        write it again
 
 A block after `<!-- file: PATH -->` is written to this file when its turn comes.
 

@@ -33,7 +33,7 @@ QUIZ = "05-quiz"
 
 
 class Pool:
-    """Stands in for the pool of workers."""
+    """Replaces the pool of workers."""
 
     def __init__(self) -> None:
         self.jobs: list[int] = []

@@ -1,8 +1,8 @@
 """What learners type, line by line, and all that they read: it is in `golden/sessions.txt`.
 
-A line that begins with @ is done to the session: `@answer failed` decides the next checks, `@write TEXT`
-saves the learner's file and `@read` shows it, `@chapter N` adds one without exercises, `@files` lists the
-home, and `@next` and `@init` are commands whose words do not count.
+A line that begins with @ is done to the session. `@answer failed` decides the next checks. `@write TEXT`
+saves the learner's file, and `@read` shows it. `@chapter N` adds one without exercises, and `@files` lists
+the home. `@next` and `@init` are commands whose words do not count.
 """
 
 from __future__ import annotations

@@ -57,7 +57,7 @@ def test_a_folder_comes_first_and_a_path_is_a_path() -> None:
 
 @pytest.mark.parametrize("name", ["no_course", "a_module"])
 def test_a_package_without_a_course(name: str) -> None:
-    with pytest.raises(UsageError, match=f"the installed package {name}.* holds no course"):
+    with pytest.raises(UsageError, match=f"the installed package {name}.* contains no course"):
         named_course(name)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import io
+import itertools
 import re
 import subprocess
 import tokenize
@@ -12,11 +13,24 @@ from pathlib import Path
 
 import pytest
 
-from course.validate.static.english import odd_words, plain_findings
+from course.validate.static.english import long_sentences, odd_words, plain_findings
 
 ROOT = Path(__file__).parents[2]
 DOCS = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").glob("*.md"))]
-ROOMS = ("bench", "course", "docs", "extras", "graders", "ros2course", "run-tests", "solutions", "underlay")
+DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
+TABLE = re.compile(r"^.*\S {2,}\S.*$|^ {4,}\S.*$", re.MULTILINE)  # in columns, or indented: not sentences
+ROOMS = (
+    "bench",
+    "course",
+    "docs",
+    "extras",
+    "graders",
+    "ros2course",
+    "run-tests",
+    "solutions",
+    "tests",
+    "underlay",
+)
 # How a comment begins, by the file's ending; `summary:` of a known mistake is prose, too.
 COMMENTS = {
     **dict.fromkeys((".cpp", ".hpp"), r"//.*"),
@@ -34,11 +48,22 @@ def test_docs_are_in_plain_english(file: Path) -> None:
 
 @pytest.mark.parametrize("room", [*ROOMS, "chapters/*/mistakes.yaml"])
 def test_comments_and_docstrings_are_in_plain_english(room: str) -> None:
-    listed = subprocess.run(["git", "ls-files", room], cwd=ROOT, capture_output=True, text=True, check=True)
     found = [
         f"{name}:{line}: {what}"
-        for name in listed.stdout.split()
+        for name in listed(room)
         for line, text in comments(ROOT / name)
+        for _line, what, _step in (*odd_words(text), *long_sentences(text))
+    ]
+    assert found == []
+
+
+@pytest.mark.parametrize("room", ["course", "extras", "graders"])
+def test_what_a_program_says_is_in_plain_english(room: str) -> None:
+    found = [
+        f"{name}:{line}: {what}"
+        for name in listed(f"{room}/*.py")
+        if name != "course/validate/static/english.py"  # the rules, with their examples
+        for line, text in literals((ROOT / name).read_text(encoding="utf-8"))
         for _line, what, _step in odd_words(text)
     ]
     assert found == []
@@ -59,32 +84,79 @@ def test_a_comment_is_looked_at(tmp_path: Path, name: str, text: str) -> None:
     assert [*odd_words("\n".join(prose for _line, prose in comments(tmp_path / name)))] != []
 
 
+def test_a_long_comment_is_looked_at(tmp_path: Path) -> None:
+    (tmp_path / "a.py").write_text("x = 1\n" + "# one two three four five six seven eight\n" * 4)
+    ((line, text),) = comments(tmp_path / "a.py")
+    assert (line, len([*long_sentences(text)])) == (2, 1)
+
+
+def test_a_text_in_code_is_looked_at() -> None:
+    assert [*literals('"""Write it all anew."""\nx = "write it all anew", "anew"\n')] == [
+        (2, "write it all anew")
+    ]
+
+
 def test_a_name_in_code_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "a.py").write_text('anew = "made anew"\n')
     assert [*comments(tmp_path / "a.py")] == []
 
 
+def listed(pattern: str) -> list[str]:
+    done = subprocess.run(["git", "ls-files", pattern], cwd=ROOT, capture_output=True, text=True, check=True)
+    return done.stdout.splitlines()
+
+
 def comments(file: Path) -> Iterator[tuple[int, str]]:
-    """The comments and docstrings of a file, line by line from 1."""
+    """The comments and docstrings of a file, each with its line: in Python whole ones, else line by line."""
     if not file.is_file() or (file.suffix != ".py" and file.suffix not in COMMENTS):
         return
-    lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
+    text = file.read_text(encoding="utf-8", errors="replace")
     if file.suffix == ".py":
-        yield from python_comments("\n".join(lines))
+        yield from ((line, TABLE.sub("", prose)) for line, prose in python_comments(text))
         return
-    for number, line in enumerate(lines, 1):
+    for number, line in enumerate(text.splitlines(), 1):
         if found := re.search(COMMENTS[file.suffix], line):
             yield number, found[0]
 
 
 def python_comments(text: str) -> Iterator[tuple[int, str]]:
-    try:
-        tree = ast.parse(text)
-    except SyntaxError:  # an example of a wrong program
-        return
-    for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        if token.type == tokenize.COMMENT:
-            yield token.start[0], token.string
+    tree = parsed(text)
     for node in ast.walk(tree):
-        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
-            yield from enumerate((ast.get_docstring(node) or "").splitlines(), getattr(node, "lineno", 0) + 1)
+        if isinstance(node, DOCUMENTED) and (said := ast.get_docstring(node)):
+            yield getattr(node, "lineno", 0) + 1, said
+    if not tree.body:
+        return
+    tokens = [
+        token
+        for token in tokenize.generate_tokens(io.StringIO(text).readline)
+        if token.type == tokenize.COMMENT
+    ]
+    whole = {
+        token.start[0]: token.string.lstrip("# ") for token in tokens if token.line.lstrip().startswith("#")
+    }
+    for token in tokens:
+        line = token.start[0]
+        if line not in whole:
+            yield line, token.string
+        elif line - 1 not in whole:  # the first line of several
+            lines = itertools.takewhile(lambda number: number in whole, itertools.count(line))
+            yield line, "\n".join(whole[number] for number in lines)
+
+
+def literals(text: str) -> Iterator[tuple[int, str]]:
+    """Strings of at least four words that are not docstrings."""
+    tree = parsed(text)
+    documented = (node.body[0] for node in ast.walk(tree) if isinstance(node, DOCUMENTED) and node.body)
+    docstrings = {first.value for first in documented if isinstance(first, ast.Expr)}
+    for node in ast.walk(tree):
+        is_text = isinstance(node, ast.Constant) and isinstance(node.value, str) and node not in docstrings
+        if is_text and len(node.value.split()) >= 4:
+            yield node.lineno, node.value
+
+
+def parsed(text: str) -> ast.Module:
+    """An empty module for an example of a wrong program."""
+    try:
+        return ast.parse(text)
+    except SyntaxError:
+        return ast.Module([], [])

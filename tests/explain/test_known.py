@@ -1,6 +1,6 @@
 """Every known error explains its own example, and no earlier entry does; the texts are in `known.txt`.
 
-After a change that is meant, write the file anew: `KNOWN=write pytest tests/explain/test_known.py`.
+After a change that is meant, write the file again: `KNOWN=write pytest tests/explain/test_known.py`.
 """
 
 from __future__ import annotations

@@ -253,7 +253,7 @@ def _sockets(user: int | None) -> Iterator[str]:
 
 
 def graded(world: World, exercise: str, evidence: Path, *, guarantee: str, local: bool) -> Graded:
-    """Grade what lies in the world's home, and prove that nothing else changed.
+    """Grade what is in the world's home, and prove that nothing else changed.
 
     guarantee: what this shows, for the skip where the machine has no full containment.
     """

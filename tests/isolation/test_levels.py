@@ -100,7 +100,7 @@ signal.pause()
 
 
 def closed(reader: int) -> bool:
-    """Wait until nobody holds the other end of a pipe anymore."""
+    """Wait until nobody has the other end of a pipe anymore."""
     return bool(select.select([reader], [], [], WAIT)[0]) and os.read(reader, 1) == b""
 
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Stands in for a Python. It answers the launcher's questions from files in $FAKE, notes what it is asked to
+# Replaces a Python. It answers the launcher's questions from files in $FAKE, notes what it is asked to
 # do in $FAKE/calls, and does as much of it as the launcher can see.
 set -u
 name=${0##*/}

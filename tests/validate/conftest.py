@@ -53,7 +53,7 @@ def validate(
 
 
 def edit(file: Path, old: str, new: str) -> int:
-    """Replace a text that occurs once; the line it stands in, from 1."""
+    """Replace a text that occurs once; its line, from 1."""
     text = file.read_text(encoding="utf-8")
     assert text.count(old) == 1
     file.write_text(text.replace(old, new), encoding="utf-8")

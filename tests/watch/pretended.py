@@ -1,4 +1,4 @@
-"""Stands in for course.watch.check_worker: a check that says what the learner's light.py tells it to.
+"""Replaces course.watch.check_worker: a check that says what the learner's light.py tells it to.
 
 Each check that begins and each that was called off leaves a line in `calls`, beside the course home.
 """

@@ -199,7 +199,7 @@ _NOTHING = Recognized(SubmissionKind.NOTHING, "", (), (), ())
 def recognize(tree: Tree, known: Iterable[str]) -> Recognized:
     """known: files of exercises, relative to a course home. Raises Refused for packages without end."""
     if sum(path.rpartition("/")[2] == "package.xml" for path in tree.files()) > _MOST_PACKAGES:
-        what = f"It holds more than {_MOST_PACKAGES:,} packages."
+        what = f"It contains more than {_MOST_PACKAGES:,} packages."
         raise Refused(what, "Ask for the packages of the course only.")
     known = tuple(known)
     roots = roots_in(tree, known)

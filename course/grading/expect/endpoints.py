@@ -34,8 +34,8 @@ def expect_node(recording: Recording, name: str, *, whole: bool = True) -> str:
     if whole:
         wanted, called, missing = name, f"not `{name}`", f"There is no node `{name}`."
     else:
-        wanted, called = f"a name with `{name}` in it", f"its name should hold `{name}`"
-        missing = f"There is no node whose name holds `{name}`."
+        wanted, called = f"a name with `{name}` in it", f"its name should contain `{name}`"
+        missing = f"There is no node whose name contains `{name}`."
     separator = ", " if whole else "; "
     raise Failure(
         Feedback(

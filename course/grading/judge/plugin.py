@@ -1,7 +1,7 @@
 """Recordings judged by the checks of a grader module, in one pytest session.
 
 pytest collects every `Grader` of a module as a node of its own and every check as a test
-function below it, so checks may use fixtures, `-k` picks them, and reports name them. The
+function below it. So checks may use fixtures, `-k` picks them, and reports name them. The
 fixture `recording` gives a check what its exercise's scenario observed. One session judges any
 number of recordings, each as if it were the only one: fixtures end with it.
 """

@@ -2,7 +2,7 @@
 
 The file may be written by hand, and in a batch by anybody. It is one mapping of question ids to
 texts or lists of texts. Every value stays the text that it is written as (`yes`, `1e3`, `~`), so
-no YAML type is ever made of it; aliases, tags and anything nested are refused, and so is a file
+no YAML type is ever made of it. Aliases, tags and anything nested are refused, and so is a file
 that is too large. Raises `Failure` with file and line for all of that.
 """
 

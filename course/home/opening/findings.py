@@ -143,7 +143,7 @@ class Meter:
         """One more file, folder or link."""
         self.files += 1
         if self.files > self.limits.files:
-            raise Refused(f"It holds more than {self.limits.files:,} files.", SOURCES_ONLY)
+            raise Refused(f"It contains more than {self.limits.files:,} files.", SOURCES_ONLY)
         self.on_time()
 
     def data(self, count: int, of_file: int, name: str) -> None:
@@ -163,7 +163,7 @@ class Meter:
 
     def _total(self, count: int) -> None:
         if count > self.limits.bytes:
-            raise Refused(f"It holds more than {megabytes(self.limits.bytes)}.", SOURCES_ONLY)
+            raise Refused(f"It contains more than {megabytes(self.limits.bytes)}.", SOURCES_ONLY)
         if count > self._unpacked:
             what = f"It becomes more than {self.limits.ratio} times as large as its archive, as traps do."
             raise Refused(what, SOURCES_ONLY)

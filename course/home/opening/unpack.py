@@ -34,7 +34,7 @@ from course.model import replace
 _STEP = 1 << 16
 
 RENAMED = "Names with characters that cannot be printed were changed (to `_`)."
-TWICE = "The archive holds more than one file of this name; the last one was taken."
+TWICE = "The archive contains more than one file of this name; the last one was taken."
 BOTH = "A name stands for a file and a folder; the later one was left out."
 LINK_OUT = "Links that lead out of the submission, or nowhere, were left out."
 NO_FILE = "It is not an ordinary file, but a device, a pipe or a sparse file: it was left out."
@@ -43,8 +43,8 @@ NO_FILE = "It is not an ordinary file, but a device, a pipe or a sparse file: it
 def unpack(members: Iterable[Member], folder: Path, meter: Meter) -> tuple[Remark, ...]:
     """Make `folder` of the members; returns what was left out or changed.
 
-    Raises Refused when it is too much or broken, and OSError when the disk does not take it or
-    `folder` is there already and not empty; then nothing new is left behind.
+    Raises Refused when it is too much or broken. Raises OSError when the disk does not take it, or
+    `folder` is there already and not empty. Then nothing new is left behind.
     """
     with new_folder(folder) as part:
         unpacking = _Unpacking(Path(os.path.realpath(part)), meter)
@@ -185,8 +185,8 @@ def archive_stem(name: str) -> str:
 def open_archive(archive: Path, folder: Path, limits: Limits = USUAL) -> tuple[Remark, ...]:
     """Open `archive` into `folder`, which is made; returns what was left out or changed.
 
-    Raises Refused for an archive that is too much, broken, encrypted or of another kind, and
-    StorageError when the disk does not take it (or `folder` is there already); then nothing is left.
+    Raises Refused for an archive that is too much, broken, encrypted or of another kind. Raises
+    StorageError when the disk does not take it (or `folder` is there already). Then nothing is left.
     """
     with storing(f"{archive.name} cannot be opened"):
         kind = _kind(archive)

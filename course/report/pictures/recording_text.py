@@ -51,7 +51,7 @@ def render_recording(console: Console, recording: Recording, size: int, result: 
 
 
 def is_secret(recording: Recording) -> bool:
-    """Whether it holds the names that a learner is to find out."""
+    """Whether it contains the names that a learner is to find out."""
     return recording.seed is not None or bool(recording.acts)
 
 

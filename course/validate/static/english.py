@@ -1,4 +1,4 @@
-"""Plain American English: what a translation leaves behind, long sentences, repetitions, and early terms.
+"""Plain American English: spelling, what a translation leaves behind, long sentences, and early terms.
 
 A line with a false alarm says why: `<!-- plain: a town of this name -->`, in Python `# plain: ...`.
 """
@@ -6,8 +6,14 @@ A line with a false alarm says why: `<!-- plain: a town of this name -->`, in Py
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 from collections.abc import Iterable, Iterator, Sequence
+from os import EX_DATAERR
+from pathlib import Path
 
+from course.content import layout
+from course.errors import UsageError
 from course.model import replace
 from course.validate import Finding
 from course.validate.static.subject import Prose, Subject
@@ -22,17 +28,31 @@ RULES = [
     (r"\b(?:stands|lies) (?:in|on|behind|beside|there)\b", "is in", "The file lies in `src`."),
     (r"(?<!there )\bis no (?!longer\b|more\b|less\b)", "is not a", "`20` is no `float64`"),
     (r"\bshall\b", "must", "What shall come before"),
-    (r"\b(?:a|an) (?!(?:little|lot|few)\b)\w+ more\b", "one more", "a folder more"),
+    (r"\b(?:a|an) (?!(?:little|lot|few)\b)\w+ more\b(?! than)", "one more", "a folder more"),
     (r"\bby lot\b", "at random", "drawn by lot"),
     (r"\bsome times\b", "a few times", "Run it some times"),
     (r"\bcomes? to an end\b", "ends", "The program does not come to an end."),
     (r"\bknows? of\b", "knows about", "None of it knows of ROS yet"),
     (r"\bbe it\b", "even", "A slip, be it a comma"),
     (r"\bhas to do with\b", "is about", "what it has to do with it"),
-    (r"\b(?:behaviou|colou|neighbou|favou)r|"  # codespell:ignore
-     r"\b(?:initi|organ|recogn|real)is(?:e|ed|ing)\b|\blicence\b",  # codespell:ignore
-     "American spelling", "Its behaviour"),  # codespell:ignore
+    (r"\bholds (?:a|an|the|no|its|all|one|only|more|other|\d+)\b(?! locks?\b| terminal\b| handles?\b)",
+     "contains", "A file that holds the answers"),
+    (r"\bfor what (?:is|are) done\b", "for jobs that", "for what is done quickly"),
+    (r"\b(?:is|are) meant by\b", "means", "it is meant by *the workspace*"),
+    (r"\bcan be said\b", "you can put into words", "can do what can be said"),
+    (r"\bnobody can explain\b", "baffling", "fails in ways that nobody can explain"),
+    (r"\bthe (?:first|last) time that it is\b", "the last chapter", "the last time that it is about tools"),
+    (r"\bwhat it \w+ you \w+", "you see its output", "what it prints you see"),
+    (r"\b(?:it|node|program) falls\b", "crashes", "and then the node falls"),
+    (r"\bsome (?:ten|hundred|thousand)\b", "hundreds of", "ROS brings some hundred along"),
+    (r"\bto do with\?", "is about", "what has this node to do with?"),
+    (r"\bin its own way\b", "predictably", "must not fail in its own way"),
+    (r"\bof all that your?\b", "only", "Of all that your file sets"),
+    (r"\b(?:what|belongs|comes|stands) behind\b", "after", "Compare what stands behind `x`"),
+    (r"\bcannot be \w+ (?:is|are) told\b", "It reports what", "What cannot be set is told"),
 ]  # fmt: skip
+# ROS and asyncio say `cancelled`.
+_CODESPELL = (sys.executable, *"-m codespell_lib --builtin clear,en-GB_to_en-US -L cancelled --".split())
 _ALLOWED = re.compile(r"(?:<!--|#|//) plain: \w")
 _CODE = re.compile(r"^ *```.*?^ *```|`[^`\n]+`", re.DOTALL | re.MULTILINE)
 _BLOCKS = re.compile(r"^ *```.*?^ *```", re.DOTALL | re.MULTILINE)
@@ -49,6 +69,24 @@ def english_findings(texts: Iterable[Prose]) -> Iterator[Finding]:
     for text in texts:
         for line, what, step in plain_findings(text.text):
             yield Finding(text.file, text.at(line), what, step, text.exercise)
+
+
+def spelling_findings(course: Path) -> Iterator[Finding]:
+    """What codespell finds in texts and graders. `codespell:ignore WORD` in a line allows a word there.
+
+    Raises UsageError if the course has settings that codespell cannot read.
+    """
+    wanted = ("chapters/*/*.md", f"chapters/*/{layout.LESSON}", f"{layout.GRADERS}/**/*.py")
+    files = sorted(file for pattern in wanted for file in course.glob(pattern))
+    done = subprocess.run([*_CODESPELL, *files], cwd=course, capture_output=True, text=True)
+    if done.returncode not in (0, EX_DATAERR):
+        raise UsageError(
+            f"codespell: {done.stderr.strip()[-200:]}", "correct the settings of codespell in the course"
+        )
+    for line in done.stdout.splitlines():
+        file, number, words = line.split(":", 2)
+        word, _, right = words.strip().partition(" ==> ")
+        yield Finding(Path(file), int(number), f"`{word}` is a typing error, or British", f"write: {right}")
 
 
 def plain_findings(text: str) -> Iterator[tuple[int, str, str]]:

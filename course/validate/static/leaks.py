@@ -110,7 +110,7 @@ def _in_play(exercise: Exercise, wanted: Wanted) -> Iterator[Finding]:
 def _copy(file: Path, where: str, wanted: Wanted) -> Iterator[Finding]:
     known = wanted.get(_plain(text_of(file) or ""))
     if known:
-        what = f"{where} holds the solution of {known[1].id}, `{known[0]}`"
+        what = f"{where} contains the solution of {known[1].id}, `{known[0]}`"
         yield Finding(file, None, what, "take it out, or leave a part of it for the learner", known[1].id)
 
 

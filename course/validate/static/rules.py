@@ -10,7 +10,7 @@ from course.errors import ContentError, StorageError
 from course.validate import Finding
 from course.validate.static.commands import Complaint, own_findings, ros2_findings
 from course.validate.static.coverage import proof_findings
-from course.validate.static.english import early_terms, english_findings
+from course.validate.static.english import early_terms, english_findings, spelling_findings
 from course.validate.static.grader_code import code_findings
 from course.validate.static.grader_rules import grader_findings
 from course.validate.static.leaks import leak_findings
@@ -52,6 +52,7 @@ def _all(subject: Subject, own_command: Complaint | None) -> Iterator[Finding]:
     yield from link_findings(texts)
     everything = (*texts, *choices(subject))
     yield from english_findings(everything)
+    yield from spelling_findings(subject.course.root)
     yield from early_terms(subject, everything)
     yield from own_findings(subject, texts, own_command)
     yield from ros2_findings(subject.course.root, texts)

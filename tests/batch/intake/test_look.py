@@ -92,7 +92,7 @@ DRIVER = "sas_robot_driver_myrobot"
 
 @pytest.fixture
 def in_another_workspace(exercises: tuple[Exercise, ...], tmp_path: Path) -> Looked:
-    """`looked`, for a course with an exercise whose package lies in another workspace."""
+    """`looked`, for a course with an exercise whose package is in another workspace."""
     files = (f"sas_tutorial_workspace/src/{DRIVER}/package.xml",)
     every = (*exercises, replace(exercises[0], id="31-driver", files=files))
 

@@ -82,7 +82,7 @@ def test_names_that_lead_out_of_a_tar(room: Path, name: str) -> None:
 def test_links_out(room: Path, target: str) -> None:
     entries = [entry("loop", kind=tarfile.SYMTYPE, target=target), entry("a/b/f", b"f")]
     found, findings = opened(make_tar(room / "w.tar", *entries))
-    if target == ".":  # leads to a folder that it lies in: told of when the files are walked
+    if target == ".":  # leads to a folder that contains it: told of when the files are walked
         assert found == {"a/b/f": "f", "loop": "-> ."}
     else:
         assert found == {"a/b/f": "f"}

@@ -1,6 +1,6 @@
 """Files made to keep their parser busy, or to crash it. Our own processes parse them.
 
-Each must come to an end within bounds, and whatever it raises must be the learner's failure.
+Each must end within bounds, and whatever it raises must be the learner's failure.
 """
 
 from __future__ import annotations

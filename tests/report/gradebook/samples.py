@@ -1,6 +1,6 @@
 """The samples in docs/results.md: what the formats make of five results that real checks gave.
 
-    .venv/bin/python -m tests.report.gradebook.samples           write them anew
+    .venv/bin/python -m tests.report.gradebook.samples           write them again
     .venv/bin/python -m tests.report.gradebook.samples --check   exit 1 if they are not fresh
 
 The results in data/ are those of `check 18-publisher --json`, with five of the eleven checks.
@@ -110,7 +110,7 @@ SAMPLES: dict[str, Callable[[], str]] = {
 
 
 def fresh(text: str) -> str:
-    """The document with every sample made anew."""
+    """The document with every sample made again."""
     return REGION.sub(lambda match: _region(match[1]), text)
 
 

@@ -73,7 +73,7 @@ def test_a_class_with_the_ids_of_another_column() -> None:
     found = fill(text.encode(), {"j@x.org": Score(4.5, "complete")}, 6, lambda cell: cell)
     assert found.content.decode() == text.replace('"Submitted",,', '"Submitted",4.5,')
     assert found.absent == ()
-    found = filled(text)  # whoever is known by the LMS's own id is not looked up in another column
+    found = filled(text)  # a person who is known by the LMS's own id is not looked up in another column
     assert found.content.decode() == text.replace('"Submitted",,', '"Submitted",4.5,')
 
 

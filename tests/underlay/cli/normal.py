@@ -53,7 +53,7 @@ _BETTER: dict[str, dict[str, str | int]] = {
     "topic_list_c_nodaemon": {"stdout": "3\n"},
     "run_ok_spins_sigint_ros2_only": {"code": 0},
 }
-# The real one runs on until it is killed: what it prints meanwhile is no measure.
+# The real one runs on until it is killed: what it prints until then does not matter.
 _PASSES_IT_ON = "run_ok_spins_sigint_ros2_only"
 _FINDS_AT_ONCE = ("topic_hz", "topic_bw")
 _SEES_THE_SUBSCRIBER = "doctor_with_nodes"

@@ -34,7 +34,7 @@ def ros2(*arguments: str, workspace: Path | None = None, **variables: str) -> Ou
 
 
 def typed(*words: str, stop: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    """A case that is no capture: its command line; how it is to be stopped, as `captured.Stop` has it."""
+    """A case without a capture: its command line; how it is to be stopped, as `captured.Stop` has it."""
     kinds: dict[str, Any] = {"signal": "SIGINT", "when": None, "after": None, "to_group": True, "lines": 0}
     return {"words": list(words), "stop": {**kinds, **stop} if stop else None, "on_terminal": False}
 

@@ -118,7 +118,7 @@ def test_no_capture_is_left_out() -> None:
 
 
 def _texts_of_tests() -> Iterator[str]:
-    """What stands in quotes in the tests, but no docstring."""
+    """What the tests have in quotes, without docstrings."""
     folder = Path(__file__).parents[1]
     for file in (*folder.glob("cli/test_*.py"), *folder.glob("runtime/test_*.py")):
         tree = ast.parse(file.read_text(encoding="utf-8"))

@@ -12,7 +12,7 @@
     count             part of a line: how many there are
     slow              true: it takes more than two seconds
 
-<here> is the folder of the file, <share> and <prefix> are those of the package `telling`; <file> stands for
+<here> is the folder of the file. <share> and <prefix> are those of the package `telling`. <file> stands for
 a temporary file, <unique> for a number that no other run has.
 """
 

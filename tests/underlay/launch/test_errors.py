@@ -37,7 +37,7 @@ FILES = {
         "LaunchDescription, but it returned [1] (list)"
     ),
 }
-# What stands in the description, and is refused when the file is loaded.
+# Descriptions that are refused when the file is loaded.
 LOADED = {
     "'x'": "TypeError: LaunchDescription expected a list of actions, but found 'x' (str) in it",
     "Node(package='telling')": (
@@ -60,7 +60,7 @@ LOADED = {
     ),
     "EmitEvent(event='x')": "RuntimeError: EmitEvent() expected an event instance, got 'x'.",
 }
-# What stands in the description, and goes wrong when its turn comes.
+# Descriptions that go wrong when its turn comes.
 VISITED = {
     "LogInfo(msg=LaunchConfiguration('nosuch'))": "launch configuration 'nosuch' does not exist",
     "LogInfo(msg='x', condition=IfCondition('x'))": (
@@ -110,7 +110,7 @@ FRONTENDS = {
 def test_a_file(launcher: Launcher, source: str) -> None:
     path = launcher.file(source)
     answer = launcher(path)
-    # What comes last says why it is no launch file in YAML either.
+    # What comes last says why it is not a launch file in YAML, either.
     assert answer.said[:-1] == [SEVERAL, " - " + FILES[source].replace("<file>", str(path))]
     assert (answer.code, answer.stderr) == (1, "")
 

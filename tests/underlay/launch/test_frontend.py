@@ -6,7 +6,7 @@ import pytest
 
 from tests.underlay.launch.machine import Launcher
 
-# What stands in an attribute: what it comes to, with robot:=r2.
+# What an attribute says, and its value, with robot:=r2.
 TEXTS = {
     "plain $ text, 5 $": "plain $ text, 5 $",
     r"\$(var robot) \n": r"$(var robot) \n",

@@ -68,7 +68,7 @@ def test_a_killed_launch_leaves_nothing_behind(launcher: Launcher, path: str) ->
 
 @pytest.mark.slow
 def test_killed_while_processes_are_being_started(launcher: Launcher, path: str) -> None:
-    """Whatever is half started is not forgotten: it is no `sleep` yet, but in the session of the launch."""
+    """A program that is half started is not forgotten: it is not yet `sleep`, but in the launch's session."""
     entities = "*[ExecuteProcess(cmd=['sleep', '100']) for _ in range(20)]"
     for number in range(1, 9):
         with launcher.started(launcher.description(entities), PATH=path) as running:

@@ -55,6 +55,6 @@ def test_a_busy_node(sanitizer: str, room: Room, shared_builds: Store) -> None:
             said, _ = process.communicate(timeout=_SECONDS)
     assert process.returncode == 0, said
     first, *_, last = [line for line in said.splitlines() if not line.startswith("[")]
-    # Not the usual one, which lies on LD_LIBRARY_PATH.
+    # Not the usual one, which is on LD_LIBRARY_PATH.
     assert Path(first.removeprefix("rclcpp: ")).is_relative_to(program.parents[2]), first
     assert last == "characters 1 answers 1 changes 1 passed 1 results 1"

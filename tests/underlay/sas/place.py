@@ -70,7 +70,7 @@ def _done(
 
 
 def python(name: str) -> tuple[str, str]:
-    """The command for a program of ours that lies beside this file."""
+    """The command for a program of ours that is beside this file."""
     return _python(), str(HERE / name)
 
 

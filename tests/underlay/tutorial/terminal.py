@@ -150,7 +150,7 @@ class Terminal:
 
 
 def _plain(text: str) -> str:
-    """As it stands on the screen in the end: a line that was written over holds what came last."""
+    """As the screen shows it in the end: a line that was written over contains what came last."""
     lines = _STYLING.sub("", text).replace("\r\n", "\n").split("\n")
     return "\n".join(line.rstrip("\r").rpartition("\r")[2] for line in lines)
 

@@ -22,8 +22,8 @@ TEXT = "chapters/04-lanterns/04-dim.md"
         ("`check 4`", "`4` fits several exercises"),
         ("`ros2course check 18`", "there is no exercise `18`"),
         ("`04-moon`", "there is no exercise `04-moon`"),
-        ("`ros2course chek`", "`ros2course chek` is nothing that ros2course understands: there is no command "
-         "`chek`; did you mean `check`?"),
+        ("`ros2course xcheck`", "`ros2course xcheck` is nothing that ros2course understands: there is no "
+         "command `xcheck`; did you mean `check`?"),
         ("`ros2course check --quikc`", "`ros2course check --quikc` is nothing that ros2course understands: "
          "No such option: --quikc"),
         ("\n```bash\nros2course grade\n```\n", "`ros2course grade` is nothing that ros2course understands: "
@@ -51,7 +51,7 @@ def test_what_is_right(code: str, change: Change, tell: Tell) -> None:
 
 
 def test_without_the_command_line_only_exercises_are_looked_at(change: Change, tell: Tell) -> None:
-    change(TEXT, "Write", "Type `ros2course chek --x` or `ros2course check 18-x`. Write")
+    change(TEXT, "Write", "Type `ros2course xcheck --x` or `ros2course check 18-x`. Write")
     assert tell() == [f"{TEXT}:1: there is no exercise `18-x`"]
 
 

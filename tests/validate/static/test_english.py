@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from course.errors import UsageError
 from course.validate.static.english import LONGEST, RULES, long_sentences, odd_words, repetitions
 
 from .conftest import Change, Tell
@@ -26,6 +27,29 @@ def test_the_line_is_told_and_what_to_write() -> None:
     assert [*odd_words("Run it.\n\nDo it anew.\n")] == [
         (3, "`anew` is not plain American English", "write: again")
     ]
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "word"),
+    [
+        ("chapters/04-lanterns/04-dim.md", "Write", "colour"),  # codespell:ignore
+        ("graders/ch04_lanterns.py", "The graders", "teh"),
+    ],
+)
+def test_spelling(file: str, old: str, word: str, change: Change, tell: Tell) -> None:
+    change(file, old, f"{word} {old}")
+    assert [line.partition(": ")[2] for line in tell()] == [f"`{word}` is a typing error, or British"]
+
+
+def test_spelling_is_allowed_in_a_line(change: Change, tell: Tell) -> None:
+    change("chapters/04-lanterns/04-dim.md", "Write", "Cape Colour <!-- codespell:ignore colour -->: write")
+    assert tell() == []
+
+
+def test_settings_of_codespell_that_cannot_be_read(change: Change, tell: Tell, root: Path) -> None:
+    (root / ".codespellrc").write_text("[codespell")
+    with pytest.raises(UsageError, match=r"codespell: .*ill-formed"):
+        tell()
 
 
 def test_code_is_left_alone() -> None:

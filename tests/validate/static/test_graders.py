@@ -55,7 +55,7 @@ def test_bytes_that_are_no_module(root: Path, tell: Tell) -> None:
 
 
 def test_all_wrong_declarations_of_a_module(change: Change, tell: Tell) -> None:
-    change(NAME, 'needs="there"', 'needs=("ther", "there")')
+    change(NAME, 'needs="there"', 'needs=("herre", "there")')
     change(
         NAME, 'light.check("is_bright", "it is bright")', 'light.check("is_bright", "b", needs="is_bright")'
     )
@@ -65,7 +65,7 @@ def test_all_wrong_declarations_of_a_module(change: Change, tell: Tell) -> None:
     assert tell() == [
         f"{NAME}:10: check `is_bright` needs itself: is_bright -> is_bright",
         f"{NAME}:20: 04-dim has two checks `there`; the first is on line 15",
-        f"{NAME}:25: check `dims` needs `ther`, which is not a check; did you mean `there`?",
+        f"{NAME}:25: check `dims` needs `herre`, which is not a check; did you mean `there`?",
     ]
 
 

@@ -38,7 +38,7 @@ def test_a_starter_that_is_the_solution(root: Path, tell: Tell) -> None:
 def test_a_starter_with_a_solution_under_another_name(change: Change, tell: Tell) -> None:
     place = f"{STARTER}/04-light/ros2_tutorial_workspace/src/lanterns/spare.py"
     change(place, "", f"# spare\n\n{LONG}\n")
-    assert tell() == [f"{place}:None: the starter of 04-light holds the solution of 04-dim, `{DIM}`"]
+    assert tell() == [f"{place}:None: the starter of 04-light contains the solution of 04-dim, `{DIM}`"]
 
 
 def test_a_later_exercise_may_begin_with_what_an_earlier_one_made(change: Change, tell: Tell) -> None:
@@ -104,4 +104,4 @@ def test_a_mystery_with_a_solution_in_it(root: Path, change: Change, tell: Tell)
     change("chapters/04-lanterns/play/04-light.py", "", LONG)
     told = [line for line in tell() if "play" in line]
     place = "chapters/04-lanterns/play/04-light.py"
-    assert told == [f"{place}:None: the mystery of 04-light holds the solution of 04-dim, `{DIM}`"]
+    assert told == [f"{place}:None: the mystery of 04-light contains the solution of 04-dim, `{DIM}`"]

@@ -1,9 +1,9 @@
 """Waits until everyone has been heard, so that a listing is complete, and no longer than that.
 
-Asked for is that every process of this machine that holds a port of the ROS domain is known, that each has
-told its nodes, that no endpoint is left without its node and no service has only one of its two halves, and
-that nothing new has come for a moment: a longer one on a busy machine, or where other machines may take part,
-whom no port gives away.
+It waits until every process of this machine that has a port of the ROS domain is known, and each has told
+its nodes. No endpoint may be left without its node, and no service with only one of its two halves. Then
+nothing new may come for a moment. That moment is longer on a busy machine, and where other machines may take
+part: no port gives them away.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from ros2cli.rcl import Handle, domain_id
 from ros2cli.snapshot import NO_NODE, Endpoint, Snapshot
 from ros2cli.snapshot_reader import take_snapshot
 
-# A stopped process holds its port and never answers; one that starts under load takes its time.
+# A stopped process keeps its port and never answers; one that starts under load takes its time.
 PATIENCE = 2.0
 _STEP = 0.004
 _QUIET, _QUIET_WITH_OTHERS = 0.016, 0.05

@@ -1,4 +1,4 @@
-"""How many processes on this machine take part in a ROS domain: each holds a port of a known number."""
+"""How many processes on this machine take part in a ROS domain: each has a port of a known number."""
 
 from __future__ import annotations
 

@@ -24,8 +24,8 @@ def set_message_fields(
     With `expand_header_auto` a header may be given as "auto", with `expand_time_now` a time as "now". The
     functions returned set these: call each with a builtin_interfaces Time, at every sending.
 
-    Raises AttributeError for a field that is not there, TypeError for a value that is not a dictionary where
-    one is needed, ValueError for one that is not of the field's type.
+    Raises AttributeError for a field that is not there. Raises TypeError for a value that is not a dictionary
+    where one is needed, and ValueError for one that is not of the field's type.
     """
     filler = _Filler(expand_header_auto, expand_time_now)
     filler.fill(msg, values)

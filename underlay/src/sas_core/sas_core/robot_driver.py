@@ -6,7 +6,7 @@ from enum import Enum
 
 
 class RobotDriver:
-    """Holds the names that sas::RobotDriver has in C++ and that its clients use."""
+    """Contains the names that sas::RobotDriver has in C++ and that its clients use."""
 
     class Functionality(Enum):
         Unavailable = 0  # None in C++, which is a word of Python's own

@@ -21,7 +21,7 @@ public:
   explicit Sayer(int count)
   : Node("sayer"), count_(count)
   {
-    // Keeps them all for a listener that is known here before it knows of this publisher.
+    // Keeps them all for a listener that is known here before it knows this publisher.
     publisher_ = create_publisher<String>("chatter", rclcpp::QoS(100).transient_local());
     timer_ = create_wall_timer(5ms, std::bind(&Sayer::say, this));
   }

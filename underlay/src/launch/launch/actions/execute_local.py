@@ -336,7 +336,7 @@ class ExecuteLocal(Action):
 
 
 class _ForThis(BaseEventHandler):
-    """A wish that this process is meant by."""
+    """A request that is about this process."""
 
     def __init__(self, action: ExecuteLocal, kind: type[ProcessTargetedEvent], do: Any) -> None:
         super().__init__(matcher=lambda event: isinstance(event, kind) and event.process_matcher(action))

@@ -216,7 +216,7 @@ public:
     return SharedFutureAndRequestId(future, id);
   }
 
-  /// The same; the future holds the request, too.
+  /// The same; the future contains the request, too.
   template<typename CallbackT,
     std::enable_if_t<std::conjunction_v<
       std::negation<std::is_invocable<CallbackT &, SharedFuture>>,

@@ -144,7 +144,7 @@ public:
            status_->get_publisher_count() > 0;
   }
 
-  /// Sends a goal; the future, which is ready once the node has spun, holds a null pointer for a goal that
+  /// Sends a goal; the future, which is ready once the node has spun, contains a null pointer for a goal that
   /// was rejected. The goal's callbacks and result come as long as somebody holds its handle.
   std::shared_future<typename GoalHandle::SharedPtr> async_send_goal(
     const Goal & goal, const SendGoalOptions & options = SendGoalOptions())
