@@ -27,6 +27,10 @@ FILE = "progress.sqlite3"
 SCHEMA_VERSION = 1
 APPLICATION = 0x726F7332  # "ros2", in the file's header: tells our files from anybody else's
 
+# The answers in reviews: `wrong` goes up with each wrong one, and down with each right one.
+_REVIEWS = (
+    "CREATE TABLE reviews (exercise TEXT, question TEXT, wrong INTEGER, PRIMARY KEY (exercise, question));"
+)
 _SCHEMA = f"""
 BEGIN IMMEDIATE;
 CREATE TABLE attempts (
@@ -48,6 +52,7 @@ CREATE TABLE exercises (
 );
 CREATE TABLE chapters_shown (slug TEXT PRIMARY KEY, at TEXT NOT NULL);
 CREATE TABLE current (one INTEGER PRIMARY KEY CHECK (one = 1), exercise TEXT NOT NULL);
+{_REVIEWS}
 PRAGMA application_id = {APPLICATION};
 PRAGMA user_version = {SCHEMA_VERSION};
 COMMIT;
@@ -119,7 +124,10 @@ class Progress(Database):
             return None
 
     def failures(self) -> dict[tuple[str, str], int]:
-        """How often each check failed, by exercise and check; of results that can still be read."""
+        """How often each check failed, by exercise and check; of results that can still be read.
+
+        A wrong answer in a review counts, too. A right one there takes a failure away.
+        """
         from course.model.result import Outcome, from_json  # as above
 
         found: dict[tuple[str, str], int] = {}
@@ -128,7 +136,20 @@ class Progress(Database):
                 for check in from_json(text).checks:
                     if check.outcome is Outcome.FAILED:
                         found[exercise, check.id] = found.get((exercise, check.id), 0) + 1
+        for exercise, question, wrong in self._run("SELECT exercise, question, wrong FROM reviews"):
+            found[exercise, question] = max(0, found.get((exercise, question), 0) + wrong)
         return found
+
+    def record_review(self, exercise: str, question: str, *, right: bool) -> None:
+        """Store whether a question was answered right in a review."""
+        with self._writing():
+            self._run(
+                "INSERT INTO reviews (exercise, question, wrong) VALUES (?, ?, ?)"
+                " ON CONFLICT (exercise, question) DO UPDATE SET wrong = wrong + excluded.wrong",
+                exercise,
+                question,
+                -1 if right else 1,
+            )
 
     def passed_ids(self) -> frozenset[str]:
         return frozenset(
@@ -257,6 +278,8 @@ def _prepare(database: sqlite3.Connection) -> None:
         )
     if version != SCHEMA_VERSION or _TABLES - tables or pragma(database, "quick_check(1)") != "ok":
         raise _Damaged("not whole")
+    if "reviews" not in tables:  # the file is of an older version
+        database.execute(_REVIEWS)
 
 
 _TABLES = frozenset({"attempts", "exercises", "chapters_shown", "current"})

@@ -92,6 +92,24 @@ def test_failures_are_counted_by_check(state: Path) -> None:
         assert progress.failures() == {("18-publisher", "rate"): 2, ("10-run-quiz", "rate"): 1}
 
 
+def test_answers_in_reviews_count(state: Path) -> None:
+    with Progress.open(state) as progress:
+        for question, right in (("a", False), ("a", False), ("a", True), ("b", True)):
+            progress.record_review("10-run-quiz", question, right=right)
+    with Progress.open(state) as progress:
+        assert progress.failures() == {("10-run-quiz", "a"): 1, ("10-run-quiz", "b"): 0}
+
+
+def test_a_file_from_before_reviews_were_kept(state: Path) -> None:
+    with Progress.open(state) as progress:
+        progress.record(result())
+    with closing(sqlite3.connect(state / FILE)) as database, database:
+        database.execute("DROP TABLE reviews")
+    with Progress.open(state) as progress:
+        progress.record_review("10-run-quiz", "a", right=False)
+        assert (progress.notices, progress.attempts("18-publisher")) == ((), 1)
+
+
 def test_a_result_in_another_form_is_as_none(state: Path) -> None:
     with Progress.open(state) as progress:
         progress.record(result())

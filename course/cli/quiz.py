@@ -81,24 +81,25 @@ class Asking:
             texts = answer_to(self.console, question)
             if texts:
                 self._keep(question, texts)
-                self._run(question, texts)
+                show_output(self.console, question, texts)
         put(self.console)
-
-    def _run(self, question: Question, texts: tuple[str, ...]) -> None:
-        """Run the program of the question, after the learner predicted its output."""
-        if question.program is None:
-            return
-        try:
-            with activity(error_console(), f"running {question.program.name}"):
-                lines = printed(question.program, find_ros())
-        except MissingHere as error:
-            put(self.console, f"The program cannot run on this machine: {error.what}", "yellow")
-            return
-        predicted = [choice.text for text in texts if (choice := chosen_by(question, text))]
-        render_output(self.console, ", ".join(predicted), lines)
 
     def _keep(self, question: Question, texts: tuple[str, ...]) -> None:
         _change(self.home, self.exercise, self.questions, lambda _: {question.id: texts})
+
+
+def show_output(console: Console, question: Question, texts: tuple[str, ...]) -> None:
+    """Run the program of the question, if it has one, after the learner predicted its output."""
+    if question.program is None:
+        return
+    try:
+        with activity(error_console(), f"running {question.program.name}"):
+            lines = printed(question.program, find_ros())
+    except MissingHere as error:
+        put(console, f"The program cannot run on this machine: {error.what}", "yellow")
+        return
+    predicted = [choice.text for text in texts if (choice := chosen_by(question, text))]
+    render_output(console, ", ".join(predicted), lines)
 
 
 def answer_to(console: Console, question: Question) -> tuple[str, ...]:
