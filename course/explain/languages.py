@@ -9,7 +9,7 @@ from __future__ import annotations
 import ast
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import ClassVar
 
 from course.evidence.process_view import ProcessView
@@ -143,7 +143,7 @@ class Python(Language):
 
     def deaf(self, sources: Sources) -> Cause:
         threads = spin_in_a_thread(sources)
-        return threads or Cause(_DEAF, self.places(sources, "signal")[:2])
+        return threads or Cause(_DEAF, (*self.places(sources, "signal"), *_loops_around_try(sources))[:2])
 
     def to_name_a_node(self, name: str) -> str:
         return f"Give the node its name in `__init__` of its class: `super().__init__('{name}')`."
@@ -186,6 +186,12 @@ def _not_spun(sources: Sources) -> Cause | None:
         "Nothing keeps the program running: call `rclpy.spin(node)` in `main()` after you make the node.",
         tuple(call.where for call in ends),
     )
+
+
+def _loops_around_try(sources: Sources) -> Iterator[Location]:
+    for file, node in nodes(sources):
+        if isinstance(node, ast.While | ast.For) and any(isinstance(one, ast.Try) for one in ast.walk(node)):
+            yield Location(file, node.lineno)
 
 
 def _in_a_loop(sources: Sources, place: Location) -> bool:

@@ -49,7 +49,7 @@ def concluded(
     if doubt is Doubt.BUSY:
         return _too_busy(result)
     if doubt is Doubt.KILLED:  # each time: nobody from outside does that
-        return replace(result, doubt=None)
+        return replace(result, doubt=None, checks=tuple(replace(one, doubt=None) for one in result.checks))
     if doubt is Doubt.SPOILT and solution_passes():
         checks = tuple(_checks_of(result, exercise))
         return replace(result, verdict=verdict_of(checks), checks=checks, fault=None, doubt=None)
@@ -71,7 +71,7 @@ def _checks_of(result: Result, exercise: Exercise) -> Iterator[CheckResult]:
     if result.fault is not None:
         yield from _unjudged(result.fault, exercise)
     for check in result.checks:
-        if check.doubt and check.feedback:
+        if check.outcome is Outcome.ERROR and check.doubt and check.feedback:
             yield replace(check, outcome=Outcome.FAILED, feedback=_caused(check.feedback), doubt=None)
         else:
             yield check

@@ -12,7 +12,7 @@ from course.evidence.recording import Recording
 from course.grading.author import CheckSpec
 from course.model import replace
 from course.model.events import Probed
-from course.model.feedback import Failure, Feedback, Location, NotApplicable, Spoilt, TooBusy
+from course.model.feedback import DoubtfulFailure, Failure, Feedback, Location, NotApplicable, Spoilt, TooBusy
 from course.model.result import CheckResult, Doubt, Outcome
 
 _TRACE_LINES = 12
@@ -35,7 +35,8 @@ def raised(spec: CheckSpec, error: BaseException) -> CheckResult:
     if isinstance(error, NotApplicable):
         return replace(skipped(spec, error.because), outcome=Outcome.NOT_APPLICABLE)
     if isinstance(error, Failure):
-        return failed(spec, error.feedback)
+        doubt = Doubt.KILLED if isinstance(error, DoubtfulFailure) else None
+        return replace(failed(spec, error.feedback), doubt=doubt)
     return CheckResult(
         spec.id,
         spec.title,

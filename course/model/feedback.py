@@ -75,3 +75,7 @@ class Failure(Exception):
     def __init__(self, feedback: Feedback) -> None:
         super().__init__(feedback.summary)
         self.feedback = feedback
+
+
+class DoubtfulFailure(Failure):
+    """A failure that ROS itself may have caused, in rare cases. It counts if each attempt ends with one."""

@@ -57,8 +57,8 @@ class Doubt(str, Enum):
     """Why another attempt may end differently.
 
     SPOILT: something of ours went wrong that the submission may have caused. KILLED: a program of the
-    submission's was killed, by itself or from outside. BUSY: the machine had too much else to do, which no
-    submission can bring about.
+    submission's was killed: by itself, from outside, or because Ctrl+C did not end it. BUSY: the machine had
+    too much else to do, which no submission can bring about.
     """
 
     SPOILT = "spoilt"
@@ -85,7 +85,7 @@ class CheckResult(Struct, frozen=True):
     feedback: set when failed or error; on a right answer of a quiz, its explanation.
     skipped_because: set when skipped or not applicable.
     pace: how often messages were to come, where it asked for that.
-    doubt: set only for ERROR, where another attempt may end differently.
+    doubt: set where another attempt may end differently.
     """
 
     id: str

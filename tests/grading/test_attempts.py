@@ -33,6 +33,7 @@ def result(check: CheckResult, timing: Timing = QUIET) -> Result:
 
 
 KILLED = replace(result(DARK), doubt=Doubt.KILLED)
+DEAF = result(replace(DARK, doubt=Doubt.KILLED))
 
 
 @pytest.mark.parametrize(
@@ -47,6 +48,7 @@ KILLED = replace(result(DARK), doubt=Doubt.KILLED)
         (result(LOST, BUSY), Doubt.BUSY, True),
         (result(LATE), Doubt.BUSY, True),
         (KILLED, Doubt.KILLED, True),
+        (DEAF, Doubt.KILLED, True),
         (replace(KILLED, timing=BUSY), Doubt.BUSY, True),
         (replace(result(LOST), doubt=Doubt.KILLED), Doubt.SPOILT, True),
         (result(BUG), None, True),
@@ -99,7 +101,7 @@ def test_nobody_is_blamed_where_the_solution_ends_like_that_too(found: Result, e
 
 
 def test_who_is_killed_in_each_attempt_has_failed(exercise: Exercise) -> None:
-    assert end(KILLED, exercise) == result(DARK)
+    assert end(KILLED, exercise) == end(DEAF, exercise) == result(DARK)
 
 
 @pytest.mark.parametrize("found", [result(BUG), DIED, result(DARK), result(RIGHT, BUSY)])

@@ -17,7 +17,7 @@ from course.grading.expect.programs import (
     expect_running,
 )
 from course.model.events import Event, ExecutableMissing, OutputLine, ProcessExited, SignalSent
-from course.model.feedback import Spoilt
+from course.model.feedback import DoubtfulFailure, Failure, Spoilt
 from tests.golden import golden
 
 from .conftest import STARTED, record, said, told
@@ -188,6 +188,22 @@ def test_a_traceback_after_ctrl_c() -> None:
 def test_deaf(events: list[Event]) -> None:
     recording = ran(INTERRUPTED, *events, code="\nsignal.signal(signal.SIGINT, signal.SIG_IGN)")
     golden(told(expect_clean_interrupt, recording, "talker"))
+
+
+@pytest.mark.parametrize(
+    ("code", "line"),
+    [
+        ("\nsignal.signal(signal.SIGINT, signal.SIG_IGN)", 2),
+        ("while True:\n    try:\n        spin()\n    except KeyboardInterrupt:\n        pass", 1),
+        ("while waiting:\n    rest()", None),
+    ],
+)
+def test_deaf_for_no_reason_that_its_code_shows(code: str, line: int | None) -> None:
+    """ROS itself may hang: then another attempt decides."""
+    with pytest.raises(Failure) as failure:
+        expect_clean_interrupt(ran(INTERRUPTED, code=code), "talker")
+    assert [place.line for place in failure.value.feedback.where] == ([line] if line else [])
+    assert isinstance(failure.value, DoubtfulFailure) is (line is None)
 
 
 def test_another_exit_code() -> None:
