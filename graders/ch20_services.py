@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import ast
 import secrets
-from collections.abc import Callable
 from functools import partial
 from math import inf, isclose
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from course.api import (
     Arena,
@@ -18,7 +17,6 @@ from course.api import (
     Feedback,
     Grader,
     Location,
-    OurFault,
     Process,
     Recording,
     Server,
@@ -47,9 +45,6 @@ from lib import rover
 from lib.callers import expect_answers_logged, expect_calls, expect_patience, expect_waiting
 from lib.counts import expect_counted, has_number
 from lib.deliveries import first_reaction
-
-if TYPE_CHECKING:
-    from course.api import Listener
 
 PACKAGE = "python_package_that_uses_the_services"
 INTERFACES = "package_with_interfaces"
@@ -554,33 +549,14 @@ def approach_and_stop(arena: Arena) -> None:
     stop = arena.ros.client(rover.STOP, rover.STOP_TYPE)
     node = arena.run(rover.PACKAGE, CONTROLLER)
     if node and arena.until(lambda: sensor.matched and arena.ros.graph.nodes, timeout=15, while_running=node):
-        measure(arena, sensor.publish, commands, node, *distances())
+        rover.measure(arena, sensor.publish, commands, node, *rover.distances())
         if arena.until(lambda: stop.available, timeout=3, while_running=node):
             for phase, order in ((STOPPED, True), (FREE, False)):
                 call = stop.call(data=order)
                 arena.until(partial(is_done, call), timeout=3, while_running=node)
                 arena.mark(phase)
-                measure(arena, sensor.publish, commands, node, AFTER[phase], AFTER[phase])
+                rover.measure(arena, sensor.publish, commands, node, AFTER[phase], AFTER[phase])
     arena.interrupt(node)
-
-
-def distances() -> list[float]:
-    """Far, near, too near, and far again. The second one is random."""
-    return [4.0, 0.6 + secrets.randbelow(30) / 100, 0.3, 2.0]
-
-
-def measure(
-    arena: Arena, publish: Callable[..., None], commands: Listener, node: Process, *measured: float
-) -> None:
-    """Publish each distance, and wait for the command that follows it."""
-    for distance in measured:
-        before = commands.count
-        publish(range=distance)
-        arena.until(partial(more_commands, commands, before), timeout=1.5, while_running=node)
-
-
-def more_commands(commands: Listener, number: int) -> bool:
-    return commands.count > number
 
 
 def is_done(call: Call) -> bool:
@@ -631,10 +607,9 @@ def controller_survives(recording: Recording) -> None:
 
 @controller.check("speed", "it commands the speed that the library returns", points=2, needs="survives")
 def commands_speed(recording: Recording) -> None:
-    for distance, speed in answered_distances(recording, -inf, told_at(recording, 0)):
-        expect_speed(
-            recording, distance, speed, rover.safe_speed(distance), "Pass `message.range` to `safe_speed`."
-        )
+    for distance, speed in rover.answered_distances(recording, -inf, told_at(recording, 0)):
+        advice = "Pass `message.range` to `safe_speed`."
+        rover.expect_speed(about_controller(recording), distance, speed, rover.safe_speed(distance), advice)
 
 
 @controller.check(
@@ -647,16 +622,18 @@ def stops(recording: Recording) -> None:
         "Store `request.data` in `self`. As long as it is true, publish a `Twist` with speed 0.0 after "
         "each measurement."
     )
-    for distance, speed in answered_distances(recording, told.t if told else -inf, told_at(recording, 1)):
-        expect_speed(recording, distance, speed, 0.0, advice)
+    for distance, speed in rover.answered_distances(
+        recording, told.t if told else -inf, told_at(recording, 1)
+    ):
+        rover.expect_speed(about_controller(recording), distance, speed, 0.0, advice)
 
 
 @controller.check("drives_again", "after a call with false, it drives again", needs="stops")
 def drives_again(recording: Recording) -> None:
     free = recording.marked(FREE)
     advice = "Store `request.data` in `self` at each call, so that a call with `false` ends the stop."
-    for distance, speed in answered_distances(recording, free.t if free else -inf, inf):
-        expect_speed(recording, distance, speed, rover.safe_speed(distance), advice)
+    for distance, speed in rover.answered_distances(recording, free.t if free else -inf, inf):
+        rover.expect_speed(about_controller(recording), distance, speed, rover.safe_speed(distance), advice)
 
 
 @controller.check("says_success", "its response reports success", needs="stops")
@@ -678,38 +655,6 @@ def told_at(recording: Recording, number: int) -> float:
     """When the service was called for the n-th time. A correct node may stop the rover right then."""
     calls_so_far = recording.service(rover.STOP).calls
     return calls_so_far[number].asked if len(calls_so_far) > number else inf
-
-
-def answered_distances(recording: Recording, begin: float, end: float) -> list[tuple[float, float | None]]:
-    """Each distance (m) measured in this time, with the last speed (m/s) commanded after it."""
-    found = []
-    for reaction in recording.reactions(rover.RANGE):
-        if begin <= reaction.to.t < end:
-            after = [m for m in reaction.topic(rover.COMMAND).messages if m.t < end]
-            found.append((float(reaction.to.data.range), after[-1].data.linear.x if after else None))
-    if not found:
-        raise OurFault("the scenario measured no distance here")
-    return found
-
-
-def expect_speed(
-    recording: Recording, distance: float, speed: float | None, wanted: float, advice: str
-) -> None:
-    if speed is not None and abs(speed - wanted) <= rover.CLOSE:
-        return
-    raise Failure(
-        Feedback(
-            summary=f"At a distance of {distance:.2f} m, the speed is wrong."
-            if speed is not None
-            else f"At a distance of {distance:.2f} m, there is no command.",
-            expected=f"linear.x is {wanted:.2f}",
-            seen="no command" if speed is None else f"linear.x is {speed:.2f}",
-            where=text_places(about_controller(recording).sources, "linear.x")[:1],
-            advice=advice
-            if speed is not None
-            else "Publish a `Twist` in `range_callback`, once for each measurement.",
-        )
-    )
 
 
 @controller.check("declares", "package.xml declares every package that the node imports from")

@@ -1,8 +1,9 @@
-"""Grader of chapter 26: a node in C++ that logs a count twice per second."""
+"""Graders of chapter 26: a node in C++ that logs a count twice per second, and the rover's controller."""
 
 from __future__ import annotations
 
 import re
+from math import inf
 
 import pytest
 
@@ -17,12 +18,17 @@ from course.api import (
     cause_of_silence,
     expect_clean_interrupt,
     expect_dependency,
+    expect_endpoint,
     expect_logged,
     expect_node,
     expect_period,
+    expect_qos,
     expect_running,
+    expect_type,
 )
+from lib import rover
 from lib.counts import await_counted, expect_counting
+from lib.deliveries import first_reaction
 
 PACKAGE = "cpp_package_with_a_node"
 NODE = "print_forever_node"
@@ -124,3 +130,73 @@ def placeholder(recording: Recording) -> None:
             f"`touch include/{PACKAGE}/.placeholder`.",
         )
     )
+
+
+# The rover's controller ------------------------------------------------------------------------------
+
+ROVER = "rover_cpp"
+CONTROLLER = f"{rover.CONTROLLER}_node"
+KEPT = "Store the {} in a member of the class, or it is deleted when the constructor returns."
+
+controller = Grader("26-rover")
+
+
+@controller.scenario
+def approach(arena: Arena) -> None:
+    """Play the sensor: publish a few distances."""
+    commands = arena.ros.subscribe(rover.COMMAND, rover.COMMAND_TYPE)
+    sensor = arena.ros.publisher(rover.RANGE, rover.RANGE_TYPE)
+    node = arena.run(ROVER, CONTROLLER)
+    if node and arena.until(lambda: sensor.matched and arena.ros.graph.nodes, timeout=15, while_running=node):
+        rover.measure(arena, sensor.publish, commands, node, *rover.distances())
+    arena.interrupt(node)
+
+
+@controller.check("starts", "the node starts and keeps running")
+def controller_starts(recording: Recording) -> None:
+    sent = first_reaction(recording, CONTROLLER, (message.t for message in recording.sent(rover.RANGE)))
+    expect_running(recording, CONTROLLER, until=sent)
+
+
+@controller.check("node_name", f"the node is called /{rover.CONTROLLER}", needs="starts")
+def controller_name(recording: Recording) -> None:
+    expect_node(recording, f"/{rover.CONTROLLER}")
+
+
+@controller.check("subscribes", f"it subscribes to {rover.RANGE}", needs="starts")
+def controller_subscribes(recording: Recording) -> None:
+    remedy = f'Call `create_subscription<sensor_msgs::msg::Range>("{rover.RANGE}", 10, ...)`. '
+    remedy += KEPT.format("subscription")
+    expect_endpoint(recording, "subscription", rover.RANGE, remedy=remedy)
+    expect_type(recording, "subscription", rover.RANGE, rover.RANGE_TYPE)
+    expect_qos(recording, rover.RANGE)
+
+
+@controller.check("publishes", f"it publishes on {rover.COMMAND}", needs="starts")
+def controller_publishes(recording: Recording) -> None:
+    remedy = f'Call `create_publisher<geometry_msgs::msg::Twist>("{rover.COMMAND}", 10)`. '
+    remedy += KEPT.format("publisher")
+    expect_endpoint(recording, "publisher", rover.COMMAND, remedy=remedy)
+    expect_type(recording, "publisher", rover.COMMAND, rover.COMMAND_TYPE)
+
+
+@controller.check("survives", "it keeps running while messages arrive", needs=("subscribes", "publishes"))
+def controller_survives(recording: Recording) -> None:
+    expect_running(recording, CONTROLLER)
+
+
+@controller.check("speed", "it commands the right speed", points=3, needs="survives")
+def commands_speed(recording: Recording) -> None:
+    advice = "Subtract 0.5 from `range`, and keep the result between 0.0 and 0.5."
+    for distance, speed in rover.answered_distances(recording, -inf, inf):
+        rover.expect_speed(recording, distance, speed, rover.safe_speed(distance), advice)
+
+
+@controller.check("declares", "package.xml declares every package that the node uses")
+def controller_dependencies(recording: Recording) -> None:
+    expect_dependency(recording, ROVER, "rclcpp", "sensor_msgs", "geometry_msgs")
+
+
+@controller.check("interrupt", "Ctrl+C ends it cleanly", needs="survives")
+def controller_interrupt(recording: Recording) -> None:
+    expect_clean_interrupt(recording, CONTROLLER)

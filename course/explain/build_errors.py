@@ -162,6 +162,13 @@ def _uses(build: Build, *names: str) -> tuple[Command, ...]:
     return commands(build.sources, build.folder, *names)
 
 
+def _with_capitals(build: Build, symptom: Symptom, words: Words) -> Proven | None:
+    """A message's header with the name of its type, `PointStamped.hpp`."""
+    found = re.fullmatch(r"([^/]+/(?:msg|srv|action)/)(\w*[A-Z]\w*)\.hpp", words["header_name"])
+    right = found and re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", found[2]).lower()
+    return Proven({"right": f"{found[1]}{right}.hpp"}) if found else None
+
+
 def _of_this_package(build: Build, symptom: Symptom, words: Words) -> Proven | None:
     return Proven() if words["name"] == build.name else None
 
@@ -248,6 +255,12 @@ _HEADER = "std_msgs/msg/string.hpp: No such file or directory"
 HEADERS = tuple(
     Known[Build](_NO_HEADER, remedy, example, _NOT_COMPILED, proof=proof, kind="compiler", given=given)
     for proof, remedy, example, given in (
+        (
+            _with_capitals,
+            "Headers of interfaces have lowercase names: `#include <{right}>`.",
+            "geometry_msgs/msg/PointStamped.hpp: No such file or directory",
+            {},
+        ),
         (
             _of_this_package,
             "The header is in this package: `target_include_directories` must name the folder `include`.",
