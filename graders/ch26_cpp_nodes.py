@@ -136,7 +136,7 @@ def placeholder(recording: Recording) -> None:
 
 ROVER = "rover_cpp"
 CONTROLLER = f"{rover.CONTROLLER}_node"
-KEPT = "Store the {} in a member of the class, or it is deleted when the constructor returns."
+KEPT = "Store the {} in a member of the class, or it is deleted again at once."
 
 controller = Grader("26-rover")
 
