@@ -13,7 +13,7 @@ from pathlib import PurePosixPath
 
 from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
-from course.explain.callbacks import callbacks, called_callback
+from course.explain.callbacks import TAKERS, callbacks, called_callback
 from course.explain.engine import (
     Cause,
     Evidence,
@@ -223,6 +223,26 @@ def _ros_calls_it(evidence: Evidence, symptom: Symptom, words: Words) -> Proven 
     """A callback of rclpy's, which no line of the learner's calls."""
     found = [one for one in callbacks(evidence.sources) if one.node.name == words["name"]]
     return None if not found or calls(evidence.sources, words["name"]) else Proven(where=(found[0].where,))
+
+
+_PASSED = {
+    "create_subscription": ["message"],
+    "create_service": ["request", "response"],
+    "add_done_callback": ["future"],
+}
+
+
+def _ros_passes_more(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A callback whose `def` has fewer arguments than ROS passes."""
+    proven, name = _ros_calls_it(evidence, symptom, words), words["name"]
+    every = ((maker, call) for maker in TAKERS for call in calls(evidence.sources, maker))
+    for maker, call in every if proven else ():
+        given = call.argument(TAKERS[maker], "callback")
+        own = ["self"] if isinstance(given, ast.Attribute) and given.attr == name else []
+        if proven and (own or (isinstance(given, ast.Name) and given.id == name)):
+            right = f"def {name}({', '.join([*own, *_PASSED.get(maker, [])])}):"
+            return Proven({"right": right}, proven.where)
+    return None
 
 
 def _parameters(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
@@ -549,10 +569,12 @@ def _not_installed(evidence: Evidence, symptom: Symptom, words: Words) -> Proven
 
 
 def _no_callback(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`create_service(Type, 'name', 10)`."""
-    for call in calls(evidence.sources, "create_service"):
-        if isinstance(given := call.argument(2, "callback"), ast.Constant):
-            return Proven({"given": ast.unparse(given)}, (call.where,))
+    """`create_service(Type, 'name', 10)`, `create_timer(0.5, 'tick')`."""
+    for maker, position in TAKERS.items():
+        for call in calls(evidence.sources, maker):
+            if isinstance(given := call.argument(position, "callback"), ast.Constant):
+                kind = "text" if isinstance(given.value, str) else "given"
+                return Proven({"maker": maker, kind: ast.unparse(given)}, (call.where,))
     return None
 
 
@@ -875,7 +897,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "parameter was declared without a default value.",
           "TypeError: float() argument must be a string or a real number, not 'NoneType'"),
     Known(r"'(?P<of>int|float|str)' object is not callable",
-          "`create_service` gets `{given}` in the place of its callback. Pass a function there.",
+          ("`{maker}` gets the text `{text}` in the place of its callback. Pass the function itself, without "
+           "quotation marks.",
+           "`{maker}` gets `{given}` in the place of its callback. Pass a function there."),
           "TypeError: 'int' object is not callable", proof=_no_callback, where=(here,),
           given={"talk/talker.py": "self.create_service(Trigger, 'tell', 10)"}),
     Known(r"'(?P<of>int|float|str|bool|list|dict|tuple)' object is not callable",
@@ -953,6 +977,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"TabError",
           "This line begins with a tab, other lines with spaces. Use four spaces for each level.",
           "TabError: inconsistent use of tabs and spaces in indentation"),
+    Known(r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given",
+          "ROS calls `{name}`, and passes more than it takes: write `{right}`.",
+          "TypeError: Talker.hear() takes 1 positional argument but 2 were given", proof=_ros_passes_more,
+          given={"talk/talker.py": "create_subscription(Text, 'a', self.hear)\ndef hear(self):\n    pass\n"}),
     Known(r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given",
           "Compare this call with `def {name}(...)`, which takes fewer arguments. `self` counts as one.",
           "TypeError: Talker.say() takes 1 positional argument but 2 were given"),
