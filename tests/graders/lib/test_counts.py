@@ -37,9 +37,14 @@ def test_messages_that_two_threads_log_in_another_order() -> None:
     assert said(expect_counted, recording, "talker", 7, what="calls") is None
 
 
+def test_a_thread_that_logs_last() -> None:
+    recording = counted(*(f"Call {n}" for n in (1, 2, 4, 5, 6, 7, 8, 9, 3)))
+    assert said(expect_counted, recording, "talker", 9, what="calls") is None
+
+
 def test_a_count_that_goes_down() -> None:
-    recording = counted(*(f"Call {n}" for n in range(9, 0, -1)))
-    assert said(expect_counted, recording, "talker", 9, what="calls") is not None
+    recording = counted(*(f"Call {n}" for n in range(19, 0, -1)))
+    assert said(expect_counted, recording, "talker", 19, what="calls") is not None
 
 
 @pytest.mark.parametrize("text", ["13", "3.5", "0.3", "-3", "ember3", "3x", "2"])
