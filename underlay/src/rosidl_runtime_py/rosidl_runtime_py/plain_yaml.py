@@ -1,7 +1,7 @@
 """YAML for what nearly all messages are made of, a hundred times as quick as the full writer.
 
 It writes numbers, booleans, strings that need no quotes or only simple ones, and mappings and lists of
-these. It does so byte for byte as the full writer does, and gives up (None) on everything else. This is what lets
+these. It does so byte for byte as the full writer does, and gives up (None) on everything else. This lets
 `ros2 topic echo` keep up with a topic of 1 kHz.
 """
 
