@@ -798,7 +798,7 @@ def script(recording: Recording) -> None:
             recording,
             SCRIPT_FILE,
             has=stat.S_IXUSR,
-            summary="The script is not executable, so `ros2 run` may not find it.",
+            summary="The script is not executable: with `--symlink-install`, `ros2 run` does not find it.",
             advice=f"Run `chmod +x ~/{SCRIPT_FILE}`.",
         )
     first = recording.home.file(SCRIPT_FILE).lines[:1]

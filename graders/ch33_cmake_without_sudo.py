@@ -211,6 +211,11 @@ def cpath(recording: Recording) -> None:
     expect_variable(recording, "CPATH")
 
 
+def setting(name: str) -> str:
+    """The line for `.bashrc`. It leaves no colon at the end: that would mean the current folder."""
+    return f'export {name}="$HOME/{OPT}/{VARIABLES[name]}${{{name}:+:${name}}}"'
+
+
 def expect_variable(recording: Recording, name: str) -> None:
     """Expect that the variable contains the folder exactly once."""
     wanted = f"~/{OPT}/{VARIABLES[name]}"
@@ -221,7 +226,7 @@ def expect_variable(recording: Recording, name: str) -> None:
     bashrc = recording.home.file(BASHRC).text or ""
     line = next(iter(lines_with(recording, name)), "").strip()
     where = tuple(Location(BASHRC, number) for number in line_numbers(recording, name))[:3]
-    example = f'export {name}="$HOME/{OPT}/{VARIABLES[name]}:${name}"'
+    example = setting(name)
     if len(right) > 1:
         summary = f"`{name}` contains `{wanted}` {len(right)} times."
         advice = "Keep one of the lines, and remove the others."
@@ -281,7 +286,7 @@ def keeps(recording: Recording) -> None:
                 expected=f"{BEFORE} and ~/{OPT}/{folder}",
                 seen=":".join(parts)[:120] or "nothing",
                 where=tuple(Location(BASHRC, number) for number in line_numbers(recording, name))[:1],
-                advice=f'Add `:${name}` at the end: `export {name}="$HOME/{OPT}/{folder}:${name}"`',
+                advice=f"Keep it at the end: `{setting(name)}`",
             )
         )
 

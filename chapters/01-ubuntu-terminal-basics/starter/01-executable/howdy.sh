@@ -1,3 +1,3 @@
 #!/bin/bash
-# A little program for the shell: two comments, and one command.
+# A little program: a first line that names bash, a comment, and one command.
 echo "Howdy! You have made me a program."

@@ -10,7 +10,7 @@ setup(
         ('share/ament_index/resource_index/packages',
             ['resource/' + package_name]),
         ('share/' + package_name, ['package.xml']),
-        # TODO (second exercise): install the launch files.
+        # TODO (in 22-launch): install the launch files.
     ],
     install_requires=['setuptools'],
     zip_safe=True,
