@@ -10,7 +10,7 @@ import typer
 from course.cli.evidence import recorded, recording_file
 from course.cli.log import save_log
 from course.cli.options import options_of
-from course.cli.quiz import Asking, keep_first_answers, questions_of
+from course.cli.quiz import Asking, keep_first_answers, left_open, questions_of
 from course.cli.session import CourseSession, CurrentExercise, open_session
 from course.cli.signals import ended_cleanly
 from course.cli.usage import examples, typed
@@ -200,7 +200,9 @@ def _steps(session: CourseSession, exercise: Exercise, result: Result) -> list[t
     again = (typed(f"check{name}"), "to check again")
     if result.verdict is not Verdict.NOT_PASSED:
         return [(typed("doctor"), "to see what this machine has"), again]
-    if has_wrong_answers(exercise, result):
+    if (wrong := wrong_answers(exercise, result)) and wrong == left_open(session.home, exercise):
+        again = (typed(f"check{name}"), "to answer what you left open")
+    elif wrong:
         again = (typed(f"check{name} --again"), "to answer again what is not right yet, for half the points")
     if session.progress.hints_shown(exercise.id) < len(exercise.hints):
         return [(typed(f"hint{name}"), "for a hint"), again]
@@ -209,7 +211,7 @@ def _steps(session: CourseSession, exercise: Exercise, result: Result) -> list[t
     return [(typed(f"hint{name} --all"), "to read the hints again"), again]
 
 
-def has_wrong_answers(exercise: Exercise, result: Result) -> bool:
-    """Whether some answers are wrong, and not only checks of a grader."""
+def wrong_answers(exercise: Exercise, result: Result) -> int:
+    """How many answers are wrong or missing; checks of a grader do not count."""
     asked = {question.id for question in exercise.questions}
-    return any(check.id in asked and not check.earned for check in result.checks)
+    return sum(check.id in asked and not check.earned for check in result.checks)

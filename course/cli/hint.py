@@ -66,7 +66,7 @@ def _indices(session: CourseSession, exercise: Exercise, *, again: bool, every: 
 def _steps(exercise: Exercise, *, last: bool) -> list[tuple[str, str]]:
     check = (typed("check"), "when you have changed something")
     if exercise.questions and not exercise.packages:
-        check = (typed("check --again"), "to answer what is not right yet")
+        check = (typed("check"), "to answer the questions")
     if last:
         return [
             check,

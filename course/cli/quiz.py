@@ -112,6 +112,14 @@ def answer_to(console: Console, question: Question) -> tuple[str, ...]:
     return ()
 
 
+def left_open(home: CourseHome, exercise: Exercise) -> int:
+    """How many questions have no answer; 0 if the file of answers cannot be read."""
+    with suppress(Failure):
+        known = read_answers(home.path, exercise.id) or Answers("")
+        return sum(known.to(question.id) is None for question in exercise.questions)
+    return 0
+
+
 def keep_first_answers(home: CourseHome, exercise: Exercise, questions: tuple[Question, ...]) -> None:
     """Record wrong first answers, so that these questions earn less from now on."""
 

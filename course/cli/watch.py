@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from course.cli.check import ask_questions, has_wrong_answers, remember
+from course.cli.check import ask_questions, remember, wrong_answers
 from course.cli.listing import heading_of, row_of
 from course.cli.log import save_log
 from course.cli.quiz import questions_of
@@ -124,7 +124,7 @@ class SessionLearner:
 
     def ask(self, exercise: Exercise) -> None:
         last = self.last_result(exercise)
-        again = last is not None and has_wrong_answers(exercise, last)
+        again = last is not None and wrong_answers(exercise, last) > 0
         ask_questions(self._session, exercise, quiet=False, again=again)
 
 

@@ -102,14 +102,26 @@ def test_again_is_for_answers_only(run: Callable[..., Run], home: Path) -> None:
     from course.model.result import CheckResult, Outcome, Result
 
     class Session:
+        def __init__(self) -> None:
+            self.home = CourseHome(home)
+
         progress = Progress.open(home / ".ros2course")
 
     keepers = open_course(FIXTURE).exercise("05-keepers")
+    (home / "answers").mkdir(exist_ok=True)
+    (home / "answers/05-keepers.yaml").write_text("rate: 1\n")
     for failed, command in (("greeted", "check 05-keepers"), ("rate", "check 05-keepers --again")):
         checks = (CheckResult(failed, "x", 1, Outcome.FAILED), CheckResult("type", "y", 1, Outcome.PASSED))
         steps = _steps(Session(), keepers, Result("05-keepers", Verdict.NOT_PASSED, checks))  # type: ignore[arg-type]
         assert steps[-1][0] == f"ros2course {command}"
     Session.progress.__exit__(None, None, None)
+
+
+def test_what_was_left_open_is_worth_all_its_points(run: Callable[..., Run], answers: Path) -> None:
+    for text in ("", "keeper: keeper\n"):
+        answers.write_text(text)
+        steps = run("check").out.split("Type next:")[1]
+        assert "to answer what you left open" in steps and "--again" not in steps
 
 
 def test_again_needs_a_terminal_and_questions(run: Callable[..., Run], ros2course: Ros2course) -> None:
@@ -155,7 +167,7 @@ def test_show_shuffles_by_the_learner(run: Callable[..., Run], home: Path) -> No
 def test_hint_without_hints(run: Callable[..., Run]) -> None:
     done = run("hint")
     assert "There are no hints for 05-quiz." in done.out
-    assert "check --again" in done.out
+    assert "check " in done.out and "to answer the questions" in done.out
 
 
 def test_list_knows_both(run: Callable[..., Run], answers: Path) -> None:

@@ -82,7 +82,9 @@ def read_answers(home: Path, exercise: str) -> Answers | None:
 def missing(home: Path, exercise: str) -> Feedback:
     """What is said when there is no file of answers."""
     name = answers_file(exercise)
-    alike = close_names(Path(name).name, _names(home / "answers"), 1)
+    chapter = exercise.partition("-")[0]
+    others = {one for one in _names(home / "answers") if one[:2].isdigit() and not one.startswith(chapter)}
+    alike = close_names(Path(name).name, {*_names(home / "answers")} - others, 1)
     return Feedback(
         summary=f"There is no `{name}` in your course home, so nothing is answered yet.",
         seen=f"a file `answers/{alike[0]}`: is it meant to be this one?" if alike else None,
@@ -160,7 +162,7 @@ class _Reading:
         while not isinstance(event := self._next(), yaml.MappingEndEvent):
             key = self._scalar(event)
             if key in found:
-                raise self._wrong(event, f"`{key[:80]}` is answered twice")
+                raise self._wrong(event, f"`{key[:80]}` is answered twice", "Remove one of the two lines.")
             if len(found) >= MAX_ITEMS:
                 raise self._wrong(event, f"it contains more than {MAX_ITEMS} answers")
             found[key] = Given(self._value(), event.start_mark.line + 1)
@@ -196,8 +198,8 @@ class _Reading:
             raise self._wrong(event, "it uses YAML's `&`, `*` or `!`")
         return event
 
-    def _wrong(self, event: Any, what: str) -> Failure:
-        return _refused(self._file, what, event.start_mark.line + 1, _QUOTES)
+    def _wrong(self, event: Any, what: str, advice: str | None = None) -> Failure:
+        return _refused(self._file, what, event.start_mark.line + 1, advice or _QUOTES)
 
 
 def _refused(name: str, what: str, line: int | None = None, advice: str | None = None) -> Failure:
