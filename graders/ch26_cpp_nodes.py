@@ -25,6 +25,7 @@ from course.api import (
     expect_qos,
     expect_running,
     expect_type,
+    text_places,
 )
 from lib import rover
 from lib.counts import await_counted, expect_counting
@@ -170,6 +171,14 @@ def controller_subscribes(recording: Recording) -> None:
     expect_endpoint(recording, "subscription", rover.RANGE, remedy=remedy)
     expect_type(recording, "subscription", rover.RANGE, rover.RANGE_TYPE)
     expect_qos(recording, rover.RANGE)
+    if not recording.sent(rover.RANGE):  # the graph may have shown it for a moment
+        raise Failure(
+            Feedback(
+                summary=f"The subscription to `{rover.RANGE}` was gone before a message came.",
+                where=text_places(recording.sources, "create_subscription")[:1],
+                advice=KEPT.format("subscription"),
+            )
+        )
 
 
 @controller.check("publishes", f"it publishes on {rover.COMMAND}", needs="starts")
