@@ -4,8 +4,8 @@
 
 Everything that a grader uses of the engine is here. A `Grader` has a scenario, which acts in an `Arena`, and
 checks, which judge a `Recording`. Many checks share the `expect_*` functions. Others turn a symptom into a
-cause. What several graders of one course share, and no other course needs, is
-in a folder beside them: `from lib.counts import expect_counting` for `graders/lib/counts.py`.
+cause. What several graders of one course share, and no other course needs, is in a folder beside them:
+`from lib.counts import expect_counting` for `graders/lib/counts.py`.
 
 This module needs no ROS, and is imported before a recording begins: it stays quick to import.
 """

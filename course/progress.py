@@ -28,9 +28,7 @@ SCHEMA_VERSION = 1
 APPLICATION = 0x726F7332  # "ros2", in the file's header: tells our files from anybody else's
 
 # The answers in reviews: `wrong` goes up with each wrong one, and down with each right one.
-_REVIEWS = (
-    "CREATE TABLE reviews (exercise TEXT, question TEXT, wrong INTEGER, PRIMARY KEY (exercise, question));"
-)
+_REVIEWS = "CREATE TABLE reviews (exercise TEXT, question TEXT, wrong INT, PRIMARY KEY (exercise, question));"
 _SCHEMA = f"""
 BEGIN IMMEDIATE;
 CREATE TABLE attempts (
@@ -142,13 +140,12 @@ class Progress(Database):
 
     def record_review(self, exercise: str, question: str, *, right: bool) -> None:
         """Store whether a question was answered right in a review."""
+        row = (exercise, question, -1 if right else 1)
         with self._writing():
             self._run(
                 "INSERT INTO reviews (exercise, question, wrong) VALUES (?, ?, ?)"
                 " ON CONFLICT (exercise, question) DO UPDATE SET wrong = wrong + excluded.wrong",
-                exercise,
-                question,
-                -1 if right else 1,
+                *row,
             )
 
     def passed_ids(self) -> frozenset[str]:

@@ -1,7 +1,8 @@
-"""Names that are nearly right: which of the known ones was probably meant."""
+"""Names that are nearly right: which of the known ones was probably meant, or how ROS would write them."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 # `..._publisher_node` and `..._subscriber_node` are 0.84 alike, but neither is a typo of the other.
@@ -57,3 +58,8 @@ def _one_typo(one: str, other: str) -> bool:
         or one == other[1:]
         or (one[:2] == other[1::-1] and one[2:] == other[2:])
     )
+
+
+def snake_case(name: str) -> str:
+    """`point_stamped` for `PointStamped`, as ROS writes names of fields and of headers."""
+    return re.sub(r"[^a-z0-9]+", "_", re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()).strip("_")

@@ -187,7 +187,9 @@ def laser(recording: Recording) -> None:
         return
     own = only(recording, SCANNER).sources
     places = text_places(own, "switch_off_the_laser()") or text_places(own, LASER)
-    caught = text_places(own, "KeyboardInterrupt")
+    catch = ""
+    if not text_places(own, "KeyboardInterrupt"):
+        catch = "Put `rclpy.spin` in a `try:` block, and add `except KeyboardInterrupt:` with `pass`. "
     raise Failure(
         Feedback(
             summary="The scanner switches off its laser before Ctrl+C."
@@ -196,9 +198,6 @@ def laser(recording: Recording) -> None:
             expected=f"{LASER} after Ctrl+C, and not before",
             seen=f"{LASER} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",
             where=places[:2],
-            advice="After the `except` block, call `switch_off_the_laser()`."
-            if caught
-            else "Put `rclpy.spin` in a `try:` block, and add `except KeyboardInterrupt:` with `pass`. After "
-            "the `except` block, call `switch_off_the_laser()`.",
+            advice=f"{catch}After the `except` block, call `switch_off_the_laser()`.",
         )
     )

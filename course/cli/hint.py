@@ -64,9 +64,8 @@ def _indices(session: CourseSession, exercise: Exercise, *, again: bool, every: 
 
 
 def _steps(exercise: Exercise, *, last: bool) -> list[tuple[str, str]]:
-    check = (typed("check"), "when you have changed something")
-    if exercise.questions and not exercise.packages:
-        check = (typed("check"), "to answer the questions")
+    is_quiz = exercise.questions and not exercise.packages
+    check = (typed("check"), "to answer the questions" if is_quiz else "when you have changed something")
     if last:
         return [
             check,

@@ -18,7 +18,7 @@ from course.explain.interface_errors import INTERFACES, RESERVED, TYPES
 from course.explain.setup_py import OF_FILES, OF_SETUP, log_errors, setup_errors
 from course.model import replace
 from course.model.feedback import Feedback, Location
-from course.spelling import LOOSELY, nearest
+from course.spelling import LOOSELY, nearest, snake_case
 
 MOST_DETAILS = 6
 _MOST_SOURCES = 200
@@ -165,8 +165,7 @@ def _uses(build: Build, *names: str) -> tuple[Command, ...]:
 def _with_capitals(build: Build, symptom: Symptom, words: Words) -> Proven | None:
     """A message's header with the name of its type, `PointStamped.hpp`."""
     found = re.fullmatch(r"([^/]+/(?:msg|srv|action)/)(\w*[A-Z]\w*)\.hpp", words["header_name"])
-    right = found and re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", found[2]).lower()
-    return Proven({"right": f"{found[1]}{right}.hpp"}) if found else None
+    return Proven({"right": f"{found[1]}{snake_case(found[2])}.hpp"}) if found else None
 
 
 def _of_this_package(build: Build, symptom: Symptom, words: Words) -> Proven | None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from course.evidence.sources import Sources
 from course.explain.engine import Cause
-from course.explain.python_code import called_name, calls, functions, nodes, number
+from course.explain.python_code import PythonCall, called_name, calls, functions, nodes, number
 from course.model.feedback import Location
 
 _LONG = 10.0
@@ -16,18 +16,23 @@ _LONG = 10.0
 TAKERS = {"create_timer": 1, "create_subscription": 2, "create_service": 2, "add_done_callback": 0}
 
 
+def passed(sources: Sources, *makers: str) -> Iterator[tuple[str, PythonCall, ast.expr | None]]:
+    """Each call of `makers` (by default, of TAKERS): the maker, the call, and what is passed as callback."""
+    for maker in makers or TAKERS:
+        for call in calls(sources, maker):
+            yield maker, call, call.argument(TAKERS[maker], "callback")
+
+
 def called_callback(sources: Sources) -> Cause | None:
     """`self.timer_callback()` is passed instead of `self.timer_callback`."""
-    takers = ((call, position) for name, position in TAKERS.items() for call in calls(sources, name))
-    for taker, position in takers:
-        callback = taker.argument(position, "callback")
+    for maker, taker, callback in passed(sources):
         if isinstance(callback, ast.Constant) and callback.value is None:
             text = "`None` is passed as the callback. Pass the function to call instead."
             return Cause(text, (taker.where,))
         if isinstance(callback, ast.Call) and _gives_nothing(sources, callback):
             written, name = ast.unparse(callback), ast.unparse(callback.func)
             # `add_done_callback` gives the future itself.
-            given = callback.args[: -1 if position == 0 else None]
+            given = callback.args[: -1 if maker == "add_done_callback" else None]
             bound = ", ".join(map(ast.unparse, (ast.Name(name), *given, *callback.keywords)))
             right = (
                 f"`partial({bound})` from `functools`"
@@ -96,12 +101,7 @@ def callbacks(sources: Sources, *makers: str) -> tuple[Function, ...]:
 
     makers: only what is passed to these; by default, to any that takes a callback.
     """
-    names = {
-        name
-        for maker in makers or TAKERS
-        for call in calls(sources, maker)
-        for name in _names(call.argument(TAKERS[maker], "callback"))
-    }
+    names = {name for _, _, given in passed(sources, *makers) for name in _names(given)}
     return tuple(found for found in _functions(sources) if found.node.name in names)
 
 

@@ -10,7 +10,7 @@ from course.explain.builds import Build, last_dependency
 from course.explain.cmake import LISTS
 from course.explain.engine import Known, Proven, Symptom, Words, at
 from course.model.feedback import Location
-from course.spelling import LOOSELY, nearest
+from course.spelling import LOOSELY, nearest, snake_case
 
 PRIMITIVES = (
     "bool", "byte", "char", "float32", "float64", "int8", "uint8", "int16", "uint16", "int32", "uint32",
@@ -84,8 +84,7 @@ def _wrong_group(build: Build, symptom: Symptom, words: Words) -> Proven | None:
 
 
 def _field_name(build: Build, symptom: Symptom, words: Words) -> Proven:
-    name = words["name"]
-    right = re.sub(r"[^a-z0-9]+", "_", re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()).strip("_")
+    name, right = words["name"], snake_case(words["name"])
     known = {"right": right} if right != name and not name.endswith(";") else {}
     return _used(known, _definition(build, words["line"], words["message"]))
 

@@ -232,7 +232,7 @@ def _unhandled(found: Crash, cause: Cause) -> Feedback:
 # Errors that Ctrl+C causes; any other one has a cause of its own.
 _OF_CTRL_C = re.compile(
     r"^(?!NameError|ImportError).*(?:KeyboardInterrupt|ExternalShutdown|RCLError|CancelledError|rclpy|context)",
-    re.I,
+    re.I | re.S,
 )
 # Ways to print, as learners write them, and the patterns that find them.
 _PRINTING = (("std::cout", r"\b(?:cout|cerr|clog)\s*<<"), ("printf", r"\b(?:f?printf|f?puts)\s*\("))

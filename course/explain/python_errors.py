@@ -13,7 +13,7 @@ from pathlib import PurePosixPath
 
 from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
-from course.explain.callbacks import TAKERS, callbacks, called_callback
+from course.explain.callbacks import callbacks, called_callback, passed
 from course.explain.engine import (
     Cause,
     Evidence,
@@ -235,11 +235,11 @@ _PASSED = {
 def _ros_passes_more(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """A callback whose `def` has fewer arguments than ROS passes."""
     proven, name = _ros_calls_it(evidence, symptom, words), words["name"]
-    every = ((maker, call) for maker in TAKERS for call in calls(evidence.sources, maker))
-    for maker, call in every if proven else ():
-        given = call.argument(TAKERS[maker], "callback")
+    if proven is None:
+        return None
+    for maker, _, given in passed(evidence.sources):
         own = ["self"] if isinstance(given, ast.Attribute) and given.attr == name else []
-        if proven and (own or (isinstance(given, ast.Name) and given.id == name)):
+        if own or (isinstance(given, ast.Name) and given.id == name):
             right = f"def {name}({', '.join([*own, *_PASSED.get(maker, [])])}):"
             return Proven({"right": right}, proven.where)
     return None
@@ -570,11 +570,10 @@ def _not_installed(evidence: Evidence, symptom: Symptom, words: Words) -> Proven
 
 def _no_callback(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`create_service(Type, 'name', 10)`, `create_timer(0.5, 'tick')`."""
-    for maker, position in TAKERS.items():
-        for call in calls(evidence.sources, maker):
-            if isinstance(given := call.argument(position, "callback"), ast.Constant):
-                kind = "text" if isinstance(given.value, str) else "given"
-                return Proven({"maker": maker, kind: ast.unparse(given)}, (call.where,))
+    for maker, call, given in passed(evidence.sources):
+        if isinstance(given, ast.Constant):
+            kind = "text" if isinstance(given.value, str) else "given"
+            return Proven({"maker": maker, kind: ast.unparse(given)}, (call.where,))
     return None
 
 

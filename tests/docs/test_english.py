@@ -19,18 +19,7 @@ ROOT = Path(__file__).parents[2]
 DOCS = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").glob("*.md"))]
 DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 TABLE = re.compile(r"^.*\S {2,}\S.*$|^ {4,}\S.*$", re.MULTILINE)  # in columns, or indented: not sentences
-ROOMS = (
-    "bench",
-    "course",
-    "docs",
-    "extras",
-    "graders",
-    "ros2course",
-    "run-tests",
-    "solutions",
-    "tests",
-    "underlay",
-)
+ROOMS = "bench course docs extras graders ros2course run-tests solutions tests underlay".split()
 # How a comment begins, by the file's ending; `summary:` of a known mistake is prose, too.
 COMMENTS = {
     **dict.fromkeys((".cpp", ".hpp"), r"//.*"),
@@ -120,12 +109,11 @@ def comments(file: Path) -> Iterator[tuple[int, str]]:
 
 
 def python_comments(text: str) -> Iterator[tuple[int, str]]:
-    tree = parsed(text)
+    if (tree := parsed(text)) is None:
+        return
     for node in ast.walk(tree):
         if isinstance(node, DOCUMENTED) and (said := ast.get_docstring(node)):
             yield getattr(node, "lineno", 0) + 1, said
-    if not tree.body:
-        return
     tokens = [
         token
         for token in tokenize.generate_tokens(io.StringIO(text).readline)
@@ -145,7 +133,8 @@ def python_comments(text: str) -> Iterator[tuple[int, str]]:
 
 def literals(text: str) -> Iterator[tuple[int, str]]:
     """Strings of at least four words that are not docstrings."""
-    tree = parsed(text)
+    if (tree := parsed(text)) is None:
+        return
     documented = (node.body[0] for node in ast.walk(tree) if isinstance(node, DOCUMENTED) and node.body)
     docstrings = {first.value for first in documented if isinstance(first, ast.Expr)}
     for node in ast.walk(tree):
@@ -154,9 +143,9 @@ def literals(text: str) -> Iterator[tuple[int, str]]:
             yield node.lineno, node.value
 
 
-def parsed(text: str) -> ast.Module:
-    """An empty module for an example of a wrong program."""
+def parsed(text: str) -> ast.Module | None:
+    """None for an example of a wrong program."""
     try:
         return ast.parse(text)
     except SyntaxError:
-        return ast.Module([], [])
+        return None

@@ -155,7 +155,7 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
     ended = view.exited
     if ended is None or ended.signal == signal.SIGKILL:
         feedback = _deaf(of_program(recording, process))
-        # ROS itself hangs at Ctrl+C about once in 2,000 times: a thread of its own spins forever.
+        # A correct node once spun inside ROS at Ctrl+C, in some 2,500 tries. Why is not known.
         raise Failure(feedback) if feedback.where else DoubtfulFailure(feedback)
     language = language_of(recording.sources)
     found = language.unhandled(of_program(recording, process), view, asked)

@@ -83,8 +83,9 @@ def missing(home: Path, exercise: str) -> Feedback:
     """What is said when there is no file of answers."""
     name = answers_file(exercise)
     chapter = exercise.partition("-")[0]
-    others = {one for one in _names(home / "answers") if one[:2].isdigit() and not one.startswith(chapter)}
-    alike = close_names(Path(name).name, {*_names(home / "answers")} - others, 1)
+    # A file of another chapter is its own exercise's.
+    likely = (one for one in _names(home / "answers") if one.startswith(chapter) or not one[:2].isdigit())
+    alike = close_names(Path(name).name, likely, 1)
     return Feedback(
         summary=f"There is no `{name}` in your course home, so nothing is answered yet.",
         seen=f"a file `answers/{alike[0]}`: is it meant to be this one?" if alike else None,

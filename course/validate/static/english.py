@@ -48,7 +48,7 @@ RULES = [
     (r"\bto do with\?", "is about", "what has this node to do with?"),
     (r"\bin its own way\b", "predictably", "must not fail in its own way"),
     (r"\bof all that your?\b", "only", "Of all that your file sets"),
-    (r"\b(?:what|belongs|comes|stands) behind\b", "after", "Compare what stands behind `x`"),
+    (r"\b(?:what|belongs|comes) behind\b", "after", "A space belongs behind each `:`"),
     (r"\bcannot be \w+ (?:is|are) told\b", "It reports what", "What cannot be set is told"),
 ]  # fmt: skip
 # ROS and asyncio say `cancelled`.
