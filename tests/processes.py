@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from pathlib import Path
 
 import psutil
 
@@ -41,6 +42,14 @@ def none_stays() -> Iterator[set[psutil.Process]]:
     before = below()
     yield before
     assert below() <= before
+
+
+def left_in(temporary: Path) -> list[Path]:
+    """What is left in a folder for temporary files after a kill -9.
+
+    Python tries such a folder with a tiny file of a random name; a kill at that moment leaves it there.
+    """
+    return [path for path in temporary.iterdir() if path.is_dir() or path.read_bytes() not in {b"", b"blat"}]
 
 
 def ours_below(top: psutil.Process) -> Iterator[tuple[str, psutil.Process]]:

@@ -26,7 +26,7 @@ from tests.batch.command import Command, below, groups_of, half_written, outlivi
 from tests.batch.conftest import Lay
 from tests.batch.the_class import lay_class
 from tests.conftest import FIXTURES
-from tests.processes import GRADING, words_of
+from tests.processes import GRADING, left_in, words_of
 
 pytestmark = pytest.mark.slow
 
@@ -112,7 +112,7 @@ def test_killed_ten_times_it_comes_to_the_same(command: Command, tmp_path: Path)
     for report in ("results.csv", "junit.xml"):
         assert _lines(command.out / report) == _lines(calm.out / report)
     assert groups_of(all_started) == []
-    assert list(command.temporary.iterdir()) == []
+    assert left_in(command.temporary) == []
 
 
 def _lines(report: Path) -> list[str]:

@@ -15,6 +15,7 @@ import pytest
 
 from course.grading.protocol import RecordingTask
 from course.model import codec
+from tests.processes import left_in
 
 pytestmark = pytest.mark.slow
 
@@ -106,7 +107,7 @@ def test_nothing_is_left(coordinator: subprocess.Popen[str], number: signal.Sign
     coordinator.send_signal(number)
     coordinator.wait(30)
     assert left_over(tmp_path) == []
-    assert list((tmp_path / "scratch").iterdir()) == []
+    assert left_in(tmp_path / "scratch") == []
 
 
 def test_the_grading_process_is_killed(coordinator: subprocess.Popen[str], tmp_path: Path) -> None:
@@ -117,4 +118,4 @@ def test_the_grading_process_is_killed(coordinator: subprocess.Popen[str], tmp_p
                 child.kill()
     coordinator.wait(30)
     assert left_over(tmp_path) == []
-    assert list((tmp_path / "scratch").iterdir()) == []
+    assert left_in(tmp_path / "scratch") == []
