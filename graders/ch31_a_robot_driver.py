@@ -626,7 +626,7 @@ def limits(recording: Recording) -> None:
     advice = (
         "Convert the parameters with `deg2rad`, and pass them to the configuration and to `joint_limits_`."
     )
-    expect_limits(recording, LEFT, advice, at(recording, r"\bjoint_limits\b|\bjoint_limits_\b"))
+    expect_limits(recording, LEFT, advice, at(recording, r"\bjoint_limits_?\s*="))
 
 
 @driver.check("joints", "it has six joints, which start at zero", needs="topics")
@@ -696,7 +696,7 @@ def interrupt(recording: Recording) -> None:
 
 def at(recording: Recording, pattern: str, otherwise: str = DRIVER_CPP) -> tuple[Location, ...]:
     """The places in the learner's C++ code that match, or else the file that should contain one."""
-    return places_of(recording.sources, pattern)[:2] or (Location(otherwise),)
+    return tuple(dict.fromkeys(places_of(recording.sources, pattern)))[:2] or (Location(otherwise),)
 
 
 # 31-launch -------------------------------------------------------------------------------------------
