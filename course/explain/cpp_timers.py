@@ -36,7 +36,8 @@ def cpp_timer_cause(sources: Sources) -> Cause | None:
     if not timers:
         return Cause(
             "The code does not create a timer. Write `timer_ = create_wall_timer(500ms, ...)` in the node's "
-            "constructor."
+            "constructor.",
+            places_of(sources, r":\s*(?:rclcpp::)?Node\s*\(")[:1],
         )
     return _lost(timers) or _long_period(timers) or _another_node(sources) or _spun_too_early(sources)
 

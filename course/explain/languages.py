@@ -21,7 +21,7 @@ from course.explain.cpp_crashes import C_TEXTS, cpp_crash, texts_without_a_text
 from course.explain.cpp_timers import MAKERS, cpp_timer_cause
 from course.explain.cpp_timers import SPINS as CPP_SPINS
 from course.explain.engine import Cause, Evidence, Symptom, explain
-from course.explain.python_code import calls, nodes
+from course.explain.python_code import called_name, calls, nodes
 from course.explain.python_errors import EXCEPTIONS, SHUT_DOWN_TWICE, Crash, crash, crash_feedback
 from course.explain.python_slips import (
     first,
@@ -47,6 +47,10 @@ class Language(ABC):
     @abstractmethod
     def places(self, sources: Sources, name: str) -> tuple[Location, ...]:
         """Where a function or method of this name is called."""
+
+    @abstractmethod
+    def entry(self, sources: Sources) -> tuple[Location, ...]:
+        """Where `main` is defined; at most one place."""
 
     @abstractmethod
     def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
@@ -125,6 +129,10 @@ class Python(Language):
     def places(self, sources: Sources, name: str) -> tuple[Location, ...]:
         return tuple(call.where for call in calls(sources, name))
 
+    def entry(self, sources: Sources) -> tuple[Location, ...]:
+        found = ((file, node) for file, node in nodes(sources) if isinstance(node, ast.FunctionDef))
+        return tuple(Location(file, node.lineno) for file, node in found if node.name == "main")[:1]
+
     def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
         found = crash(view.traceback(), recording.packages, recording.sources)
         return crash_feedback(found, recording.packages, recording.sources) if found else None
@@ -139,11 +147,30 @@ class Python(Language):
 
     def to_keep_running(self, recording: Recording) -> Cause | None:
         sources = recording.sources
-        return first(sources, uncalled, shut_down_inside, spin_in_a_thread) or _not_spun(sources)
+        return first(sources, uncalled, shut_down_inside, spin_in_a_thread) or self._not_spun(sources)
+
+    def _not_spun(self, sources: Sources) -> Cause | None:
+        if not calls(sources, "init"):
+            text = "`main()` must call `rclpy.init()`, make the node, and pass it to `rclpy.spin(node)`."
+            return Cause(text, self.entry(sources))
+        once = tuple(call.where for call in calls(sources, "spin_once"))
+        if any(calls(sources, name) for name in ("spin", "rclcpp_spin_some")) or (
+            once and _in_a_loop(sources, once[0])
+        ):
+            return None
+        if once:
+            return Cause(
+                "`spin_once` handles one event and returns. `rclpy.spin(node)` runs until Ctrl+C.", once
+            )
+        ends = calls(sources, "spin_until_future_complete") or calls(sources, "init")
+        return Cause(
+            "Nothing keeps the program running: call `rclpy.spin(node)` in `main()` after you make the node.",
+            tuple(call.where for call in ends),
+        )
 
     def deaf(self, sources: Sources) -> Cause:
-        threads = spin_in_a_thread(sources)
-        return threads or Cause(_DEAF, (*self.places(sources, "signal"), *_loops_around_try(sources))[:2])
+        known = spin_in_a_thread(sources) or _sleeps_at_the_end(sources)
+        return known or Cause(_DEAF, (*self.places(sources, "signal"), *_loops_around_try(sources))[:2])
 
     def to_name_a_node(self, name: str) -> str:
         return f"Give the node its name in `__init__` of its class: `super().__init__('{name}')`."
@@ -171,21 +198,17 @@ def _raised_by_rclpy(traceback: tuple[str, ...]) -> bool:
     return bool(frames) and "/rclpy/" in frames[-1]
 
 
-def _not_spun(sources: Sources) -> Cause | None:
-    if not calls(sources, "init"):
-        return Cause("`main()` must call `rclpy.init()`, make the node, and pass it to `rclpy.spin(node)`.")
-    once = tuple(call.where for call in calls(sources, "spin_once"))
-    if any(calls(sources, name) for name in ("spin", "rclcpp_spin_some")) or (
-        once and _in_a_loop(sources, once[0])
-    ):
-        return None
-    if once:
-        return Cause("`spin_once` handles one event and returns. `rclpy.spin(node)` runs until Ctrl+C.", once)
-    ends = calls(sources, "spin_until_future_complete") or calls(sources, "init")
-    return Cause(
-        "Nothing keeps the program running: call `rclpy.spin(node)` in `main()` after you make the node.",
-        tuple(call.where for call in ends),
-    )
+def _sleeps_at_the_end(sources: Sources) -> Cause | None:
+    """A `sleep` in an `except` or a `finally`."""
+    for file, node in nodes(sources):
+        for part in (*node.handlers, *node.finalbody) if isinstance(node, ast.Try) else ():
+            for call in ast.walk(part):
+                if isinstance(call, ast.Call) and called_name(call) == "sleep":
+                    text = (
+                        "The program sleeps here after Ctrl+C, and can't end before that. Remove the `sleep`."
+                    )
+                    return Cause(text, (Location(file, call.lineno),))
+    return None
 
 
 def _loops_around_try(sources: Sources) -> Iterator[Location]:
@@ -264,6 +287,9 @@ class Cpp(Language):
     def places(self, sources: Sources, name: str) -> tuple[Location, ...]:
         return tuple(call.where for call in cpp_calls(sources, name))
 
+    def entry(self, sources: Sources) -> tuple[Location, ...]:
+        return places_of(sources, r"\bmain\s*\(")[:1]
+
     def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
         return self._crashed(recording, view, view.text, "The program stopped")
 
@@ -283,7 +309,8 @@ class Cpp(Language):
     def to_keep_running(self, recording: Recording) -> Cause | None:
         sources = recording.sources
         if not self.places(sources, "init"):
-            return Cause("`main` must call `rclcpp::init(argc, argv)`, make the node, and `rclcpp::spin` it.")
+            text = "`main` must call `rclcpp::init(argc, argv)`, make the node, and `rclcpp::spin` it."
+            return Cause(text, self.entry(sources))
         if self.places(sources, "spin"):
             return None
         where = tuple(place for name in CPP_SPINS for place in self.places(sources, name))[:2]
@@ -292,7 +319,8 @@ class Cpp(Language):
                 "`spin_some` runs what is ready and returns. `rclcpp::spin(node)` runs until Ctrl+C.", where
             )
         return Cause(
-            "Nothing keeps the program running: call `rclcpp::spin(...)` with the node, after `init`.", where
+            "Nothing keeps the program running: call `rclcpp::spin(...)` with the node, after `init`.",
+            where or self.entry(sources),
         )
 
     def deaf(self, sources: Sources) -> Cause:

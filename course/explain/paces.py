@@ -13,7 +13,13 @@ from course.explain.cpp_code import cpp_files
 from course.explain.cpp_timers import cpp_periods, integer_division
 from course.explain.engine import Cause
 from course.explain.python_code import called_name, calls, nodes, number, number_where
-from course.explain.python_slips import long_sleep, loop_without_sleep, several_timers, waits_for_input
+from course.explain.python_slips import (
+    long_sleep,
+    loop_without_sleep,
+    never_again,
+    several_timers,
+    waits_for_input,
+)
 from course.model.feedback import Location
 
 _NEAR = 0.25
@@ -28,7 +34,7 @@ def pace_cause(times: Sequence[float], period: float, sources: Sources, *, writt
     """
     gaps = [later - earlier for earlier, later in pairwise(times)]
     if not gaps:
-        return waits_for_input(sources)
+        return waits_for_input(sources) or (never_again(sources) if calls(sources, "spin") else None)
     if cpp_files(sources):
         found = integer_division(sources) if median(gaps) < period / 10 else None
     else:
@@ -116,7 +122,8 @@ def _written(gaps: Sequence[float], period: float, sources: Sources) -> Cause | 
     """
     seen = median(gaps)
     for value, where in _periods(sources):
-        if not _near(value, period) and (_near(value, seen) or max(value, seen) < period / 10):
+        like_seen = value / 2 < seen < (1 + _NEAR) * value
+        if not _near(value, period) and (like_seen or max(value, seen) < period / 10):
             return Cause(_on(value, period), where)
     return None
 

@@ -40,13 +40,9 @@ def first(sources: Sources, *causes: Callable[[Sources], Cause | None]) -> Cause
 
 def python_timer_cause(sources: Sources) -> Cause | None:
     """Why no callback runs: no timer, one without a function, or a callback that never returns."""
-    if not calls(sources, "create_timer") and not calls(sources, "Thread"):
-        return Cause(
-            "The code makes no timer: call `self.create_timer(0.5, self.timer_callback)` in `__init__`.",
-            tuple(call.where for call in calls(sources, "__init__")),
-        )
     return first(
         sources,
+        never_again,
         called_callback,
         long_period,
         misnamed_constructor,
@@ -55,6 +51,16 @@ def python_timer_cause(sources: Sources) -> Cause | None:
         uncalled,
         taken_away,
         plain_node_spun,
+    )
+
+
+def never_again(sources: Sources) -> Cause | None:
+    """Neither a timer nor a thread is made in the code."""
+    if calls(sources, "create_timer") or calls(sources, "Thread"):
+        return None
+    return Cause(
+        "The code makes no timer: call `self.create_timer(0.5, self.timer_callback)` in `__init__`.",
+        tuple(call.where for call in calls(sources, "__init__")),
     )
 
 

@@ -133,6 +133,7 @@ def expect_clean_end(recording: Recording, process: str) -> None:
             summary=f"`{process}` should end by itself with exit code 0.",
             expected="exit code 0",
             seen=_how(ended) if ended else "it still ran",
+            where=language.entry(of_program(recording, process).sources),
             advice=language.at_the_end if ended else language.comes_to_an_end,
             details=tuple(line.text for line in view.lines if line.t < asked)[-_LAST_LINES:],
         )
@@ -167,6 +168,7 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
                 summary=f"After Ctrl+C the program ended with exit code {ended.code}.",
                 expected="exit code 0",
                 seen=f"exit code {ended.code}",
+                where=language.entry(of_program(recording, process).sources),
                 advice=language.after_ctrl_c,
                 details=view.text[-_LAST_LINES:],
             )
