@@ -1,6 +1,6 @@
-"""Reads a course folder: lessons, exercises, hints, known mistakes. Knows nothing of ROS.
+"""Reads a course folder: lessons, exercises, hints, and known mistakes. Knows nothing about ROS.
 
-Importing this is quick; YAML and pydantic are imported when a file is read that is not remembered.
+Importing this is quick: YAML and pydantic are imported only to read a file that is not in the cache.
 """
 
 from course.content.chapter import Chapter, ChapterRef, Exercise, Lesson

@@ -1,7 +1,7 @@
-"""Everything that is wrong with a course folder, at once: what its author runs before anyone else does.
+"""Finds everything that is wrong with a course folder, for its author to fix before learners use it.
 
-A command of a learner stops at the first error in the chapter that it needs. This goes through all files,
-and through what only several of them together can tell.
+A learner's command stops at the first error in the chapter that it needs. This checks all files, including
+problems that only show when several files are compared.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ Ids = tuple[str, ...]
 
 
 def audit(root: Path) -> tuple[ContentError, ...]:
-    """All problems of the course in `root`, by file and line; empty when it is right."""
+    """All problems of the course in `root`, sorted by file and line; empty if there are none."""
     folders = layout.chapter_folders(root)
     readings = {folder: read_lesson(folder) for folder in folders}
     found = [problem for reading in readings.values() for problem in reading.problems]
@@ -80,7 +80,7 @@ def _step_problems(document: Document, data: Data, text: str) -> Iterator[Conten
 
 
 def _strays(folder: Path, ids: tuple[str, ...]) -> Iterator[ContentError]:
-    """Texts, starters, and mysteries that no exercise uses. Most are misspelled."""
+    """Texts, starters, and mysteries that no exercise uses, most of them because of a misspelled name."""
     texts = {file: file.stem for file in folder.glob("*.md") if file.name != layout.LESSON_TEXT}
     starters = {path: path.name for path in folder.glob("starter/*")}
     plays = {path: path.stem for path in folder.glob("play/*") if path.name[0] not in "._"}
@@ -105,7 +105,7 @@ def _grader_and_solution(folder: Path, document: Document, data: Data) -> Iterat
 
 
 def _is_quiz(folder: Path, exercise: Data) -> bool:
-    """Whether only its questions are judged; then it needs no grader."""
+    """Whether the exercise consists only of questions, and so needs no grader."""
     return bool(exercise["questions"]) and layout.play_file(folder, exercise["id"]) is None
 
 
@@ -136,17 +136,17 @@ def _requires_problem(graph: Graph, exercise: str, required: str) -> tuple[str, 
         what = f"there is no exercise `{required}`{did_you_mean(required, graph)}"
         return what, "allowed: the id of an exercise of this course"
     way = way_between(graph, required, exercise)
-    if way and exercise == min(way):  # said once, not by each member of the circle
+    if way and exercise == min(way):  # report a cycle once, not for each of its members
         what = f"`{exercise}` requires itself: {' -> '.join((exercise, *way))}"
         return what, "take one of them out of `requires`"
     return None
 
 
 def way_between(graph: Graph, start: str, goal: str) -> tuple[str, ...]:
-    """The names from `start` to `goal`, each with those that it leads to in the graph; or nothing."""
+    """The names on a shortest path from `start` to `goal` in the graph; empty if there is no path."""
     ways: list[tuple[str, ...]] = [(start,)]
     seen = {start}
-    for way in ways:  # grows while it is walked: breadth first
+    for way in ways:  # breadth first: `ways` grows during the loop
         if way[-1] == goal:
             return way
         new = [name for name in graph.get(way[-1], ()) if name not in seen]
@@ -155,12 +155,12 @@ def way_between(graph: Graph, start: str, goal: str) -> tuple[str, ...]:
     return ()
 
 
-# The right answers to questions, and the acts in a mystery, are computed where no file of them is stored.
-# No solution contains a workspace's build. (What is installed there: see `_is_made`.)
+# Files that a trial home makes, so that no solution contains them: right answers to questions, the acts of a
+# mystery, and a workspace's build. (`_is_made` adds what CMake projects install.)
 _MADE = re.compile(r"answers/|\.ros2course/acts/|[^/]+_workspace/(build|install|log|src$)")
 
 
-# Where a line of built.txt installs a CMake project to.
+# Where a line of built.txt installs a CMake project.
 _INSTALLED = re.compile(r"-DCMAKE_INSTALL_PREFIX=~/(\S+)")
 
 
@@ -237,7 +237,7 @@ def _is_made(file: str, solution: Path) -> bool:
 
 
 def _answers_problem(document: Document, edit: Edit, place: Place) -> Iterator[ContentError]:
-    """The exercise's own tests check the question ids, because this module does not know the questions."""
+    """Only the file's name is checked here; `validate` checks the question ids."""
     folder, _, name = edit.file.rpartition("/")
     if folder != "answers" or not name.endswith(".yaml"):
         what = f"`answers` goes with an answers file, not with `{edit.file}`"
@@ -256,20 +256,20 @@ def _no_file(document: Document, file: str, solution: Path, place: Place) -> Con
 
 
 class Edited:
-    """The files of `solution` and of those before it; `apply` changes what `text` tells of them."""
+    """The files of `solution` and of the solutions before it; `apply` changes what `text` returns."""
 
     def __init__(self, solution: Path) -> None:
         self.solution = solution
         self._changed: dict[str, str | None] = {}
 
     def text(self, file: str) -> str | None:
-        """None where there is no such file, or not any more."""
+        """The file's text; None if there is no such file, or if an edit removed it."""
         if file in self._changed:
             return self._changed[file]
         own = _read(self.solution / file)
         if own is not None and file not in ADDED_TO:
             return own
-        # A trial holds what the exercises before have made, too: any earlier chapter's, without asking which.
+        # A trial also contains files from earlier exercises. We search all earlier chapters for them.
         others = sorted(self.solution.parent.glob("*/"), reverse=True)
         earlier = [_read(other / file) for other in others if other.name < self.solution.name]
         found = [text for text in (own, *earlier) if text is not None]

@@ -1,10 +1,9 @@
 """What a course is made of: chapters and their exercises. Read-only data.
 
-Known mistakes and other solutions, which only graders' tests need, are read when asked for. A lesson that was
-found right is remembered, so that a command need not prove it again: reading YAML and checking it with
-pydantic costs about 0.15 s, most of it imports, which every `hint` would pay. It is kept as JSON with a hash
-of the file and of the rules it was checked by: when either changes it is read again. Anything odd about what
-is kept means reading the lesson again.
+Known mistakes and other solutions, which only graders' tests need, are read on demand. Valid lessons are
+cached: reading YAML and checking it with pydantic takes about 0.15 s, most of it for imports, and would slow
+down every `hint`. A cached lesson is JSON with a hash of the file and of the modules that checked it. If
+either has changed, or the cached file is damaged, the lesson is read again.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ from course.files import write_atomic
 
 @dataclass(frozen=True)
 class ChapterRef:
-    """What an exercise knows about its chapter. `slug` is its folder's name: `12-a-node-from-scratch`."""
+    """What an exercise knows about its chapter. `slug` is the chapter's folder: `12-a-node-from-scratch`."""
 
     number: int
     title: str
@@ -37,7 +36,7 @@ class ChapterRef:
 
 @dataclass(frozen=True)
 class Lesson:
-    """What is read before an exercise. text: Markdown. id: its name in the learner's progress."""
+    """What a learner reads before an exercise. text: Markdown. id: its name in the learner's progress."""
 
     chapter: ChapterRef
     text: str
@@ -48,15 +47,15 @@ class Lesson:
 class Exercise:
     """One exercise of a chapter.
 
-    files: the learner's files, relative to the course home. packages: ROS packages built for it,
-    which lie in `workspace`/src.
+    files: the learner's files, relative to the course home. packages: the ROS packages in
+    `workspace`/src that are built for it.
     grader_packages: packages whose reference build the grader itself needs. requires: ids of the
     exercises that it builds on. text, hints, after: Markdown. time_limit: seconds.
     starter, grader, solution: paths that may not exist (a quiz has no solution). questions: asked
     by `check`. play: the module of the exercise's mystery, if it has one. looks_at: more files,
-    folders and patterns of the course home that the grader looks at. bonus: not needed to complete
-    the course. local_only: about the learner's own machine, so no part of a submission. step: its
-    part of the chapter's lesson, by its heading; empty: the same part as the exercise before.
+    folders, and patterns in the course home that the grader looks at. bonus: not needed to complete
+    the course. local_only: about the learner's own machine, so not part of a submission. step: the
+    heading of its part of the lesson; empty if it shares the part of the exercise before it.
     """
 
     id: str
@@ -85,7 +84,7 @@ class Exercise:
 
     def mistakes(self) -> tuple[Mistake, ...]:
         """The mistakes listed for this exercise; read from the chapter's mistakes.yaml now."""
-        from course.content.mistakes import load_mistakes  # reads YAML: not worth its import elsewhere
+        from course.content.mistakes import load_mistakes  # imports YAML, which is slow
 
         return tuple(mistake for mistake in load_mistakes(self.folder) if mistake.exercise == self.id)
 
@@ -98,7 +97,7 @@ class Exercise:
 
 @dataclass(frozen=True)
 class Chapter:
-    """One chapter. `slug` is the name of `folder`; `text` is the Markdown of lesson.md, with its links."""
+    """One chapter. `slug` is the name of `folder`; `text` is lesson.md with the links added at its end."""
 
     number: int
     slug: str
@@ -115,14 +114,14 @@ _RULES = ("document.py", "schema.py", "schema_types.py", "schema_errors.py", "le
 
 @dataclass(frozen=True)
 class LessonCache:
-    """Lessons kept in `folder`, one small file for each chapter."""
+    """A cache of lessons in `folder`, with one small file for each chapter."""
 
     folder: Path
 
     def get(self, chapter: Path, read: Callable[[], LessonData]) -> LessonData:
-        """The chapter's lesson: the kept one if it still holds, else what `read` gives or raises."""
+        """The chapter's lesson: from the cache if still valid, else what `read` returns or raises."""
         try:
-            proof = _proof(chapter)  # before reading: a file that changes meanwhile must not be kept as read
+            proof = _proof(chapter)  # before `read`: the hash must not cover changes that `read` missed
         except OSError:
             return read()
         kept = self._kept(chapter, proof)
@@ -141,7 +140,7 @@ class LessonCache:
         return lesson if isinstance(lesson, dict) else None
 
     def _keep(self, chapter: Path, proof: str, lesson: LessonData) -> None:
-        """If the disk is full or read-only, the next command only takes longer."""
+        """Ignore a full or read-only disk: the next command only takes longer."""
         with contextlib.suppress(OSError):
             write_atomic(self._file(chapter), json.dumps({"proof": proof, "lesson": lesson}))
 
@@ -173,7 +172,7 @@ def load_chapter(folder: Path, cache: LessonCache | None = None) -> Chapter:
 
 
 def lesson_of(chapter: Chapter, exercise: Exercise | None = None) -> Lesson:
-    """All of it, or the step that belongs to `exercise`. Raises ContentError if its heading is missing."""
+    """The whole lesson, or the step of `exercise`. Raises ContentError if a step's heading is missing."""
     ref = ChapterRef(chapter.number, chapter.title, chapter.slug)
     until = chapter.exercises[: chapter.exercises.index(exercise) + 1] if exercise else ()
     steps = [one.step for one in chapter.exercises if one.step]
@@ -216,7 +215,7 @@ def _lesson_text(folder: Path, links: dict[str, str]) -> str:
 
 
 def _lesson(folder: Path) -> dict[str, Any]:
-    from course.content.lesson import read_lesson  # imports YAML and pydantic, see cache.py
+    from course.content.lesson import read_lesson  # imports YAML and pydantic, which is slow
 
     reading = read_lesson(folder)
     if reading.value is None:
@@ -248,6 +247,6 @@ def _question(folder: Path, data: dict[str, Any]) -> Question:
 
 
 def _files(data: dict[str, Any]) -> tuple[str, ...]:
-    """The learner's files; with questions, the answers are one of them."""
+    """The learner's files, including the answers file if there are questions."""
     answers = [layout.answers_file(data["id"])] if data["questions"] else []
     return tuple(dict.fromkeys((*data["files"], *answers)))

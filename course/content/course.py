@@ -1,4 +1,4 @@
-"""A course folder, opened: its chapters in order, each read when it is asked for."""
+"""An open course folder: its chapters in order, each read on demand."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ class Course:
         return tuple(exercise for chapter in self.chapters() for exercise in chapter.exercises)
 
     def exercise(self, wanted: str) -> Exercise:
-        """The exercise of that id, or of an abbreviation that fits only one: `18-pub`, `publisher`, `18`.
+        """The exercise with this id, or with an abbreviation that fits only one: `18-pub`, `publisher`, `18`.
 
-        Raises UsageError with the nearest ids when there is none. Reads only the chapter that the
-        number names; a bare name makes it read them all.
+        Raises UsageError with the nearest ids if there is none. Reads only the chapter that the
+        number names, or all of them if that finds nothing.
         """
         name = tidy(wanted)
         exercises = {exercise.id: exercise for exercise in self._numbered(chapter_number(name))}
@@ -48,12 +48,12 @@ class Course:
         return exercises[found]
 
     def lessons(self, exercise: Exercise, *, whole: bool = False) -> tuple[Lesson, ...]:
-        """Its step of its chapter's lesson, or all of it, after those of chapters without exercises."""
+        """The exercise's step of the lesson, or the whole, after any lessons without exercises before it."""
         own = lesson_of(self._load(exercise.folder), None if whole else exercise)
         return (*self._without_exercises(self._folders.index(exercise.folder)), own)
 
     def last_lessons(self) -> tuple[Lesson, ...]:
-        """Those of the chapters after the last exercise."""
+        """The lessons of the chapters after the last exercise."""
         return self._without_exercises(len(self._folders))
 
     def _without_exercises(self, end: int) -> tuple[Lesson, ...]:
@@ -61,7 +61,7 @@ class Course:
         return tuple(map(lesson_of, takewhile(lambda chapter: not chapter.exercises, upwards)))[::-1]
 
     def readable_exercises(self) -> Iterator[Exercise]:
-        """All exercises but those of broken chapters, which must not keep a learner from the others."""
+        """All exercises except those of broken chapters, which must not keep a learner from the rest."""
         for folder in self._folders:
             with contextlib.suppress(ContentError):
                 yield from self._load(folder).exercises
@@ -78,9 +78,9 @@ class Course:
 
 
 def open_course(folder: Path | None = None, *, cache: Path | None = None) -> Course:
-    """Open the course in `folder`, or the one that travels with this package.
+    """Open the course in `folder`, or the one that ships with this package.
 
-    cache: a folder to remember checked lessons in; saves YAML and pydantic at the next command.
+    cache: a folder for checked lessons, so that the next command need not import YAML and pydantic.
     """
     root = layout.own_root(Path(__file__).parents[1]) if folder is None else folder.absolute()
     layout.require_course(root)
@@ -88,32 +88,32 @@ def open_course(folder: Path | None = None, *, cache: Path | None = None) -> Cou
 
 
 def problems(course: Course) -> tuple[ContentError, ...]:
-    """All that is wrong with the files of a course, by file and line; empty when it is right."""
-    from course.content.audit import audit  # YAML and pydantic, which no learner's command should pay for
+    """Everything that is wrong with a course's files, sorted by file and line; empty if nothing is."""
+    from course.content.audit import audit  # imports YAML and pydantic: too slow for a learner's commands
 
     return audit(course.root)
 
 
 def shared_files(exercise: Exercise) -> frozenset[str]:
-    """Those of the exercise's files that other exercises of its course list too (a package's setup.py)."""
+    """The exercise's files that other exercises of the course also list, such as a package's setup.py."""
     course = Course(exercise.folder.parents[1])
     others = (other for other in course.readable_exercises() if other.id != exercise.id)
     return frozenset(exercise.files) & {file for other in others for file in other.files}
 
 
 def chapter_number(wanted: str) -> int | None:
-    """18 for `18-publisher`, `18-pub` and `18`; None when no number leads."""
+    """18 for `18-publisher`, `18-pub` and `18`; None if it does not start with a number."""
     match = re.match(r"(\d+)(-|$)", wanted)
     return int(match[1]) if match else None
 
 
 def tidy(wanted: str) -> str:
-    """What is typed in a hurry, as ids are written."""
+    """Turn what a user typed into the form of an id."""
     return wanted.strip().lower().replace("_", "-").replace(" ", "-")
 
 
 def choose(wanted: str, ids: Iterable[str]) -> str | None:
-    """The one id that `wanted` is or abbreviates, or None. Raises UsageError when several fit."""
+    """The id that `wanted` equals or abbreviates, or None. Raises UsageError if several fit."""
     known = tuple(ids)
     for fits in (_is_id, _is_name, _is_chapter, _begins_id, _begins_name):
         found = [candidate for candidate in known if wanted and fits(wanted, candidate)]
@@ -125,7 +125,7 @@ def choose(wanted: str, ids: Iterable[str]) -> str | None:
 
 
 def unknown(wanted: str, ids: Iterable[str]) -> UsageError:
-    """No exercise fits: name the likeliest, by the whole id or by the part after the number."""
+    """An error that suggests the most similar ids, by the whole id or by the part after the number."""
     known = tuple(ids)
     names = {_name(candidate): candidate for candidate in known}
     alike = [*close_names(wanted, known), *(names[name] for name in close_names(_name(wanted), names))]

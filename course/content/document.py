@@ -1,4 +1,4 @@
-"""YAML files that remember their lines, so that an error can point at one."""
+"""Parsed YAML files with their line numbers, so that an error can point at a line."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from course.errors import ContentError
 
 try:
     from yaml import CSafeLoader as Loader
-except ImportError:  # PyYAML built without libyaml: the same result, more slowly
+except ImportError:  # PyYAML built without libyaml: the same result, but slower
     from yaml import SafeLoader as Loader  # type: ignore[assignment]
 
 Place = tuple[int | str, ...]
@@ -25,7 +25,7 @@ NOT_YAML = (yaml.YAMLError, ValueError, ArithmeticError, LookupError, AttributeE
 
 @dataclass(frozen=True)
 class Document:
-    """A parsed file. `data` is plain YAML data; `repeated` lists keys that occur twice in a mapping."""
+    """A parsed file. data: plain YAML data. repeated: errors about keys that occur twice in a mapping."""
 
     file: Path
     data: Any
@@ -33,7 +33,7 @@ class Document:
     root: yaml.Node | None
 
     def line(self, place: Place) -> int:
-        """Return the line (from 1) of a key or list item, or of the closest one around it."""
+        """Return the line (from 1) of a key or list item; if it does not exist, of its closest parent."""
         node, line = self.root, 1
         for part in place:
             found = _step(node, part)
@@ -43,12 +43,12 @@ class Document:
         return line
 
     def error(self, what: str, next_step: str | None = None, *, place: Place = ()) -> ContentError:
-        """Return an error about this place in the file, to be raised: what is wrong, and the next step."""
+        """Return an error about this place in the file, for you to raise: what is wrong, and what to do."""
         key = key_text(place) or None
         return ContentError(what, next_step, file=self.file, line=self.line(place), key=key)
 
     def used_twice(self, kind: str, ids: Iterable[str], place: Place) -> Iterator[ContentError]:
-        """The ids that two entries of the list at `place` have. kind: of the entries."""
+        """Errors about ids that occur twice in the list at `place`. kind: what its entries are called."""
         first: dict[str, int] = {}
         for index, name in enumerate(ids):
             here = (*place, index, "id")

@@ -16,7 +16,8 @@ Form = Literal["choice", "choices", "text", "all_of", "number"]
 class Choice:
     """One of several answers to choose from.
 
-    name: stands for it in the answers file: its id, or else its text. why: the explanation.
+    name: what to write in the answers file to choose it: its id, or its text if it has no id. why: the
+    explanation.
     """
 
     name: str
@@ -39,10 +40,9 @@ class Question:
 
     form: `choice` and `choices` (several may be right) use `choices`; `text` uses `texts`, any of which is
     accepted; `all_of` requires all of `texts`, in any order; `number` uses `value` and `tolerance`. exact:
-    texts must match to the letter. explain: shown after a right answer, and after an unknown wrong one
-    unless `otherwise` is given. computed: the exercise's mystery supplies the right answer; form and right
-    answers here mean nothing until then. program: a script whose output is the answer; `ask` ends with its
-    code.
+    texts must match to the letter. explain: shown after a right answer, and after an unlisted wrong one
+    unless `otherwise` is given. computed: the exercise's mystery supplies the form and the right answer;
+    until then, both mean nothing. program: a script whose output is the answer; `ask` ends with its code.
     """
 
     id: str
@@ -66,7 +66,7 @@ _LANGUAGES = {".cpp": "cpp", ".py": "python", ".sh": "bash"}
 
 
 def question_of(data: dict[str, Any], program: Path | None = None, code: str = "") -> Question:
-    """A Question of one entry of `questions` in lesson.yaml, which has been checked."""
+    """Make a Question from one checked entry of `questions` in lesson.yaml."""
     value = float(data["number"] or 0)
     shown = f"\n\n```{_LANGUAGES[program.suffix]}\n{code.rstrip()}\n```" if program else ""
     return Question(
@@ -89,7 +89,7 @@ def question_of(data: dict[str, Any], program: Path | None = None, code: str = "
 
 
 def tolerance_of(value: float, written: float | str) -> float:
-    """How far off an answer may be; `10%` is of the right value."""
+    """How far off an answer may be; `10%` means 10% of the right value."""
     if isinstance(written, str):
         return abs(value) * float(written.rstrip("% ")) / 100
     return float(written)
@@ -110,12 +110,12 @@ def _form(data: dict[str, Any]) -> Form:
 
 @dataclass(frozen=True)
 class Edit:
-    """One change of a solution's file; exactly one of the other fields is set.
+    """One change to a file of a solution. Apart from `file`, exactly one operation is set.
 
     file, rename: relative to the course home. replace: a text that occurs in the file; all its
     occurrences become `with_`. content: the whole new file. mode: octal, like "755". delete and rename
-    take a whole folder, too. answers: question ids with the answers that take the place of the right
-    ones in an answers file.
+    also work on a folder. answers: question ids, each with the answer that replaces the right one in an
+    answers file.
     """
 
     file: str
@@ -133,7 +133,7 @@ class Mistake:
     """A mistake that learners make: edits of the reference solution, and how it must be caught.
 
     caught_by: id of the check that must fail. says: texts that its feedback must contain.
-    also_fails: ids of other checks that it rightly fails too; no other may.
+    also_fails: ids of the other checks that rightly fail too; no further ones may.
     """
 
     id: str
@@ -147,10 +147,10 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Alternative:
-    """Another right solution: `tree` goes over the reference solution.
+    """Another right solution: `tree` is copied over the reference solution.
 
-    tree: laid out as the course home, but for alternative.yaml itself.
-    deletes: files of the reference that this one does without. answers: other right answers to
+    tree: laid out like the course home, except for alternative.yaml itself.
+    deletes: files of the reference solution that are not in this one. answers: other right answers to
     questions, by the question's id.
     """
 

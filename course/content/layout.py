@@ -1,4 +1,4 @@
-"""Where things lie in a course folder: the only place that knows its file names."""
+"""Where things are in a course folder: the only module that knows its file names."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from course.spelling import did_you_mean
 LESSON = "lesson.yaml"
 LESSON_TEXT = "lesson.md"
 MISTAKES = "mistakes.yaml"
-PROGRAMS = "programs"  # scripts whose output questions ask for
+PROGRAMS = "programs"  # scripts for questions that ask for their output
 ALTERNATIVE = "alternative.yaml"
-# What must have been built in a solution is said here, a line each: the folder of a workspace, and options of
-# colcon; or that of a CMake project, which is installed, and options of cmake.
+# Lists what to build in a solution, one per line: the folder of a workspace, with options for colcon; or the
+# folder of a CMake project, with options for cmake, which is also installed.
 BUILT = "built.txt"
 GRADERS = "graders"
 PARTS = ("chapters", GRADERS, "solutions")
-# In every course home and solution: where an exercise's packages lie, and are built, if it names no other.
+# In every course home and solution: the workspace of an exercise's packages, unless it names another one.
 WORKSPACE = "ros2_tutorial_workspace"
-# In a course home: what the course keeps for itself there.
+# In a course home: the course's own data.
 STATE = ".ros2course"
 CHAPTER_FOLDER = re.compile(r"(\d\d)-[a-z0-9]+(-[a-z0-9]+)*")
 
 
 def own_root(package: Path) -> Path:
-    """The course that travels with the engine: beside it in a checkout, else inside it."""
+    """The course that ships with the engine: next to it in a checkout, otherwise inside it."""
     for root in (package.parent, package / "_course"):
         if (root / "chapters").is_dir():
             return root
@@ -35,7 +35,7 @@ def own_root(package: Path) -> Path:
 
 
 def require_course(root: Path) -> None:
-    """Raises UsageError, naming what is missing, when a folder is not a course."""
+    """Raises UsageError, naming what is missing, if the folder is not a course."""
     try:
         lack = _lack(root)
     except PermissionError as error:
@@ -54,7 +54,7 @@ def _lack(root: Path) -> str | None:
 
 
 def chapter_folders(root: Path) -> tuple[Path, ...]:
-    """Every folder in chapters/ but hidden ones, in order. A bad name is for `lesson` to complain about."""
+    """All folders in chapters/ except hidden ones, in order. `lesson` reports bad names."""
     folders = (path for path in (root / "chapters").iterdir() if path.is_dir())
     return tuple(sorted(path for path in folders if path.name[0] not in "._"))
 
@@ -79,7 +79,7 @@ def play_file(chapter: Path, exercise: str) -> Path | None:
 
 
 def answers_file(exercise: str) -> str:
-    """Where a learner's answers to the exercise's questions lie, relative to the course home."""
+    """The file with a learner's answers to the exercise's questions, relative to the course home."""
     return f"answers/{exercise}.yaml"
 
 
@@ -87,14 +87,14 @@ def exercise_text(chapter: Path, exercise: str) -> Path:
     return chapter / f"{exercise}.md"
 
 
-# A package contains a course as its own folders, or beside its code in a folder of its own.
+# Where an installed package contains a course: at its top level, or in a folder next to its code.
 _INSIDE = ("", "_course")
 
 
 def named_course(name: str) -> Path:
-    """The folder of that name, else the course in the installed package of that name; nothing is imported.
+    """The folder of this name, or the course in the installed package of this name; nothing is imported.
 
-    Raises UsageError when it can only be a package and is none. A folder need not be a course yet.
+    Raises UsageError if there is neither. A folder need not be a course yet.
     """
     folder = Path(name).expanduser()
     if folder.exists() or not name.isidentifier():
@@ -123,7 +123,7 @@ ADDED_TO = frozenset({".bashrc"})
 
 
 def with_addition(text: str, addition: str) -> str:
-    """`text` with `addition` as its last lines; unchanged when it holds them already."""
+    """`text` with `addition` as its last lines; unchanged if it already contains them."""
     if addition.strip() in text:
         return text
     return f"{text.rstrip()}\n\n{addition}" if text.strip() else addition

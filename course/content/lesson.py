@@ -1,4 +1,4 @@
-"""Reads lesson.yaml: schema first, then what only the folder's name and the other entries can tell."""
+"""Reads lesson.yaml: checks the schema, then that the entries agree with each other and the folder."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def _bad_ids(document: Document, data: dict[str, Any]) -> Iterator[ContentError]
 
 
 FORMS = ("choices", "text", "all_of", "number", "computed")
-# Keys that mean something in these forms only.
+# Keys that only have a meaning in these forms.
 _BELONGS = {
     "multiple": ("choices",),
     "program": ("choices",),
@@ -62,7 +62,7 @@ FEWEST_CHOICES = 2
 
 
 def question_problems(document: Document, data: dict[str, Any]) -> Iterator[ContentError]:
-    """What is wrong with the questions of a lesson beyond the form of each key."""
+    """What is wrong with a lesson's questions beyond what the schema checks."""
     for index, exercise in enumerate(data["exercises"]):
         place, questions = ("exercises", index, "questions"), exercise["questions"]
         yield from document.used_twice("question", [item["id"] for item in questions], place)
@@ -117,7 +117,7 @@ def _choice_problems(document: Document, item: dict[str, Any], place: Place) -> 
 
 
 def _spoilt(document: Document, item: dict[str, Any], place: Place) -> Iterator[ContentError]:
-    """An explanation that is shown after wrong answers, too, must not contain the right one."""
+    """An explanation that is also shown after wrong answers must not contain the right answer."""
     key = "otherwise" if item["otherwise"] else "explain"
     said = _tidy(item[key] or "")
     texts = [_tidy(text) for text in (item["text"] or item["all_of"])]

@@ -1,4 +1,4 @@
-"""Reads what proves a grader: the chapter's mistakes.yaml, and alternatives beside its solution."""
+"""Reads what graders are tested with: the chapter's mistakes.yaml, and alternatives to its solution."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Mistakes = tuple[Mistake, ...]
 
 
 def load_mistakes(chapter: Path) -> Mistakes:
-    """None when the chapter has no mistakes.yaml. Raises ContentError for the first thing that is wrong."""
+    """Empty if the chapter has no mistakes.yaml. Raises ContentError for the first thing that is wrong."""
     return _sound(read_mistakes(chapter)) or ()
 
 
@@ -33,7 +33,7 @@ def _sound(reading: Reading[T]) -> T | None:
 
 
 def read_mistakes(chapter: Path) -> Reading[Mistakes]:
-    """No value if the chapter has no mistakes.yaml."""
+    """The reading's value is None if the chapter has no mistakes.yaml."""
     if not (chapter / MISTAKES).exists():
         return Reading(None)
     return read_checked(chapter / MISTAKES, MistakesSchema, _mistakes)
@@ -46,7 +46,7 @@ def _mistakes(document: Document, found: MistakesSchema) -> Reading[Mistakes]:
 
 
 def read_alternatives(solution: Path) -> Iterator[Reading[Alternative]]:
-    """Every folder in the solution's alternatives/, by name."""
+    """Read every folder in the solution's alternatives/, sorted by name."""
     root = solution / "alternatives"
     folders = sorted(path for path in root.iterdir() if path.is_dir()) if root.is_dir() else []
     return (read_checked(folder / ALTERNATIVE, AlternativeSchema, _alternative) for folder in folders)

@@ -1,6 +1,6 @@
-"""What lesson.yaml, mistakes.yaml and alternative.yaml may hold.
+"""What lesson.yaml, mistakes.yaml and alternative.yaml may contain.
 
-Only the schemas and `explain` import pydantic, and only when a file is read that was not found right before.
+In this folder, only the `schema*` modules import pydantic, and only a file that is not cached needs them.
 A field's description says what is allowed there: error messages and the authors' documentation show it.
 """
 
@@ -141,7 +141,7 @@ OPERATIONS = ("replace", "delete", "rename", "content", "mode", "answers")
 class ExerciseSchema(Strict):
     """One entry of `exercises` in lesson.yaml."""
 
-    # For editors: what `_enough` says.
+    # Tells editors what `_enough` checks.
     model_config = ConfigDict(
         json_schema_extra={
             "anyOf": [
@@ -230,7 +230,7 @@ def _answer_given(value: Any) -> Any:
     return value
 
 
-# As it is written in the answers file: a text, a number in quotes, or a list of texts.
+# As written in the answers file: a text, a number in quotes, or a list of texts.
 AnswerGiven = Annotated[
     Any,
     AfterValidator(_answer_given),
@@ -308,7 +308,7 @@ _DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
 class Kind(str, Enum):
-    """The files that have a schema, as they are called in `ros2course schema KIND`."""
+    """The files that have a schema, by their names in `ros2course schema KIND`."""
 
     LESSON = "lesson"
     MISTAKES = "mistakes"
@@ -323,19 +323,19 @@ _MODELS: dict[Kind, type[BaseModel]] = {
 
 
 class _Plain(GenerateJsonSchema):
-    """Without a title for each key, which would only repeat its name."""
+    """Leaves out the title of each key, which would only repeat its name."""
 
     def field_title_should_be_set(self, schema: Any) -> bool:
         return False
 
 
 def json_schema(kind: Kind) -> dict[str, Any]:
-    """The schema of `lesson.yaml`, `mistakes.yaml` or `alternative.yaml`, in draft 2020-12."""
+    """The JSON Schema (draft 2020-12) of `lesson.yaml`, `mistakes.yaml` or `alternative.yaml`."""
     made = _MODELS[kind].model_json_schema(by_alias=True, schema_generator=_Plain)
     head = {"$schema": _DIALECT, "$id": f"urn:ros2course:{kind.value}", "title": f"{kind.value}.yaml"}
     return {**head, **{key: value for key, value in made.items() if key != "title"}}
 
 
 def schema_text(kind: Kind) -> str:
-    """The same as the text of a file."""
+    """The same schema as formatted JSON."""
     return json.dumps(json_schema(kind), indent=2, ensure_ascii=False) + "\n"

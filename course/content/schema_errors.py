@@ -31,7 +31,7 @@ _WANTED = {
 
 @dataclass(frozen=True)
 class Reading(Generic[T]):
-    """What a file says; None when `problems` says why it is not usable."""
+    """A file's content; `value` is None if the file is missing, or `problems` make it unusable."""
 
     value: T | None
     problems: tuple[ContentError, ...] = ()
@@ -43,7 +43,7 @@ class Reading(Generic[T]):
 
 
 def read_checked(file: Path, schema: type[S], convert: Callable[[Document, S], Reading[T]]) -> Reading[T]:
-    """What `convert` makes of a file that fits the schema."""
+    """Check a file against the schema, and convert its content if it fits."""
     try:
         document = read_document(file)
     except ContentError as error:
@@ -65,7 +65,7 @@ def validated(document: Document, schema: type[S]) -> tuple[S | None, tuple[Cont
 
 
 def _misspelt(schema: type[BaseModel], found: list[ErrorDetails]) -> set[Place]:
-    """Keys that are missing only because they are misspelled; the unknown key's error says so."""
+    """Keys that are missing only because they are misspelled; the error about the unknown key says so."""
     unknown = [details["loc"] for details in found if details["type"] == "extra_forbidden"]
     meant = (
         (*place[:-1], name)
@@ -113,7 +113,7 @@ def _complaint(details: ErrorDetails) -> str:
 
 
 def _kind(value: object) -> str:
-    """The word for it in YAML, not Python's name."""
+    """What the value is called in YAML, not in Python."""
     if value is None:
         return "empty"
     if isinstance(value, bool):
@@ -154,5 +154,5 @@ def _model_in(annotation: Any) -> type[BaseModel] | None:
 
 
 def _fields(schema: type[BaseModel]) -> dict[str, FieldInfo]:
-    """By their names in files: `with`, where Python has `with_`."""
+    """The fields by their names in files: `with` for Python's `with_`."""
     return {field.alias or name: field for name, field in schema.model_fields.items()}

@@ -1,4 +1,4 @@
-"""The words that schemas are written in: texts, ids, paths. Each complains as an author needs it."""
+"""The types that schemas use: texts, ids, paths. Their error messages are written for authors."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from pydantic_core.core_schema import no_info_after_validator_function
 
 
 def wrong(message: str) -> PydanticCustomError:
-    """A complaint that reads on after the key: `must be ...`."""
-    # Braces are placeholders to pydantic; a message may quote some from the file.
+    """An error whose message continues after the key's name: `must be ...`."""
+    # Pydantic treats braces as placeholders, but a message may quote braces from the file.
     return PydanticCustomError("rule", "{message}", {"message": message})
 
 
@@ -47,7 +47,7 @@ def _seconds(value: float) -> float:
 
 
 def one_of(*groups: tuple[str, ...]) -> ConfigDict:
-    """For editors: the keys of exactly one of these groups are given."""
+    """Tells editors that the keys of exactly one of these groups must be given."""
     return ConfigDict(json_schema_extra={"oneOf": [{"required": list(group)} for group in groups]})
 
 
@@ -102,6 +102,6 @@ Seconds = Annotated[
 
 
 class Strict(BaseModel):
-    """No unknown keys, and no number where a text is meant."""
+    """Allows no unknown keys, and no number where a text is expected."""
 
     model_config = ConfigDict(strict=True, extra="forbid", frozen=True)

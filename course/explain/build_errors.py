@@ -1,4 +1,4 @@
-"""Turns the log of a failed build into a cause in a few lines, with file, line and advice."""
+"""Turns the log of a failed build into a short cause, with file, line and advice."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def explain_build(build: Build) -> BuildError:
 
 
 def explain_success(build: Build, prefix: Path) -> BuildError | None:
-    """What is wrong although colcon reports success; None if nothing is."""
+    """What is wrong even though colcon reports success; None if nothing is."""
     if found := explain(RESERVED, _log(build), build):
         return _told(build, found)
     marker = prefix / "share/ament_index/resource_index/packages" / build.name
@@ -82,7 +82,7 @@ def _compiled(build: Build) -> BuildError | None:
 
 
 def _told(build: Build, found: Explanation, printed: Sequence[str] = ()) -> BuildError:
-    """printed: what to show beside the named lines; without such lines, the tool's own output is shown."""
+    """printed: what to show below the source lines. If there is neither, the tool's own output is shown."""
     shown = [line for place in found.where for line in build.shown(place)]
     lines = (*shown, *printed) or found.symptom.printed[:4]
     details = {line.strip(): line.rstrip() for line in reversed(lines) if line.strip()}.values()
@@ -123,7 +123,7 @@ def symptom_in(build: Build, error: CppError) -> Symptom:
 def _target_without(build: Build, symptom: Symptom, words: Words) -> Proven | None:
     """The target that does not use the missing header's package, although CMake found the package.
 
-    make names the object file that it could not build for that target.
+    make's output names the object file that it could not build for that target.
     """
     looked_for = rf"(?i)find_package\s*\(\s*{re.escape(words['name'])}\b"
     if not words["source"] or words["name"] not in build.known_packages or not build.line(LISTS, looked_for):
@@ -163,7 +163,7 @@ def _uses(build: Build, *names: str) -> tuple[Command, ...]:
 
 
 def _with_capitals(build: Build, symptom: Symptom, words: Words) -> Proven | None:
-    """A message's header with the name of its type, `PointStamped.hpp`."""
+    """A message's header is named like its type: `PointStamped.hpp`."""
     found = re.fullmatch(r"([^/]+/(?:msg|srv|action)/)(\w*[A-Z]\w*)\.hpp", words["header_name"])
     return Proven({"right": f"{found[1]}{snake_case(found[2])}.hpp"}) if found else None
 
@@ -192,7 +192,7 @@ def _defined_in(build: Build, name: str, files: Iterable[str]) -> str | None:
 
 
 def _announced(build: Build, symptom: Symptom, words: Words) -> Proven | None:
-    """Where a header of the package declares the member function, if none of its files defines one."""
+    """Where a header of the package declares the member function, if none of its files defines it."""
     *outer, name = words["said"].split("(")[0].split("::")
     if not outer or _defined_in(build, words["said"], _sources(build)):
         return None
@@ -205,7 +205,7 @@ def _announced(build: Build, symptom: Symptom, words: Words) -> Proven | None:
 
 
 def _unlisted(build: Build, symptom: Symptom, words: Words) -> Proven | None:
-    """The most common cause: the file that defines it exists, but CMakeLists.txt does not list it."""
+    """The most common cause: a file defines the symbol, but CMakeLists.txt does not list that file."""
     listed = build.text(LISTS)
     file = _defined_in(
         build, words["said"], (f for f in _sources(build) if PurePosixPath(f).name not in listed)
@@ -214,7 +214,7 @@ def _unlisted(build: Build, symptom: Symptom, words: Words) -> Proven | None:
 
 
 def _unlinked(build: Build, symptom: Symptom, words: Words) -> Proven | None:
-    """The file that defines it belongs to a library of this package that the target does not link."""
+    """The file that defines the symbol belongs to a library of this package that the target does not link."""
     file = _defined_in(build, words["said"], _sources(build))
     if file is None or "target" not in words:
         return None
@@ -236,7 +236,7 @@ def _made(build: Build, target: str) -> Location:
 
 
 def _linked(build: Build, symptom: Symptom, words: Words) -> Location:
-    """The line of CMakeLists.txt that creates the target; else one that creates or links any target."""
+    """The line of CMakeLists.txt that creates the target, or else one that creates or links any target."""
     made = _made(build, words["where"])
     some = r"target_link_libraries|ament_target_dependencies|add_executable|add_library"
     return made if made.line else build.place(LISTS, build.line(LISTS, some))

@@ -25,7 +25,7 @@ class Build(Evidence):
     """A failed build of the package `name`.
 
     copy: the folder that was built, a copy of the learner's own `folder`. lines: the output, with the
-    learner's paths. neighbors: the other packages of the workspace, with their folders in the home.
+    learner's paths. neighbors: the other packages in the workspace, with their folders in the home.
     prefixes: the folders of the installed packages that the build could use. ask_setup_py: runs `setup.py
     --name` on the copy and returns its output, also with the learner's paths.
     """
@@ -62,7 +62,7 @@ class Build(Evidence):
 
 
 def read_copy(copy: Path, folder: str) -> Sources:
-    """The files of a copy, under the names that the learner knows."""
+    """The files of a copy, with the paths that the learner knows."""
     found = read_sources(copy, ("",))
     return Sources(
         {f"{folder}/{name}": text for name, text in found.files.items()},

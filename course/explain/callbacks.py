@@ -12,12 +12,12 @@ from course.explain.python_code import PythonCall, called_name, calls, functions
 from course.model.feedback import Location
 
 _LONG = 10.0
-# The position of the callback among its arguments, from 0.
+# The position of the callback among each function's arguments, from 0.
 TAKERS = {"create_timer": 1, "create_subscription": 2, "create_service": 2, "add_done_callback": 0}
 
 
 def passed(sources: Sources, *makers: str) -> Iterator[tuple[str, PythonCall, ast.expr | None]]:
-    """Each call of `makers` (by default, of TAKERS): the maker, the call, and what is passed as callback."""
+    """Each call of `makers` (default: TAKERS): the maker, the call, and what is passed as the callback."""
     for maker in makers or TAKERS:
         for call in calls(sources, maker):
             yield maker, call, call.argument(TAKERS[maker], "callback")
@@ -31,7 +31,7 @@ def called_callback(sources: Sources) -> Cause | None:
             return Cause(text, (taker.where,))
         if isinstance(callback, ast.Call) and _gives_nothing(sources, callback):
             written, name = ast.unparse(callback), ast.unparse(callback.func)
-            # `add_done_callback` gives the future itself.
+            # `add_done_callback` passes the future to the callback itself.
             given = callback.args[: -1 if maker == "add_done_callback" else None]
             bound = ", ".join(map(ast.unparse, (ast.Name(name), *given, *callback.keywords)))
             right = (
@@ -99,7 +99,7 @@ class Function:
 def callbacks(sources: Sources, *makers: str) -> tuple[Function, ...]:
     """The learner's functions that are passed to `create_timer`, `create_service` and so on.
 
-    makers: only what is passed to these; by default, to any that takes a callback.
+    makers: only functions passed to these count; by default, to any that takes a callback.
     """
     names = {name for _, _, given in passed(sources, *makers) for name in _names(given)}
     return tuple(found for found in _functions(sources) if found.node.name in names)
@@ -138,7 +138,7 @@ SPINS = ("spin", "spin_once", "spin_until_future_complete")
 
 
 def never_spun(sources: Sources) -> Cause | None:
-    """There is no call of `rclpy.spin`, or it is in a constructor, so nothing after it there ever runs."""
+    """`rclpy.spin` is not called, its executor has no node, or it is called in a constructor."""
     spins = tuple(call.where for name in SPINS for call in calls(sources, name))
     if not spins:
         return Cause(

@@ -15,7 +15,7 @@ _COMMAND = re.compile(r"^[ \t]*(?P<name>[A-Za-z_]\w*)[ \t]*\(", re.MULTILINE)
 # A quoted text, a comment, a bracket, or a word. An unclosed text extends to the end.
 _TOKEN = re.compile(r'"(?P<quoted>(?:\\.|[^"\\])*)(?:"|\\?\Z)|#[^\n]*|(?P<bracket>[()])|(?P<word>[^\s()"#]+)')
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
-# Limit for a variable's value, in characters: a few lines that each double it would fill any memory.
+# Limit for a variable's value, in characters: a few dozen lines that each double it would fill any memory.
 _LONGEST_VALUE = 200
 
 _LONGEST = 160  # characters of CMake's own words in a summary
@@ -84,7 +84,7 @@ def _words(text: str, start: int, known: dict[str, str]) -> tuple[tuple[str, ...
 
 
 def cmake_errors(lines: Sequence[str], evidence: Evidence) -> list[Symptom]:
-    """The errors in CMake's output, in order, each at the learner's line that led to it.
+    """The errors in CMake's output, in order, each with the learner's line that led to it.
 
     Without such a line, the place is their CMakeLists.txt. Words: `file`, and `line` if known.
     """

@@ -1,4 +1,4 @@
-"""Known errors of CMake: in any project, in a ROS package, and with the targets that it builds.
+"""Known CMake errors: in any project, in a ROS package, and with the targets that it builds.
 
 `add_executable` and `add_library` create a target, which is used, installed and exported by name.
 """
@@ -34,7 +34,7 @@ _BROUGHT = (
 
 
 def _package_is_found(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`find_package` comes before the place of the error."""
+    """`find_package` comes before the line with the error."""
     found = evidence.line(LISTS, rf"^\s*find_package\s*\(\s*{words['of']}\b")
     last = symptom.where.line if symptom.where and symptom.where.line else None
     return Proven() if found and (last is None or found <= last) else None
@@ -72,14 +72,14 @@ def _setup_py_instead(build: Build, symptom: Symptom, words: Words) -> Proven | 
 
 
 def _installed(build: Build, symptom: Symptom, words: Words) -> Proven:
-    """What `install` names; CMake prints it with its full path."""
+    """The missing file or folder as `install` names it; CMake prints its full path."""
     name = words["path"].removeprefix(f"{build.folder}/")
     near = nearest(name, build.files(), LOOSELY)
     return Proven({"name": name, "last": name.rpartition("/")[2], **({"near": near} if near else {})})
 
 
 def _looked_for_another(build: Build, symptom: Symptom, words: Words) -> Proven | None:
-    """A `find_package` with nearly that name."""
+    """A `find_package` with nearly the same name."""
     looked_for = commands(build.sources, build.folder, "find_package")
     near = nearest(words["name"], (one.words[0] for one in looked_for if one.words), LOOSELY)
     where = next((one.where for one in looked_for if one.words[:1] == (near,)), None)
@@ -110,7 +110,7 @@ def _without_that_target(build: Build, symptom: Symptom, words: Words) -> Proven
 
 # ------------------------------------------------------------------------------------------ entries
 
-# What is wrong in the file itself.
+# Errors in CMakeLists.txt itself.
 _SYNTAX: tuple[Known[Evidence], ...] = (
     Known(kind="cmake-minimum", pattern=r"No cmake_minimum_required command is present",
           cause="{file} does not begin with `cmake_minimum_required`.",
@@ -157,7 +157,7 @@ _SYNTAX: tuple[Known[Evidence], ...] = (
 
 # Errors of projects that are not ROS packages, if the learner's own command configured them.
 def _whole_file_name(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`find_library(X NAMES door.so)`: neither `door`, nor the name of the whole file, `libdoor.so`."""
+    """`find_library(X NAMES door.so)`: this is neither `door` nor the whole file name, `libdoor.so`."""
     for one in commands(evidence.sources, evidence.folder, "find_library"):
         wrong = next((word for word in one.words if re.fullmatch(r"(?!lib)[\w-]+\.(?:so|a)", word)), None)
         if wrong:
@@ -166,7 +166,7 @@ def _whole_file_name(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
 
 
 def _home_of_bash(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`PATHS $HOME/opt`: CMake takes `$HOME` as it is, and `${HOME}` is empty."""
+    """`PATHS $HOME/opt`: CMake takes `$HOME` literally, and `${HOME}` is empty."""
     for one in commands(evidence.sources, evidence.folder, "find_package", "find_library"):
         if found := re.search(r"\$(?:HOME|\{HOME\})", " ".join(one.words)):
             return Proven({"wrong": found[0], "right": "$ENV{HOME}"}, (one.where,))

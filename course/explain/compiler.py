@@ -1,6 +1,6 @@
-"""Reads the output of a C++ compiler or linker: the first cause, as data.
+"""Reads the first error, and any warnings, from the output of a C++ compiler or linker.
 
-Errors that follow from the first one, and pages of templates, are left out.
+Errors that follow from the first one, and pages of template messages, are left out.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ Kind = Literal["compiler", "undefined", "twice", "library"]
 Own = Callable[[str], str | None]
 
 _LONGEST = 90
-_LONGEST_WORDS = 160  # of a compiler: what is wrong comes after a long name
+_LONGEST_WORDS = 160  # of a compiler's message: long names can come before what is wrong
 _SHOWN = 3
-# Instantiations that led to an error come before it, notes on it come after.
+# Template instantiations that led to an error come before it; notes about it come after.
 _MOST_AROUND = 60
 _DIAGNOSTIC = re.compile(
     r"^(?P<file>[^:\s][^:]*):(?P<line>\d+):(?:\d+:)? (?P<kind>(?:fatal )?error|warning): (?P<text>.+)$"
@@ -55,10 +55,10 @@ class CppError:
     """The first thing that stopped a compiler or linker.
 
     kind: "undefined" for a symbol that nothing defines, "twice" for one that two files define, "library"
-    for one that was not found; otherwise "compiler". text: the compiler's message, or the symbol or
-    library. file, line: the learner's place; None if none was involved. printed: the file as printed.
+    for a library that was not found; otherwise "compiler". text: the compiler's message, or the symbol or
+    library. file, line: in the learner's code; None if it was not involved. printed: the file as printed.
     target: what CMake was linking; "" if unknown. details: lines to show. header: the standard header that
-    the compiler suggests. more: other errors follow.
+    the compiler suggests. more: whether other errors follow.
     """
 
     kind: Kind
@@ -73,7 +73,7 @@ class CppError:
 
 
 def first_error(lines: Sequence[str], own: Own) -> CppError | None:
-    """Return the first error in one of the learner's files, or caused by one; else the first of all."""
+    """Return the first error in, or caused by, one of the learner's files; if there is none, the first."""
     found = list(_diagnosed(lines, own, "error"))
     mine = [error for error in found if error.file]
     if found:
@@ -82,7 +82,7 @@ def first_error(lines: Sequence[str], own: Own) -> CppError | None:
 
 
 def warnings(lines: Sequence[str], own: Own) -> tuple[CppError, ...]:
-    """The compiler's warnings about the learner's files, in order, each once."""
+    """The compiler's warnings about the learner's files, in order, without duplicates."""
     return tuple(dict.fromkeys(one for one in _diagnosed(lines, own, "warning") if one.file))
 
 
@@ -99,7 +99,7 @@ def defining_file(symbol: str, texts: Mapping[str, str]) -> str | None:
     if not name:
         return None
     short = name.split("::")
-    # `Class::member`, as written outside of its class; namespaces may come before it or surround it.
+    # `Class::member`, as written outside the class; namespaces may come before it or surround it.
     written = (r"(?:\w+::)*" if len(short) > 1 else "") + r"\s*::\s*".join(short[-2:])
     pattern = re.compile(rf"(?:^|[\s&*]){written}\s*\([^;{{}}]*\)[^;{{}}()]*(?::[^;{{}}]*)?\{{", re.MULTILINE)
     return next((file for file, text in texts.items() if pattern.search(text)), None)
@@ -129,7 +129,7 @@ def _place(
 ) -> tuple[str | None, int | None]:
     """The place in the learner's files that led to the error.
 
-    For another's template, it is where their file uses it; for another's header, where they include it.
+    For a template that is not theirs, it is where they use it; for such a header, where they include it.
     """
     if file := own(found["file"]):
         return file, int(found["line"])
@@ -139,7 +139,7 @@ def _place(
 
 
 def _nearest(pattern: re.Pattern[str], around: Sequence[str], own: Own) -> tuple[str, int] | None:
-    """The learner's place printed nearest to the error. around: in order, from the last line up."""
+    """The learner's place nearest to the error, which is printed first. around: from the last line up."""
     for line in reversed(around):
         asked = pattern.match(line)
         if asked and (file := own(asked["file"])):
@@ -172,7 +172,7 @@ def _linked(lines: Sequence[str], own: Own) -> Iterator[CppError]:
 
 
 def _user(found: re.Match[str], before: Sequence[str], own: Own) -> tuple[str | None, int | None]:
-    """The file that uses the symbol, which the line itself or an object file above it names."""
+    """The place that uses the symbol, from the line itself or from an object file named above it."""
     if found["file"] and (file := own(found["file"])):
         return file, int(found["line"]) if found["line"] else None
     for line in reversed(before[-_SHOWN:]):

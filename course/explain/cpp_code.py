@@ -12,17 +12,17 @@ from course.evidence.sources import Sources
 from course.model.feedback import Location
 
 ENDINGS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".hxx", ".h")
-# Comments and quoted texts are not code. Anything unclosed extends to the end; otherwise each
-# of its beginnings would be searched to the end.
+# Comments and quoted texts are not code. Anything unclosed extends to the end. Otherwise, the search would
+# run to the end of the text for each opening mark.
 _NO_CODE = re.compile(
     r"//[^\n]*|/\*.*?(?:\*/|\Z)"
     r'|R"(?P<mark>[^\s()\\]{0,16})\(.*?(?:\)(?P=mark)"|\Z)'
     r"""|"(?:\\.|[^"\\\n])*(?:"|(?=\n)|\Z)|(?<![\w'])'(?:\\.|[^'\\\n])*(?:'|(?=\n)|\Z)""",
     re.DOTALL,
 )
-# A brace right after a name initializes that variable: `timer_{...}`.
+# A brace right after a name initializes that variable (`timer_{...}`), so it does not end a statement.
 _ENDS_A_STATEMENT = re.compile(r"[;}]|(?<!\w)\{|(?<=\belse)\{|(?<=\btry)\{|(?<=\bdo)\{")
-# A learner's file has few calls of one name, and short blocks; we search no further.
+# Limits for the search: a learner's file has few calls with the same name, and short blocks.
 _MOST_CALLS, _FAR, _LONGEST_STATEMENT = 50, 20_000, 1000
 
 
@@ -94,7 +94,7 @@ def _line(code: str, position: int) -> int:
 
 
 def _closing(code: str, position: int, pair: str) -> int:
-    """The position that closes the bracket opened here; the end if none does."""
+    """The position of the bracket that closes the one opened here; the end if there is none."""
     depth = 0
     for number, sign in _signs(code, position, pair):
         depth += 1 if sign == pair[0] else -1
@@ -104,7 +104,7 @@ def _closing(code: str, position: int, pair: str) -> int:
 
 
 def _opening(code: str, position: int) -> int:
-    """The position where the block around this position opens; 0 if there is no block."""
+    """The position where the block around this position begins; 0 if there is no block."""
     depth = 0
     for number in range(position - 1, max(-1, position - _FAR), -1):
         depth += (code[number] == "}") - (code[number] == "{")

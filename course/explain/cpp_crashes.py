@@ -23,9 +23,9 @@ _UNCAUGHT = re.compile(r"terminate called after throwing an instance of '(?P<typ
 _WHAT = re.compile(r"^\s+what\(\):\s+(?P<text>.*)$")
 _LIBRARY = re.compile(r"error while loading shared libraries: (?P<name>[^:]+):")
 
-# Precedes advice without a line. Advice that begins like this triggers a second run, with a sanitizer.
+# Begins advice that names no line. Such advice triggers a second run, with a sanitizer.
 NO_LINE = "The line is not known."
-# Parts of the sanitizer's term, what it means, and what to do.
+# Parts of the name that the sanitizer gives the error, what it means, and what to do.
 _KINDS = (
     (("overflow-on", "stack-overflow"), "A function calls itself forever.",
      "Find the function that calls itself, and check the condition that should stop it."),
@@ -52,7 +52,7 @@ _OTHERWISE = ("The program uses memory that it must not use.", "Check the line s
 
 @dataclass(frozen=True)
 class Trouble:
-    """summary, advice: for the learner. where: their line that led to it. details: the shortened report.
+    """summary, advice: for the learner. where: their line that caused it. details: the shortened report.
 
     thrown: the type of an uncaught exception.
     """
@@ -65,7 +65,7 @@ class Trouble:
 
 
 def trouble(lines: Sequence[str], sources: Sources) -> Trouble | None:
-    """What these lines of a program's output say about its end; None if they say nothing."""
+    """What these lines of a program's output say about how it ended; None if they say nothing."""
     for number, line in enumerate(lines):
         if found := _ADDRESS.search(line):
             return _address(found["kind"], lines[number:], sources)
@@ -80,7 +80,7 @@ def trouble(lines: Sequence[str], sources: Sources) -> Trouble | None:
 
 
 def own_place(file: str, line: str | None, sources: Sources) -> Location | None:
-    """A place as a tool prints it, if it is in one of the learner's files."""
+    """The location for a place as a tool prints it; None if it is not in one of the learner's files."""
     name = file.removeprefix("~/").removeprefix("./")
     return Location(name, int(line) if line else None) if name in sources.names else None
 
@@ -125,27 +125,27 @@ def _own_frames(report: Sequence[str], sources: Sources) -> Iterator[Location]:
 
 
 def _shortened(report: Sequence[str], sources: Sources) -> tuple[str, ...]:
-    """Its first line, and the calls in the learner's files."""
+    """The report's first line, and the calls in the learner's files."""
     own = (line.strip() for line in report if next(_own_frames((line,), sources), None))
     return (report[0].partition("ERROR: ")[2][:160], *islice(own, _MOST_CALLS))
 
 
 def crash_notes(report: Sequence[str]) -> Iterator[Observed]:
-    """What a sanitizer's report says: where the program was, the innermost place first."""
+    """Where the program was, according to a sanitizer's report: the innermost place first."""
     found = next(filter(None, map(_ADDRESS.search, report)), None)
     for frame in filter(None, map(_FRAME.match, report)) if found else ():
-        # The learner's files have names relative to their home; the system's mostly have not.
+        # The learner's files have paths relative to their home; most of the system's files do not.
         if found and not frame["file"].startswith("/"):
             yield Observed(0.0, "crashed", found["kind"], raised=Location(frame["file"], int(frame["line"])))
 
 
 def _located(advice: str, notes: Iterable[Observed] | None, sources: Sources) -> Cause:
-    """The advice with the line where it happened. notes: of the second run; None if there can be none."""
+    """The advice with the line where it happened. notes: from a second run; None if there can be none."""
     for note in notes or ():
         place = note.raised if note.what == "crashed" else None
         if place and 0 < (place.line or 0) <= len(sources.files.get(place.file, "").splitlines()):
             words = next((words for parts, *words in _KINDS if any(part in note.error for part in parts)), ())
-            # The signal has said already what the first one means here.
+            # The summary has already said what SEGV means, so only the advice is needed.
             said = words[-1:] if "SEGV" in note.error else words
             file = place.file.rpartition("/")[2]
             text = f"It happens on line {place.line} of `{file}`. {' '.join(said) or advice}"
@@ -153,7 +153,7 @@ def _located(advice: str, notes: Iterable[Observed] | None, sources: Sources) ->
     return Cause(advice if notes is None else f"{NO_LINE} {advice}")
 
 
-# Words of the exception, and what to do. The first match counts.
+# What the exception's text contains, and what to do. The first match counts.
 _KNOWN = (
     (r"InvalidNodeName",
      "A node's name may contain only letters, digits and `_`, and must not begin with a digit."),
@@ -172,7 +172,7 @@ _KNOWN = (
     (r"ParameterType|ParameterUninitialized",
      "A parameter has the type of its default value: `0.5` is a double, `1` an integer, `\"0.5\"` a string."),
 )  # fmt: skip
-# The same for values that are wrong in one line, and may be right in others.
+# The same for errors that depend on a value: here the advice also names the line, if it is known.
 _WRONG_VALUES = (
     (r"_M_range_check|array::at",
      "There is no such element. The first index is 0, and the last one is `size() - 1`."),
@@ -210,9 +210,9 @@ def cpp_crash(
     what: str,
     notes: Iterable[Observed] | None = None,
 ) -> Feedback | None:
-    """What the program's last lines and its end say; None if it ended without an error.
+    """What the program's last lines and the way it ended say; None if it ended without an error.
 
-    what: how the summary begins if a signal ended it. notes: of a second run; None if there can be none.
+    what: how the summary begins if a signal ended it. notes: from a second run; None if there can be none.
     """
     if lost := _own_library(lines, sources):
         return lost
@@ -290,7 +290,7 @@ def _why_thrown(found: Trouble, said: str, sources: Sources, notes: Iterable[Obs
 
 
 def _shut_down_early(sources: Sources) -> tuple[Location, ...]:
-    """Where a file shuts ROS down in a line before the first one that spins."""
+    """Where a file shuts ROS down before the first line that spins."""
     ends, spins = (places_of(sources, rf"\brclcpp::{name}\s*\(") for name in ("shutdown", "spin"))
     first = [spin for end in ends[:1] for spin in spins if spin.file == end.file][:1]
     return ends[:1] if first and (ends[0].line or 0) < (first[0].line or 0) else ()
@@ -309,7 +309,7 @@ _LEAVES = re.compile(r"\b(?:if|while|for|switch|catch)\b|[?]|&&|\|\|")
 
 
 def calls_itself(sources: Sources) -> Cause | None:
-    """A function that cannot end before it calls itself, such as an `operator<<` that writes its object."""
+    """A function that always calls itself again, such as an `operator<<` that writes its own object."""
     for file, text in cpp_files(sources).items():
         code = only_code(text)
         for found in islice(_FUNCTION.finditer(code), _MOST_FUNCTIONS):
@@ -326,7 +326,7 @@ def calls_itself(sources: Sources) -> Cause | None:
 
 
 def _itself(function: re.Match[str]) -> str:
-    """A pattern for a call of the function with as many arguments."""
+    """A pattern for a call of the function with the same number of arguments."""
     parameters = [part.split()[-1].lstrip("&*") for part in function["given"].split(",") if part.strip()]
     if "<<" in function["name"]:
         last = re.escape(parameters[-1]) if parameters else "this"
@@ -336,6 +336,6 @@ def _itself(function: re.Match[str]) -> str:
 
 
 def texts_without_a_text(sources: Sources) -> tuple[Location, ...]:
-    """Lines that log with `%s` but do not pass a text in the form that C expects."""
+    """Lines that log with `%s` but do not pass a C string."""
     logged = (call for call in cpp_calls(sources, "RCLCPP_INFO") if "%s" in call.arguments)
     return tuple(call.where for call in logged if "c_str" not in call.arguments)

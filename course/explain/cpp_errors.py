@@ -341,9 +341,9 @@ _UNDEFINED = "Does a .cpp file define it with exactly this name, these arguments
 
 
 def not_made(recording: Recording, process: str) -> Feedback:
-    """Return the feedback on the first cause; if unknown, it shows the compiler's last lines.
+    """Return feedback on the first error; if none is recognized, it shows the compiler's last lines.
 
-    process: what ran the compiler, perhaps through `make` or CMake.
+    process: the process that ran the compiler, perhaps through `make` or CMake.
     """
     lines = recording.process(process).text
     evidence = Evidence(sources=recording.sources)

@@ -28,7 +28,7 @@ _DIVISION = r"(?<![\w.])1\s*/\s*(?:[2-9]|[1-9]\d+)(?![\w.])"
 
 
 def cpp_timer_cause(sources: Sources) -> Cause | None:
-    """Why the function is not called: no timer, one that nobody keeps, or seconds for milliseconds."""
+    """Why a timer's function is not called, such as: no timer, one that nothing keeps, or a long period."""
     timers = timers_of(sources)
     rates = places_of(sources, r"\bRate\b|\bWallRate\b|\bsleep_for\b")
     if not timers and rates:
@@ -47,7 +47,7 @@ def timers_of(sources: Sources) -> tuple[CppCall, ...]:
 
 
 def _lost(timers: tuple[CppCall, ...]) -> Cause | None:
-    """A timer lives only while something owns it: a local variable does so until its function returns."""
+    """A timer exists only while something owns it; a local variable owns it until its function returns."""
     for timer in timers:
         if any(re.search(rf"\b{name}\s*\(", timer.around) for name in SPINS):
             continue  # it lives while the node spins
@@ -71,7 +71,7 @@ def _long_period(timers: tuple[CppCall, ...]) -> Cause | None:
 
 
 def _periods(timers: tuple[CppCall, ...]) -> Iterator[tuple[float, str, Location]]:
-    """Periods written with a unit: in seconds, as written, and where."""
+    """Periods written with a unit: the seconds, the text as written, and the place."""
     for timer in timers:
         written = _WITH_UNIT.match(timer.arguments) or _LONG_FORM.search(timer.arguments)
         value = _number(written["value"]) if written else None
@@ -96,7 +96,7 @@ def integer_division(sources: Sources) -> Cause | None:
 
 
 def _slow_rate(sources: Sources) -> Cause | None:
-    """`rclcpp::Rate rate(0.5)`: once in two seconds."""
+    """`rclcpp::Rate rate(0.5)`, which means once every two seconds."""
     where = places_of(sources, r"Rate\s*\w*\s*[({]\s*0?\.\d+\s*[)}]")
     text = "A rate is calls per second, not the time between two calls: twice per second is 2.0."
     return Cause(text, where[:1]) if where else None
@@ -118,7 +118,7 @@ def _another_node(sources: Sources) -> Cause | None:
 
 
 def _spun_too_early(sources: Sources) -> Cause | None:
-    """`spin` comes before the timer in the same block, and returns only at the end."""
+    """`spin` comes before the timer in the same block, and returns only when the program ends."""
     for timer in timers_of(sources):
         spun = [found.start() for found in re.finditer(r"\bspin\s*\(", timer.around)]
         made = [found.start() for name in MAKERS for found in re.finditer(rf"\b{name}\b", timer.around)]

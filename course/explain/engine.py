@@ -1,8 +1,8 @@
 """From a symptom to its cause: tries known errors in order, and uses the first one that is proven.
 
 A known error is data: a pattern for a tool's message, the cause, the remedy, where to look, and an example.
-The tables of this room contain them; `tests/explain/test_known.py` runs every example through this engine.
-To add a new error, add one entry, above any entry that would match it first, and one mistake to a chapter's
+The tables in this folder contain them; `tests/explain/test_known.py` runs every example through this engine.
+To add an error, add one entry above any other entry that would match it, and one mistake to a chapter's
 `mistakes.yaml`.
 """
 
@@ -20,7 +20,7 @@ from course.model.result import CheckResult, Outcome
 from course.spelling import LOOSELY, nearest
 
 Words = Mapping[str, str]
-# `{name}` in an entry's text. `${NAME}` and `{ ... }` are CMake and C++.
+# `{name}` in an entry's text, but not CMake's `${NAME}` or C++'s `{ ... }`.
 _WORD = re.compile(r"(?<!\$)\{([a-z_]+)\}")
 
 
@@ -33,7 +33,7 @@ class Cause:
 
 
 def failed_with(check: CheckResult, *beginnings: str) -> bool:
-    """Whether it failed, with advice that begins with one of these."""
+    """Whether the check failed with advice that begins with one of these texts."""
     advice = check.feedback.advice if check.feedback else None
     return check.outcome is Outcome.FAILED and (advice or "").startswith(beginnings)
 
@@ -42,8 +42,8 @@ def failed_with(check: CheckResult, *beginnings: str) -> bool:
 class Symptom:
     """What a tool or a program said about an error.
 
-    text: its message in one line. where: the learner's place that it names or leads to. printed: its own
-    lines. words: what else it says, for the texts of entries.
+    text: the message on one line. where: the learner's place that it names or leads to. printed: the lines
+    as printed. words: what else the message says, for the texts of entries.
     """
 
     text: str
@@ -62,7 +62,7 @@ class Evidence:
 
     @property
     def words(self) -> Words:
-        """What the texts of every entry may mention."""
+        """Words that the texts of every entry may use."""
         return {}
 
     def place(self, file: str, line: int | None = None) -> Location:
@@ -78,7 +78,7 @@ class Evidence:
         return [name.removeprefix(f"{self.folder}/") for name in self.sources.below(self.folder).names]
 
     def matching(self, file: str, pattern: str) -> list[int]:
-        """Numbers of the lines, in a file of the folder, that contain a match of the pattern."""
+        """The numbers of the lines that match the pattern, in a file in the folder."""
         every = enumerate(self.text(file).splitlines(), 1)
         return [number for number, line in every if re.search(pattern, line)]
 
@@ -86,7 +86,7 @@ class Evidence:
         return next(iter(self.matching(file, pattern)), None)
 
     def shown(self, place: Location) -> tuple[str, ...]:
-        """The line at this place, as written."""
+        """The source line at this place, without indentation; empty if there is none."""
         lines = self.sources.files.get(place.file, "").splitlines()
         return (lines[place.line - 1].strip(),) if place.line and place.line <= len(lines) else ()
 
@@ -127,7 +127,7 @@ class Known(Generic[E]):
     cause: what happened, in one sentence; empty if the symptom speaks for itself.
     remedy: what to do. Of several, the first one whose words are all known is used.
     example: a tool's message that this entry explains, and no earlier entry does.
-    where: places to look at; by default, the symptom's own. proof: what must hold for the cause to be true.
+    where: places to look at; by default, the symptom's own. proof: finds out whether this is the cause.
     kind: a short stable name for the cause, for statistics.
     given: files that the example needs, by their path in the folder.
     """
@@ -173,7 +173,7 @@ class Explanation:
 
 
 def explain(known: Iterable[Known[E]], symptoms: Sequence[Symptom], evidence: E) -> Explanation | None:
-    """The first entry that explains one of the symptoms; entries for causes come before those for effects."""
+    """The first entry that explains one of the symptoms, so list causes before their effects."""
     every = (entry.explains(symptom, evidence) for entry in known for symptom in symptoms)
     return next((found for found in every if found), None)
 
@@ -191,7 +191,7 @@ def filled(text: str, words: Words, escape: Callable[[str], str] = str) -> str |
 def at(file: str, *patterns: str) -> Place[Evidence]:
     """A line of a file in the folder; without patterns, the whole file.
 
-    Takes the first pattern, with the words filled in, that matches anywhere, and its first matching line.
+    Uses the first pattern that matches any line, after the words are filled in, and its first such line.
     """
 
     def place(evidence: Evidence, symptom: Symptom, words: Words) -> Location | None:
@@ -207,7 +207,7 @@ def at(file: str, *patterns: str) -> Place[Evidence]:
 
 
 def like(names: Callable[[E], Iterable[str]], word: str = "name") -> Proof[E]:
-    """Proves nothing, but provides as `near` which of these names the word was probably meant to be."""
+    """Proves nothing, but provides as `near` the name that the word was probably meant to be."""
 
     def proof(evidence: E, symptom: Symptom, words: Words) -> Proven:
         near = nearest(words[word], names(evidence), LOOSELY)

@@ -1,4 +1,4 @@
-"""Why `ros2 run` finds no executable: from what is installed, and from setup.py or CMakeLists.txt."""
+"""Why `ros2 run` finds no executable, based on what is installed and on setup.py or CMakeLists.txt."""
 
 from __future__ import annotations
 

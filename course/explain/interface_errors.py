@@ -43,7 +43,7 @@ def _places(build: Build, pattern: str) -> tuple[Location, ...]:
 
 
 def _definition(build: Build, line: str, message: str = "") -> Location:
-    """Where an interface file contains `line`; searches the file that `message` names first."""
+    """Where an interface file contains `line`; the file that `message` names is searched first."""
     pattern = r"^\s*" + r"\s+".join(re.escape(word) for word in line.split()) + r"\s*(#.*)?$"
     files = sorted(_files(build), key=lambda file: not message.startswith(PurePosixPath(file).stem))
     places = (build.place(file, number) for file in files if (number := build.line(file, pattern)))
@@ -210,7 +210,7 @@ def _own_message(build: Build, symptom: Symptom, words: Words) -> Proven | None:
 
 
 def _foreign_message(build: Build, symptom: Symptom, words: Words) -> Proven | None:
-    """The log names the folder, so it only counts if it contains packages that the build could use."""
+    """The log names a folder, which is searched only if it belongs to packages that the build could use."""
     if not _of_types(build):
         return None
     place = Path(words["folder"], words["of"], "msg").resolve()
@@ -374,7 +374,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           example="AssertionError: Unsupported interface type '.txt'"),
 )  # fmt: skip
 
-# Errors that only the log's other lines explain.
+# Errors that only other lines of the log explain, not CMake's messages.
 TYPES: tuple[Known[Build], ...] = (
     Known(kind="dependencies", pattern=r"^KeyError: '(?P<name>\w+)'",
           cause=f"{LISTS} does not name `{{name}}` in DEPENDENCIES, but {{use}} needs it.",
@@ -405,7 +405,7 @@ TYPES: tuple[Known[Build], ...] = (
                   "'/ros/share/std_msgs/msg/Strin.json'",
           given={"msg/Quote.msg": "std_msgs/Strin text\n"}),
 )  # fmt: skip
-# The build continues without its Python part.
+# Errors after which the build continues, but without its Python part.
 RESERVED: tuple[Known[Build], ...] = (
     Known(kind="field-name",
           pattern=r"^Member name '(?P<name>\w+)' in the \w+ '\w+' is a reserved keyword in Python",

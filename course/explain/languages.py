@@ -1,6 +1,6 @@
-"""How an expectation talks about a program in terms of the program's own language.
+"""Describes problems of a program in terms of the language that it is written in.
 
-All languages share the expectations of a node. Each language knows what is likely to be wrong, where, and
+All languages share the expectations for a node. Each language knows what is likely to be wrong, where, and
 what to write instead.
 """
 
@@ -54,11 +54,11 @@ class Language(ABC):
 
     @abstractmethod
     def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
-        """The error that ended the program, if one did; it ended by itself."""
+        """The error that ended the program, if one did, when it ended by itself."""
 
     @abstractmethod
     def unhandled(self, recording: Recording, view: ProcessView, asked: float) -> Feedback | None:
-        """The error that followed Ctrl+C, pressed at the time `asked`. Raises Spoilt for one of ROS's own."""
+        """The error after Ctrl+C, pressed at the time `asked`. Raises Spoilt for an error in ROS itself."""
 
     @abstractmethod
     def to_keep_running(self, recording: Recording) -> Cause | None:
@@ -82,11 +82,11 @@ class Language(ABC):
 
     @abstractmethod
     def printed(self, sources: Sources) -> tuple[str, tuple[Location, ...]]:
-        """What prints only to the terminal, as the code calls it, and where."""
+        """What the code calls to print only to the terminal, and where."""
 
     @abstractmethod
     def other_words(self, text: str, sources: Sources) -> Cause | None:
-        """Why a logged line has different words, if they show what went wrong."""
+        """Why a logged line has unexpected words, if they show what went wrong."""
 
     @abstractmethod
     def silent(self, sources: Sources) -> Cause | None:
@@ -229,7 +229,7 @@ def _at_the_end(found: Crash, recording: Recording) -> Cause:
     """What to do about this exception, which came after Ctrl+C."""
     evidence = Evidence(sources=recording.sources, packages=recording.packages)
     of_ros = _OF_CTRL_C.search(found.error)
-    entries = (SHUT_DOWN_TWICE,) if of_ros else (SHUT_DOWN_TWICE, *EXCEPTIONS[:-1])  # the last fits any
+    entries = (SHUT_DOWN_TWICE,) if of_ros else (SHUT_DOWN_TWICE, *EXCEPTIONS[:-1])  # the last matches any
     known = explain(entries, [Symptom(found.error, found.where)], evidence)
     if known:
         return Cause(known.remedy, known.where)
@@ -252,7 +252,7 @@ def _unhandled(found: Crash, cause: Cause) -> Feedback:
     )
 
 
-# Errors that Ctrl+C causes; any other one has a cause of its own.
+# Errors that Ctrl+C causes; any other error has a cause of its own.
 _OF_CTRL_C = re.compile(
     r"^(?!NameError|ImportError).*(?:KeyboardInterrupt|ExternalShutdown|RCLError|CancelledError|rclpy|context)",
     re.I | re.S,

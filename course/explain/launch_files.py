@@ -1,4 +1,4 @@
-"""Why a launch file does not do what it should, from the file itself and from setup.py."""
+"""Why a launch file does not do what it should, based on the file itself and on setup.py."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _ENDINGS = ("launch.py", "launch.xml", "launch.yaml")
 
 
 def not_installed(sources: Sources, folder: str, file: str) -> Feedback:
-    """Why `ros2 launch` does not find `file` of the package in this folder (of the course home)."""
+    """Why `ros2 launch` does not find `file` in the package in this folder of the course home."""
     setup = f"{folder}/setup.py"
     there = [name for name in sources.below(folder).names if name.endswith("launch.py") or "/launch/" in name]
     path = next((name for name in there if PurePosixPath(name).name == file), None)
@@ -43,7 +43,7 @@ def not_installed(sources: Sources, folder: str, file: str) -> Feedback:
 
 
 def _not_by_cmake(relative: str, lists: Location) -> Feedback:
-    """For a package that CMake builds; `relative` to its folder."""
+    """For a package that CMake builds. relative: the launch file, relative to the package's folder."""
     file = PurePosixPath(relative)
     what = f"DIRECTORY {file.parent}" if file.parent != PurePosixPath() else f"FILES {file}"
     return Feedback(
@@ -65,7 +65,7 @@ def _installed_elsewhere(file: str, where: Location) -> Feedback:
 
 
 def _no_match(path: str, folder: str, pattern: str, where: Location) -> Feedback:
-    """A file beside setup.py should move to where the pattern looks; otherwise the pattern is wrong."""
+    """A file next to setup.py should move to where the pattern looks; otherwise the pattern is wrong."""
     parent = PurePosixPath(path.removeprefix(f"{folder}/")).parent
     moved = "/" in pattern and parent == PurePosixPath()
     wanted = f"{'launch' if moved else parent}/*launch.py"
@@ -170,7 +170,7 @@ def parameters_as_dict(launch_file: Sources) -> Cause | None:
 
 
 def misspelt_target(launch_file: Sources, packages: BuiltPackages) -> Cause | None:
-    """A `Node(package=..., executable=...)` that names something not built; other packages may be ROS's."""
+    """A `Node(...)` whose package or executable was not built; unknown packages may belong to ROS."""
     for node in calls(launch_file, "Node"):
         package, executable = _constant(node, "package"), _constant(node, "executable")
         built = packages.get(package or "")

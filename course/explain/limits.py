@@ -30,7 +30,7 @@ _WORDS = {
 
 
 def with_limit(result: CheckResult, reached: LimitReached | None) -> CheckResult:
-    """The result, caused by the limit if it failed, or if our check could not judge cut-off evidence."""
+    """The result; it names the limit as the cause if the check failed or could not judge the evidence."""
     if reached is None or result.outcome not in (Outcome.FAILED, Outcome.ERROR):
         return result
     found = result.feedback.summary if result.feedback and result.outcome is Outcome.FAILED else None

@@ -1,7 +1,7 @@
-"""What a second run, observed from inside, says about a failure without a proven cause.
+"""Explains a failure without a proven cause, from notes on a second run that is observed from inside.
 
-The submission can write anything into these notes. So they only lead to advice, each place must be a
-matching line of the learner's, and everything quoted is short and printable.
+The submission can write anything into these notes. So they only lead to advice, each place must be a line
+that exists in the learner's files, and everything quoted is short and printable.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from course.explain.python_errors import EXCEPTIONS, learners_file
 from course.model.events import Observed
 from course.model.feedback import Location
 
-# Precedes what to look at if no cause is proven. Advice that begins like this triggers the second run.
+# Begins advice on what to look at if no cause is proven. Such advice triggers the second run.
 UNKNOWN = "The cause is not known. Here is what to look at:"
-# Not errors, but ways to end silently.
+# Not errors, but ways for a program to end silently.
 _HARMLESS = re.compile(r"^[\w.]*\b(KeyboardInterrupt|ExternalShutdownException|SystemExit|RCLError)\b")
-# Errors that a correct line may raise, and a program may catch, if it catches no others.
+# Errors that even a correct line may raise, so a program may catch them, if it catches no others.
 _EXPECTED = re.compile(r"^(?!TypeError|NameError|AttributeError|UnboundLocalError|rclpy)")
 _EVERYTHING = ("Exception", "BaseException")
 _MAKERS = ("create_timer", "create_publisher", "create_subscription", "create_service", "create_client")
@@ -35,7 +35,7 @@ _LONGEST, _MOST, _MOST_ERRORS = 160, 500, 30
 def unproven(
     recording: Recording, look_at: str, where: tuple[Location, ...] = (), *, ended: bool = False
 ) -> Cause:
-    """What the notes say about the program with these sources; before the second run, what to check.
+    """What the notes say about the program; before the second run has made any, what to check.
 
     ended: whether the program ended by itself, so that a loop which never ran may be the cause.
     """
@@ -121,7 +121,7 @@ def _died(note: _Note) -> Cause | None:
 
 
 def _halted(note: _Note, ran: dict[str, set[int]]) -> Cause | None:
-    """The main thread got stuck somewhere; but `spin` and a loop in `main` may run forever."""
+    """Where the main thread got stuck; but `spin` and a loop in `main` may run forever."""
     called_back = note.event.error == "called back"
     line = note.within(ast.stmt)
     if note.by is None or line is None or not 1 <= note.event.seconds < 1000:
@@ -152,7 +152,7 @@ def _halted(note: _Note, ran: dict[str, set[int]]) -> Cause | None:
 
 
 def _may_wait(note: _Note, waits: list[str], ran: dict[str, set[int]]) -> bool:
-    """Whether it sleeps in a loop, has started threads, or has spun before."""
+    """Whether the line sleeps in a loop, or the program has started threads or spun before."""
     called = (
         called_name(call)
         for file, call in nodes(note.recording.sources)
@@ -187,7 +187,7 @@ def _not_run(ran: dict[str, set[int]], sources: Sources) -> Cause | None:
 
 
 def _never_looped(recording: Recording) -> Cause | None:
-    """A `while` that the program came to, but whose body never ran."""
+    """A `while` that the program reached, but whose body never ran."""
     notes = [event for event in recording.events if isinstance(event, Observed)][:_MOST]
     ran = _lines([_Note(note, recording) for note in notes])
     for file, loop in nodes(recording.sources):

@@ -1,4 +1,4 @@
-"""Why something happens at the wrong pace: the pattern of its times, and code that matches it."""
+"""Why something happens at the wrong pace, from the times when it happened and code that matches them."""
 
 from __future__ import annotations
 
@@ -45,9 +45,9 @@ def pace_cause(times: Sequence[float], period: float, sources: Sources, *, writt
 
 
 def at_once(gaps: Sequence[float], period: float) -> int:
-    """How many come together each `period`: 2 for two timers with the same period; 1 normally.
+    """How many events come together in each `period`: 2 for two timers with the same period; normally 1.
 
-    What came before the first pause does not count, because the log delivers it all at once.
+    Events before the first pause do not count, because the log delivers them all at once.
     """
     pauses = [number for number, gap in enumerate(gaps) if gap > _TOGETHER * period]
     sizes = [later - earlier for earlier, later in pairwise(pauses)]
@@ -91,7 +91,7 @@ def _prints(sources: Sources, count: int, period: float) -> Cause | None:
 
 
 def _looped(gaps: Sequence[float], period: float, sources: Sources) -> Cause | None:
-    """A `while` in a callback that does it as fast as it can."""
+    """A `while` in a callback that logs, publishes, or calls as fast as it can."""
     if median(gaps) > period / 10:
         return None
     for callback in callbacks(sources):
@@ -129,7 +129,7 @@ def _written(gaps: Sequence[float], period: float, sources: Sources) -> Cause | 
 
 
 def _periods(sources: Sources) -> list[tuple[float, tuple[Location, ...]]]:
-    """Of timers, in seconds, with the line of the number and then the timer's."""
+    """The timers' periods in seconds, each with the line of the number and then the timer's."""
     if cpp_files(sources):
         return [(value, (where,)) for value, where in cpp_periods(sources)]
     timers = ((timer, timer.argument(0, "timer_period_sec")) for timer in calls(sources, "create_timer"))

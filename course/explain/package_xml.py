@@ -55,7 +55,7 @@ class Manifest:
     """The content of a package.xml.
 
     name: empty if it has none. format: the number in `<package format="3">`.
-    dependencies: tags other than test_depend and doc_depend whose condition holds.
+    dependencies: the packages needed to build or run this one, unless a tag's condition is false.
     tags: all tags below <package> with their texts, in order. lines: where each tag first occurs.
     file: its path, as requested; text: the whole text of the file.
     """
@@ -83,7 +83,7 @@ class Manifest:
         return name in self.values(*tags)
 
     def place_of(self, text: str) -> Location | None:
-        """Return the first line with an element of this text, or else with this text at all; or None."""
+        """Return the first line with an element with this text, else with this text anywhere, else None."""
         lines = self.text.splitlines()
         for wanted in (f">{text}<", text):
             for number, line in enumerate(lines, start=1):
@@ -102,7 +102,7 @@ def manifest(sources: Sources, folder: str) -> Manifest | None:
 
 
 def read_manifest(data: bytes) -> Manifest | ManifestFault:
-    """The manifest in `data`, or why it cannot be read. A manifest has exactly one name."""
+    """The manifest in `data`, or what is wrong with it; it must have exactly one name."""
     found = _parsed(data)
     if isinstance(found, ManifestFault):
         return found
@@ -126,7 +126,7 @@ def _parsed(data: bytes, encoding: str | None = None) -> Manifest | ManifestFaul
 
 
 def name_in(data: bytes) -> str | None:
-    """The package's name, whatever else is wrong; does not evaluate conditions, which takes time."""
+    """The package's name, even if other tags are wrong; does not evaluate conditions, which takes time."""
     reader = _Reader()
     try:
         reader.read(data, None)
@@ -142,7 +142,7 @@ def guessed_name(data: bytes) -> str | None:
 
 
 def strict_fault(file: Path) -> ManifestFault | None:
-    """What catkin_pkg, and so colcon, rejects in this package.xml."""
+    """What catkin_pkg, and therefore colcon, rejects in this package.xml."""
     from catkin_pkg.package import InvalidPackage, parse_package  # slow to import: only before a build
 
     try:
@@ -183,7 +183,7 @@ class _Reader:
         self._parser.Parse(data, True)
 
     def _entity(self, name: str, *_: object) -> None:
-        """A few entities can stand for gigabytes, or for files of this machine."""
+        """Refuse entities: a few of them can expand to gigabytes, or to files on this machine."""
         what = f"it defines its own entity, `{name[:40]}`"
         raise _Refused(
             ManifestFault(what, self._parser.CurrentLineNumber, "Write out the text that it stands for.")
@@ -238,11 +238,11 @@ def _holds(attributes: dict[str, str]) -> bool:
 
     context = {"ROS_VERSION": "2", "ROS_DISTRO": "jazzy", "ROS_PYTHON_VERSION": "3"}
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # it uses old names of pyparsing
+        warnings.simplefilter("ignore", DeprecationWarning)  # it uses pyparsing's old names
         try:
             return bool(evaluate_condition(condition, context))
         except ValueError:
-            return True  # nonsense; catkin_pkg says so before a build
+            return True  # invalid: `strict_fault` reports it before a build
 
 
 def _not_well_formed(reader: _Reader, error: expat.ExpatError) -> ManifestFault:

@@ -22,7 +22,7 @@ _READERS = ("get_parameter", "get_parameters", "get_parameter_or")
 
 
 def undeclared(error: str, sources: Sources) -> Cause | None:
-    """What it means if an exception complains of a parameter that was never declared."""
+    """Why an exception complains about a parameter that was never declared."""
     match = _UNDECLARED.search(error)
     if not match:
         return None
@@ -62,7 +62,7 @@ def value_forgotten(error: str, sources: Sources) -> Cause | None:
 
 
 def _whole_of_several(tree: ast.Module) -> Iterator[ast.Name]:
-    """`topic` in `topic, period = node.get_parameters(...)`, if its `.value` is never taken."""
+    """`topic` in `topic, period = node.get_parameters(...)`, if its `.value` is never read."""
     nodes = list(ast.walk(tree))
     taken = {_name(node.value) for node in nodes if isinstance(node, ast.Attribute)}
     for node in nodes:
@@ -75,7 +75,7 @@ def _whole_of_several(tree: ast.Module) -> Iterator[ast.Name]:
 
 
 def _whole_parameters(tree: ast.Module) -> Iterator[ast.Call]:
-    """Calls of `get_parameter` whose `.value` is never taken, neither at once nor through a variable."""
+    """Calls of `get_parameter` whose `.value` is never read, neither directly nor through a variable."""
     nodes = list(ast.walk(tree))
     taken = [node.value for node in nodes if isinstance(node, ast.Attribute)]
     names = {_name(node) for node in taken}

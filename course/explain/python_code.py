@@ -1,4 +1,4 @@
-"""Where the learner's Python files call something, from the syntax tree."""
+"""Finds calls, functions, and numbers in the learner's Python files, using their syntax trees."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from itertools import islice
 from course.evidence.sources import Sources
 from course.model.feedback import Location
 
-# Larger numbers are not periods; and a whole number may be too large for a float.
+# Larger numbers are not periods, and a whole number may be too large for a float.
 _HUGE = 1e18
-# Characters in a file and in all files; levels of a tree. Each line joined by `+` is a level.
+# Limits: characters in a file and in all files; levels of a tree. Each line joined by `+` is a level.
 LONGEST, _MOST_TEXT, DEEPEST = 64 * 1024, 256 * 1024, 120
-# Calls of one name. For some of them, we search all of the code.
+# Limit for calls of one name, because for some of them we search all of the code.
 _MOST_CALLS = 50
 
 
@@ -91,7 +91,7 @@ def called_name(node: ast.Call) -> str:
 
 
 def number(sources: Sources, node: ast.expr | None) -> float | None:
-    """The value of a number in the source: a literal, or a variable that is assigned one somewhere."""
+    """The value of a literal number, a product, a quotient, or a variable that is assigned one somewhere."""
     if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
         return float(node.value) if abs(node.value) < _HUGE else None
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div | ast.Mult):
@@ -112,14 +112,14 @@ def _plain_name(node: ast.AST | None) -> str | None:
 
 
 def number_where(sources: Sources, node: ast.expr | None) -> tuple[Location, ...]:
-    """Where the variable that `number` reads gets its value; nothing if the number is here."""
+    """Where the variable that `number` reads gets its value; empty if it reads no variable."""
     name = _plain_name(node)
     found = _assigned(sources, name) if name else ()
     return tuple(where for where, value in found if number(sources, value) is not None)[:1]
 
 
 def assigned(sources: Sources, name: str) -> Iterator[ast.expr]:
-    """Literals assigned to this name anywhere: other names in them are not followed."""
+    """Values assigned to this name anywhere, if they contain no other names and no calls."""
     return (value for _, value in _assigned(sources, name))
 
 
@@ -149,12 +149,12 @@ def text_places(sources: Sources, text: str) -> tuple[Location, ...]:
 
 
 def nodes(sources: Sources) -> Iterator[tuple[str, ast.AST]]:
-    """Everything in `trees`, each with its file."""
+    """Every node in `trees`, each with its file."""
     return ((file, node) for file, tree in trees(sources) for node in ast.walk(tree))
 
 
 def trees(sources: Sources) -> Iterator[tuple[str, ast.Module]]:
-    """Yield each readable Python file of the learner's, except for setup.py and the tests."""
+    """Yield each of the learner's readable Python files with its tree, except setup.py and the tests."""
     room = _MOST_TEXT
     for file, text in sources.files.items():
         if file.endswith(".py") and "/test/" not in file and not file.endswith("/setup.py"):

@@ -64,7 +64,7 @@ def crash(traceback: tuple[str, ...], packages: BuiltPackages, sources: Sources)
     """Return what this traceback says; None if it is empty."""
     if not traceback:
         return None
-    traceback = tuple(line.partition(f" {_ROS_1}")[0] for line in traceback)  # it is never the cause here
+    traceback = tuple(line.partition(f" {_ROS_1}")[0] for line in traceback)  # never the cause here
     places = [place for place in (_place(line, packages, sources) for line in traceback) if place]
     where = places[-1] if places else None
     start = _error_start(traceback)
@@ -90,7 +90,7 @@ def _place(line: str, packages: BuiltPackages, sources: Sources) -> Location | N
 
 
 def learners_file(path: str, packages: BuiltPackages, sources: Sources) -> str | None:
-    """Return the source file of an installed one, relative to the course home; None if there is none."""
+    """Return the source of an installed file, relative to the course home; None if there is none."""
     for package in packages.built:
         prefix = package.prefix.rstrip("/") + "/"
         if path.startswith(prefix):
@@ -99,7 +99,7 @@ def learners_file(path: str, packages: BuiltPackages, sources: Sources) -> str |
 
 
 def _in_home(path: str, sources: Sources) -> str | None:
-    """A script runs in a copy of the home, so its path has the same ending as there."""
+    """A script runs in a copy of the home, so its path ends as it does in the home."""
     whole = posixpath.normpath(path)
     found = [name for name in sources.files if whole.endswith(f"/{name}")]
     return max(found, key=len) if found else None
@@ -198,7 +198,7 @@ def _bare_entry(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | 
 
 
 def _said(cause: Callable[[str, Sources], Cause | None]) -> Proof[Evidence]:
-    """A cause that is found with the help of the exception's own words."""
+    """A cause that is found in the learner's files and the exception's text."""
 
     def proof(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
         return because(lambda sources: cause(symptom.text, sources))(evidence, symptom, words)
@@ -207,7 +207,7 @@ def _said(cause: Callable[[str, Sources], Cause | None]) -> Proof[Evidence]:
 
 
 def _misspelled(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
-    """What the learner defined under nearly this name."""
+    """What the learner defined with nearly the same name."""
     name = words.get("name") or words["plain"]
     every = (node for _, node in nodes(evidence.sources))
     stores = [node for node in every if isinstance(getattr(node, "ctx", None), ast.Store)]
@@ -220,7 +220,7 @@ def _misspelled(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
 
 
 def _ros_calls_it(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """A callback of rclpy's, which no line of the learner's calls."""
+    """A callback that rclpy calls, but no line of the learner's code."""
     found = [one for one in callbacks(evidence.sources) if one.node.name == words["name"]]
     return None if not found or calls(evidence.sources, words["name"]) else Proven(where=(found[0].where,))
 
@@ -246,7 +246,7 @@ def _ros_passes_more(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
 
 
 def _parameters(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
-    """The arguments of the learner's class, if it is one of theirs."""
+    """The arguments of the class's constructor, if the class is the learner's."""
     for _, node in nodes(evidence.sources):
         if isinstance(node, ast.ClassDef) and node.name == words["called"]:
             made = (
@@ -258,7 +258,7 @@ def _parameters(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
 
 
 def _not_imported(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`time.sleep(1)` without `import time`, and no variable of that name."""
+    """`time.sleep(1)` without `import time`, if there is no variable of that name."""
     name = words["name"]
     values = (node.value for _, node in nodes(evidence.sources) if isinstance(node, ast.Attribute))
     asked = {value.id for value in values if isinstance(value, ast.Name)}
@@ -266,7 +266,7 @@ def _not_imported(evidence: Evidence, symptom: Symptom, words: Words) -> Proven 
     return Proven() if is_module and name in asked and not _given(evidence.sources, name) else None
 
 
-# Names that the tutorial's programs import, where nothing in the sources says from where.
+# The modules to import the tutorial's names from, if no other file imports them.
 _HOMES = {
     "rclpy.node": {"Node"},
     "rclpy.executors": {"ExternalShutdownException", "MultiThreadedExecutor", "SingleThreadedExecutor"},
@@ -278,7 +278,7 @@ _HOMES = {
 
 
 def _import_left_out(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`Node` without its import: another file of the learner has it, or it is one that all nodes need."""
+    """`Node` without its import, which another of the learner's files contains, or `_HOMES` does."""
     name = words["name"]
     found = [node for _, node in nodes(evidence.sources) if isinstance(node, ast.ImportFrom) and node.module]
     others = [node.module for node in found if any(alias.name == name for alias in node.names)]
@@ -289,7 +289,7 @@ def _import_left_out(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
 
 
 def _of_the_object(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """What a class defines, or keeps in `self`, without `self.` or the class before it."""
+    """A name that the class defines, or keeps in `self`, without `self.` or the class's name before it."""
     place, name = symptom.where, words["name"]
     for file, owner in nodes(evidence.sources):
         if not (place and place.line and file == place.file and isinstance(owner, ast.ClassDef)):
@@ -321,7 +321,7 @@ _TEXT_METHODS = {"casefold", "endswith", "join", "lower", "replace", "split", "s
 
 
 def _of_text(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """A method of texts, on an object of a class that is not the learner's."""
+    """A method of strings, called on an object whose class is not the learner's."""
     own = {node.name for _, node in nodes(evidence.sources) if isinstance(node, ast.ClassDef)}
     return Proven() if words["name"] in _TEXT_METHODS and words["of"] not in own else None
 
@@ -338,7 +338,7 @@ def _in_a_class(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | 
 
 
 def _stored(top: ast.AST) -> Iterator[ast.Name | ast.Attribute]:
-    """`x` of `x = 0`, and `self.x` of `self.x = 0`; those of functions only within a class."""
+    """`x` in `x = 0`, and `self.x` in `self.x = 0`; nothing if `top` itself is a function."""
     for node in ast.walk(top) if not isinstance(top, ast.FunctionDef) else ():
         if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store):
             yield node
@@ -398,7 +398,7 @@ def _given_later(evidence: Evidence, symptom: Symptom, words: Words) -> Proven |
 
 
 def _misplaced(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """A function with this name and `self` whose indentation makes it no method of the class."""
+    """A function with this name that is not a method of the class, because of its indentation."""
     for file, owner in nodes(evidence.sources):
         if not isinstance(owner, ast.ClassDef) or owner.name != words["of"]:
             continue
@@ -460,7 +460,7 @@ def _used_in(node: ast.AST) -> Iterator[ast.expr]:
 
 
 def _whole_row(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`message.quote = QUOTES[0]`, in this line, where QUOTES is written as tuples or lists."""
+    """`message.quote = QUOTES[0]` on this line, where each item of QUOTES is a tuple, a list, or a dict."""
     for file, node in nodes(evidence.sources):
         value = node.value if isinstance(node, ast.Assign) else None
         if isinstance(value, ast.Subscript) and Location(file, value.lineno) == symptom.where:
@@ -473,7 +473,7 @@ def _whole_row(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | N
 
 
 def _swapped(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """The first two arguments of `create_timer`, `create_publisher` and the like the wrong way around."""
+    """`create_timer`, `create_publisher` and the like, with the first two arguments swapped."""
     for maker, (first, second) in _ORDER.items():
         for call in calls(evidence.sources, maker):
             one, two = (*call.args, None, None)[:2]
@@ -535,7 +535,7 @@ def _refused(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | Non
 
 
 def _of_another_type(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`.string_value`, in the file of the error, of a parameter that is not a string."""
+    """`.string_value` of a parameter that is not a string, in the file with the error."""
     for file, node in nodes(evidence.sources):
         found = isinstance(node, ast.Attribute) and node.attr == "string_value"
         if found and symptom.where and symptom.where.file == file:
@@ -549,7 +549,7 @@ def _in_the_file(evidence: Evidence, symptom: Symptom, words: Words) -> Proven |
 
 
 def _near_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """A module of nearly this name in the same package."""
+    """A module with nearly the same name in the same package."""
     package, _, last = words["name"].rpartition(".")
     paths = [PurePosixPath(file) for file in evidence.sources.files if file.endswith(".py")]
     beside = {path.stem for path in paths if path.parent.name == package.rpartition(".")[2]}
@@ -646,7 +646,7 @@ _NO_SUCH_NAME = "`{module}` has nothing called `{name}`. Check the spelling of b
 _NOT_STARTED = r"rclpy\.init\(\) has not been called|NotInitializedException"
 _SUPER = "Call `super().__init__('name_of_the_node')` first in `__init__` of the class."
 _NO_NODE = "The class must derive from Node: `class ...(Node):`."
-# What Node.__init__ creates, and a node lacks without it.
+# What Node.__init__ creates: a node that never calls it lacks these.
 _MADE_BY_SUPER = (
     r"'\w+' object has no attribute '_(Node__\w+|allow_undeclared_parameters|clock|context"
     r"|default_callback_group|descriptors|logger|parameter_overrides|parameters)'"
@@ -1037,5 +1037,5 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "ValueError: something of the program's own"),
 )  # fmt: skip
 
-# Those that prove their cause in the code. The others only say what the words of the exception mean.
+# Entries that prove their cause in the code. The others only explain the text of the exception.
 PROVEN = tuple(one for one in EXCEPTIONS if one.proof not in (None, _misspelled, _parameters))

@@ -1,4 +1,4 @@
-"""Mistakes that Python accepts and that the code itself proves, each beside the symptom that it explains."""
+"""Mistakes that Python accepts without an error, but that the code itself proves."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from course.model.feedback import Location
 
 _Def = ast.FunctionDef | ast.AsyncFunctionDef
 _CONSTRUCTORS = ("_init_", "__init_", "_init__", "__int__")
-# What learners write without parentheses, besides their own functions.
+# Functions that learners forget to write parentheses after, besides their own.
 _METHODS = {
     "spin",
     "ok",
@@ -39,7 +39,7 @@ def first(sources: Sources, *causes: Callable[[Sources], Cause | None]) -> Cause
 
 
 def python_timer_cause(sources: Sources) -> Cause | None:
-    """Why no callback runs: no timer, one without a function, or a callback that never returns."""
+    """Why no callback runs, such as: no timer, one without a function, or a callback that never returns."""
     return first(
         sources,
         never_again,
@@ -123,7 +123,7 @@ def _is_stored(node: ast.Attribute) -> bool:
 
 
 def _asked(node: ast.AST) -> tuple[ast.expr, ...]:
-    """The values that a statement, a condition or a callback without `def` uses."""
+    """The values that a statement, a condition, or a lambda passed as a callback uses."""
     if isinstance(node, ast.Call) and called_name(node) in TAKERS:
         given = (*node.args, *(keyword.value for keyword in node.keywords))
         return tuple(one.body for one in given if isinstance(one, ast.Lambda))
@@ -137,7 +137,7 @@ def _asked(node: ast.AST) -> tuple[ast.expr, ...]:
 
 
 def rate_in_callback(sources: Sources) -> Cause | None:
-    """`rate.sleep()`, for a rate from `create_rate`, in a callback."""
+    """`rate.sleep()` in a callback, for a rate from `create_rate`."""
     rates = {
         ast.unparse(target)
         for _, node in nodes(sources)
@@ -159,7 +159,7 @@ def rate_in_callback(sources: Sources) -> Cause | None:
 
 
 def compared(sources: Sources) -> Cause | None:
-    """`count == count + 1` as a line of its own."""
+    """`count == count + 1` on a line of its own."""
     for file, node in nodes(sources):
         value = node.value if isinstance(node, ast.Expr) else None
         if isinstance(value, ast.Compare) and isinstance(value.ops[0], ast.Eq):
@@ -169,7 +169,7 @@ def compared(sources: Sources) -> Cause | None:
 
 
 def never_counts(sources: Sources) -> Cause | None:
-    """A count that each call of a callback sets again, or of which only a copy goes up."""
+    """A count that a callback resets on each call, or of which it only increases a copy."""
     for callback in callbacks(sources):
         body = callback.node.body
         added = {ast.unparse(target) for line in body if (target := _added_to(line))}
@@ -202,14 +202,14 @@ def _added_to(line: ast.stmt) -> ast.expr | None:
 
 
 def waits_for_input(sources: Sources) -> Cause | None:
-    """A program that asks for input, where nobody types."""
+    """A program that waits for input, although nobody is there to type."""
     found = calls(sources, "input")
     text = "`input` waits until somebody types a line, and nobody does here: remove it."
     return Cause(text, (found[0].where,)) if found else None
 
 
 def class_spun(sources: Sources) -> Cause | None:
-    """`rclpy.spin(Talker)`, where `Talker` is a class of the learner's."""
+    """`rclpy.spin(Talker)`, where `Talker` is one of the learner's classes."""
     own = {node.name for _, node in nodes(sources) if isinstance(node, ast.ClassDef)}
     for call in calls(sources, "spin"):
         given = call.argument(0, "node")
@@ -237,7 +237,7 @@ def filled_late(sources: Sources) -> Cause | None:
 
 
 def broken_loop(sources: Sources) -> Cause | None:
-    """A `while` whose own lines, not those of an `if`, contain `break`."""
+    """A `while` loop with a `break` that is not inside an `if`."""
     for file, loop in nodes(sources):
         body = loop.body if isinstance(loop, ast.While) else []
         tries = [part for line in body if isinstance(line, ast.Try) for part in line.body]
@@ -249,7 +249,7 @@ def broken_loop(sources: Sources) -> Cause | None:
 
 
 def plain_node_spun(sources: Sources) -> Cause | None:
-    """`rclpy.spin(Node('x'))`, where a class of the learner's is the node."""
+    """`rclpy.spin(Node('x'))`, although one of the learner's classes is the node."""
     classes = [node for _, node in nodes(sources) if isinstance(node, ast.ClassDef)]
     own = next((one.name for one in classes if "Node" in map(ast.unparse, one.bases)), None)
     for call in calls(sources, "spin") if own else ():
@@ -477,7 +477,7 @@ def inverted_wait(sources: Sources) -> Cause | None:
 
 
 def loop_without_sleep(sources: Sources) -> Cause | None:
-    """A loop that sleeps only after it, and never inside."""
+    """A `while` loop with a `sleep` right after it, but none inside."""
     for file, outer in nodes(sources):
         body = getattr(outer, "body", [])
         for loop, after in pairwise(body if isinstance(body, list) else []):

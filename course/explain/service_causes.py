@@ -24,7 +24,7 @@ def no_response(sources: Sources) -> Cause | None:
 
 
 def not_the_response(sources: Sources) -> Cause | None:
-    """What a bare TypeError of rclpy means if every path returns something: it is not a response."""
+    """The cause of rclpy's bare TypeError if every path returns something: it is not the response."""
     for callback in callbacks(sources, "create_service"):
         returns = (node for node in ast.walk(callback.node) if isinstance(node, ast.Return))
         return Cause(

@@ -36,7 +36,7 @@ class EntryPoint:
 
     @property
     def is_joined(self) -> bool:
-        """Whether it is two entries: without a comma, Python joins neighboring strings."""
+        """Whether it is really two entries: without a comma, Python joins adjacent strings."""
         return "=" in self.target or self.target.count(":") > 1
 
     @property
@@ -50,7 +50,7 @@ class EntryPoint:
 
 
 def starts_another(sources: Sources, seen: str, wanted: str) -> Cause | None:
-    """The node that runs is in one file, and the one that should is in another: the entry point is wrong."""
+    """The entry point is wrong: the node that runs is in one file, and the one that should is in another."""
     names = (seen.lstrip("/"), wanted)
     modules = {file: text for file, text in sources.files.items() if re.search(r"(?<!setup)\.py$", file)}
     quoted = {
@@ -167,7 +167,7 @@ def _from_setup_cfg(sources: Sources, file: str) -> tuple[EntryPoint, ...]:
 def read_setup_cfg(text: str) -> configparser.ConfigParser | None:
     """Return the parsed file; None if setuptools cannot read it, or it is unreasonably long."""
     parser = configparser.ConfigParser(interpolation=None)
-    if len(text) > _LONGEST_CONFIG:  # it collects the errors of all lines, ever more slowly
+    if len(text) > _LONGEST_CONFIG:  # the parser collects an error for each line, more and more slowly
         return None
     try:
         parser.read_string(text)
@@ -289,7 +289,7 @@ _REFUSED = r"^error(?: in .*? setup command)?: (?P<said>.*?)\.?$"
 _JOINED = "setup(entry_points={'console_scripts': [\n 'a = m:f'\n 'b = m:g',\n]})"
 _SLASH = "setup(entry_points={'console_scripts': [\n 'a = m/f.py:g',\n]})"
 
-# Files that setup.py names but that do not exist, as colcon's log reports.
+# Files that setup.py names but that do not exist, as reported in colcon's log.
 OF_FILES: tuple[Known[Build], ...] = (
     Known(kind="names-differ", pattern=r"^error: can't copy 'resource/(?P<name>[^']+)': doesn't exist",
           cause="setup.py calls the package `{name}`, but package.xml calls it `{package}`.",

@@ -1,7 +1,7 @@
-"""When a grading is run again, and what its last attempt means: the one place that decides it.
+"""Decides when to grade again, and what the last attempt means. No other module decides this.
 
-`check` repeats an attempt at once; `grade` and `validate` do so at the end, with nothing beside it. Then the
-last attempt counts: what the submission may have caused is its failure. The machine is never blamed on it.
+`check` repeats an attempt at once; `grade` and `validate` do so at the end, with nothing else running. Then
+the last attempt counts: what the submission may have caused is its failure, but a busy machine never is.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from course.model.feedback import Feedback
 from course.model.result import CheckResult, Doubt, Outcome, Result, Verdict, verdict_of
 
 ATTEMPTS = 3
-# Seconds. A program that had to wait longer than this cannot be judged by when it did something.
+# Seconds. A program that had to wait longer for a processor cannot be judged by the times of its actions.
 MOST_LAG = 0.1
 _ADVICE = "Look for something that your program sends, prints or creates in very large amounts."
 
 
 def doubt_of(result: Result) -> Doubt | None:
-    """Why what did not pass may not be the learner's failure; None where nothing says so."""
+    """Why a failure may not be the learner's; None if there is no doubt."""
     doubts = {result.doubt, *(check.doubt for check in result.checks)} - {None}
     late = result.timing.lag > MOST_LAG and (result.verdict is Verdict.NOT_PASSED or bool(doubts))
     if Doubt.BUSY in doubts or late:
@@ -32,7 +32,7 @@ def doubt_of(result: Result) -> Doubt | None:
 
 
 def deserves_another(result: Result, attempt: int) -> bool:
-    """Whether to run it again. attempt: which one this was, from 1."""
+    """Whether to grade again. attempt: the number of this attempt, from 1."""
     doubtful = result.verdict is Verdict.OUR_ERROR or doubt_of(result) is not None
     return doubtful and attempt < ATTEMPTS
 
@@ -40,15 +40,15 @@ def deserves_another(result: Result, attempt: int) -> bool:
 def concluded(
     result: Result, attempt: int, exercise: Exercise, solution_passes: Callable[[], bool]
 ) -> Result:
-    """What counts, when this attempt was the last one, and ran alone; an earlier one stays as it is.
+    """The result that counts after the last attempt, which ran alone; an earlier one's is unchanged.
 
-    solution_passes: grades the course's own solution on this machine. Only if that works is something
-    that went wrong on our side the submission's doing.
+    solution_passes: grades the course's own solution on this machine. Only if it passes do we blame the
+    submission for what went wrong on our side.
     """
     doubt = doubt_of(result) if attempt >= ATTEMPTS else None
     if doubt is Doubt.BUSY:
         return _too_busy(result)
-    if doubt is Doubt.KILLED:  # each time: nobody from outside does that
+    if doubt is Doubt.KILLED:  # even in the last attempt: nobody outside did that
         return replace(result, doubt=None, checks=tuple(replace(one, doubt=None) for one in result.checks))
     if doubt is Doubt.SPOILT and solution_passes():
         checks = tuple(_checks_of(result, exercise))
@@ -67,7 +67,7 @@ def _too_busy(result: Result) -> Result:
 
 
 def _checks_of(result: Result, exercise: Exercise) -> Iterator[CheckResult]:
-    """The checks, with our own errors as failures. If nothing was judged, all of them."""
+    """The checks, with our own errors turned into failures; if nothing was judged, all of the exercise's."""
     if result.fault is not None:
         yield from _unjudged(result.fault, exercise)
     for check in result.checks:
@@ -78,11 +78,11 @@ def _checks_of(result: Result, exercise: Exercise) -> Iterator[CheckResult]:
 
 
 def _unjudged(fault: Feedback, exercise: Exercise) -> Iterator[CheckResult]:
-    """The first check fails, and those after it could not be judged."""
+    """The first check that is not about building fails, and those after it are skipped."""
     first: CheckResult | None = None
     for spec in load_grader(exercise.grader, exercise.id).checks.values():
         if spec.id == BUILDS:
-            yield passed(spec)  # else nothing would have run
+            yield passed(spec)  # otherwise nothing would have run
         elif first is None:
             first = failed(spec, _caused(fault))
             yield first

@@ -8,8 +8,8 @@
     @publisher.check("rate", "publishes twice per second", points=2, needs="publishes")
     def twice_per_second(recording): ...
 
-The scenario acts and runs once; checks are pure functions of the recording. The functions
-stay plain functions: pytest collects them, with fixtures and all, through `judge.plugin`.
+The scenario acts and runs once; checks are pure functions of the recording. All of them
+remain plain functions: pytest collects them, including fixtures, through `judge.plugin`.
 """
 
 from __future__ import annotations
@@ -51,10 +51,10 @@ class CheckSpec:
 class Grader:
     """The grader of one exercise: at most one scenario, and the checks in order.
 
-    builds: points of the check that the packages build. It comes first, and every other check needs it
+    builds: points for the check that the packages build. It comes first, and every other check needs it
     unless declared otherwise. None for an exercise without packages. ros: False if the scenario does not
     use ROS, which is then not started. sanitizers: True if the scenario compiles programs with the address
-    sanitizer (`arena.cpp.compile`), which needs more address space than programs of a submission usually
+    sanitizer (`arena.cpp.compile`), which needs more address space than a submission's programs usually
     get.
     """
 
@@ -90,8 +90,8 @@ class Grader:
 
         It returns if all is well, and raises `course.model.feedback.Failure`, as each `expect_*` does, if
         the learner's work is wrong. Any other exception is our error, except
-        `course.model.feedback.NotApplicable`: it cannot be judged here, which is nobody's fault and costs
-        no points. needs: ids of checks; by default that the packages build; () for none.
+        `course.model.feedback.NotApplicable`: the work cannot be judged here, which is nobody's fault and
+        costs no points. needs: ids of checks; by default, that the packages build; () for none.
         """
         wanted = (
             self._default_needs() if needs is None else ((needs,) if isinstance(needs, str) else tuple(needs))

@@ -1,7 +1,7 @@
-"""One check from the learner's files to the verdict.
+"""Grades one exercise, from the learner's files to the verdict.
 
-Builds what the exercise needs, and starts the recording process as far apart as this machine allows. Waits
-for its recording within the time limit, and has it judged by another process. Whatever goes wrong on our side
+Builds what the exercise needs, and starts the recording process as isolated as this machine allows. Waits
+for the recording up to the time limit, and has another process judge it. Anything that goes wrong on our side
 becomes the result "our error": the learner is never blamed for it.
 """
 
@@ -56,16 +56,16 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Request:
-    """What is to be graded, and how. Nothing in the course home `home` is written.
+    """What to grade, and how. Nothing is written to the course home `home`.
 
-    ros: None only where `load.runs_programs` says that none is needed.
-    namespaces: False grades in a ROS domain of its own even where namespaces would work.
+    ros: may be None only if `load.runs_programs` is false for the exercise.
+    namespaces: False to grade in a separate ROS domain even where namespaces would work.
     evidence: keep the recording in this MCAP file.
-    local: False for a submission: what is about the learner's own machine is then not applicable.
-    seed: the learner's own (see `CourseHome.seed`), or one made of their submission's name; needed for
+    local: False for a submission: an exercise about the learner's own machine is then not applicable.
+    seed: the learner's own (see `CourseHome.seed`), or one made from their submission's name; needed for
     mysteries. on_progress: gets short texts, from the caller's thread or others. looks_for_cause: whether
-    to run a second time for checks that failed without a proven cause; by default where the result is
-    certain. so_far: gets the result before that run, which changes nothing in it but advice.
+    to run a second time if checks failed without a proven cause; by default, if the result is not in
+    doubt. so_far: gets the result before that run, which only changes advice.
     """
 
     exercise: Exercise
@@ -82,9 +82,9 @@ class Request:
 
 
 class Helpers:
-    """Processes that serve one grading after another: one records, by forks of it, one judges. Close them.
+    """Processes that serve one grading after another: one forks recorders, one judges. Close them.
 
-    fork_server: one that somebody else closes.
+    fork_server: one that the caller closes.
     """
 
     def __init__(self, fork_server: ForkServer | None = None) -> None:
@@ -99,9 +99,9 @@ class Helpers:
 
 
 def check_exercise(request: Request, fork_server: ForkServer | None = None) -> Result:
-    """Grade an exercise as it stands, again where there is doubt: see `attempts`.
+    """Grade an exercise as it is now, and again if there is doubt: see `attempts`.
 
-    fork_server: one that is used again. Raises what `attempt_exercise` does.
+    fork_server: one to reuse. Raises what `attempt_exercise` raises.
     """
     with contextlib.closing(Helpers(fork_server)) as helpers:
         attempt, result = 1, attempt_exercise(request, helpers)
@@ -129,7 +129,7 @@ def solution_passes(request: Request, helpers: Helpers) -> bool:
 
 
 def attempt_exercise(request: Request, helpers: Helpers) -> Result:
-    """Grade once. The result may hold doubts, which `attempts` knows how to end.
+    """Grade once. The result may contain doubts, which `attempts` resolves.
 
     Raises MissingHere and StorageError for what this machine lacks; KeyboardInterrupt passes
     through after everything that was started has ended.
@@ -155,7 +155,7 @@ def attempt_exercise(request: Request, helpers: Helpers) -> Result:
         reference = pool.submit(
             reference_packages, exercise, ros, request.store, request.on_progress, stop, keep
         ).result()
-        # Loads while the learner's packages are still being built.
+        # It starts while the learner's packages are still being built.
         with Supervisor(
             where, node_environment(ros, reference), fork_server=helpers.fork_server
         ) as supervisor:
@@ -190,7 +190,7 @@ def attempt_exercise(request: Request, helpers: Helpers) -> Result:
 
 
 def _lacks_a_cause(result: Result, task: RecordingTask) -> bool:
-    """Whether Python ran and a check failed without a known cause, or C++ crashed in an unknown line."""
+    """Whether Python ran and a check failed without a known cause, or C++ crashed on an unknown line."""
     built = (f"{task.home}/{package.source}/setup.py" for package in task.packages.built)
     python = any(map(os.path.exists, built)) or not task.packages.built
     asking = (NO_LINE, UNKNOWN) if python else (NO_LINE,)
@@ -205,9 +205,9 @@ def _with_causes(
     request: Request,
     where: Isolation,
 ) -> Result:
-    """The scenario once more, with the learner's programs watched from inside: it gives advice, no verdict.
+    """Run the scenario again while observing the learner's programs from inside, only to improve the advice.
 
-    The recording that was judged gets what was noted, and is judged again. Of that, only advice counts.
+    The notes are added to the recording that was judged, which is judged again. Only its advice counts.
     """
     request.on_progress("looking for the cause: your program runs once more")
     left = max(request.exercise.time_limit - result.timing.evidence, 1.0)
@@ -236,7 +236,7 @@ def _judged(recorded: RecordingOutcome, recorder: Supervisor, judge: Judge, requ
         raise MissingHere(recorded.fault.summary, recorded.fault.advice)
     if recorded.fault is not None:
         return Judgment((), recorded.fault, recorded.doubt)
-    # It has no name of its own.
+    # The recording's file has no name.
     return judge.judge(request.exercise, Path(f"/proc/{os.getpid()}/fd/{recorder.recording.fileno()}"))
 
 
@@ -289,7 +289,7 @@ def _task(request: Request, ros: Ros, outcome: BuildOutcome, where: Isolation) -
 
 
 def as_evidence(outcome: BuildOutcome) -> BuiltPackages:
-    """The packages with the executables that are really installed, and the failure if any."""
+    """The packages with the executables that are actually installed, and the build failure, if any."""
     built = tuple(
         BuiltPackage(
             package.name,
@@ -305,8 +305,8 @@ def as_evidence(outcome: BuildOutcome) -> BuiltPackages:
 def _sandbox(
     where: Isolation, ros: Ros, environment: Mapping[str, str], request: Request
 ) -> IsolationPlan | None:
-    # A virtual environment and what `colcon build` installed work in their own place only. Of a submission
-    # neither is looked at.
+    # A virtual environment, and what `colcon build` installed, only work in their original place. For a
+    # submission, neither is used.
     home = request.home
     own = [*(file.parent for file in home.glob("*/pyvenv.cfg")), home / request.exercise.workspace]
     return where.sandbox(view(ros, environment, own if request.local else []))
@@ -329,7 +329,7 @@ def _readable(places: tuple[Path, ...], ros: Ros) -> Path | None:
 def _places(request: Request, ros: Ros) -> MachinePlaces:
     store, exercise = request.store.root, request.exercise
     engine = Path(course.__file__).parents[1]
-    with contextlib.suppress(OSError):  # building says so
+    with contextlib.suppress(OSError):  # the build reports it
         store.mkdir(parents=True, exist_ok=True)
     pythons = (Path(sys.prefix), Path(sys.base_prefix), *places_of(ros))
     read = (*pythons, engine, exercise.grader.parents[1], exercise.solution.parent, request.home, store)

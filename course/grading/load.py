@@ -1,4 +1,4 @@
-"""Finds the grader of an exercise, its mystery and its questions, without pytest."""
+"""Finds an exercise's grader, mystery, and questions, without pytest."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _Declared = TypeVar("_Declared", Grader, Mystery)
 
 
 def load_grader(file: Path, exercise: str) -> Grader:
-    """The `Grader` of this exercise. Raises OurFault when the module has none, and what it raises itself."""
+    """The `Grader` of this exercise. Raises OurFault if there is none, and whatever the module raises."""
     grader = declared(load_module(file), Grader, exercise)
     if grader is None:
         raise OurFault(f"no grader in {file.name} judges {exercise}")
@@ -28,12 +28,12 @@ def load_grader(file: Path, exercise: str) -> Grader:
 
 
 def load_module(file: Path) -> ModuleType:
-    """Run a grader module. Raises OurFault when it is none, and what it raises itself."""
+    """Run a grader module. Raises OurFault if it is not a module, and whatever the module raises."""
     spec = importlib.util.spec_from_file_location(f"ros2course_{file.stem}", file)
     if spec is None or spec.loader is None:
         raise OurFault(f"{file} is not a Python module")
     module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # where dataclasses of the module look for it
+    sys.modules[spec.name] = module  # where the module's dataclasses look for it
     with _modules_beside(file.parent):
         spec.loader.exec_module(module)
     return module
@@ -41,9 +41,9 @@ def load_module(file: Path) -> ModuleType:
 
 @contextlib.contextmanager
 def _modules_beside(folder: Path) -> Iterator[None]:
-    """Within it, modules in the folder can be imported: `from lib.counts import expect_counting`.
+    """Allow importing modules from the folder: `from lib.counts import expect_counting`.
 
-    They are forgotten afterwards: another course has others under the same names.
+    They are removed from sys.modules afterward, because another course may use the same names.
     """
     names = {path.stem for path in folder.iterdir()} if folder.is_dir() else set()
     others = _taken(names)
@@ -69,7 +69,7 @@ def declared(module: ModuleType, kind: type[_Declared], exercise: str) -> _Decla
 
 
 def runs_programs(exercise: Exercise) -> bool:
-    """Whether a grader acts for this exercise; else its questions are all there is to judge."""
+    """Whether the exercise has a grader; if not, only its questions are judged."""
     if not exercise.questions:
         return True
     if not exercise.grader.is_file():
@@ -78,7 +78,7 @@ def runs_programs(exercise: Exercise) -> bool:
 
 
 def questions_for(exercise: Exercise, seed: int | None) -> tuple[Question, ...]:
-    """seed: the learner's own; not needed where no mystery is. Raises OurFault for faults of the course."""
+    """seed: the learner's own; only needed for a mystery. Raises OurFault for errors in the course."""
     mystery = mystery_of(exercise)
     if mystery is None:
         return exercise.questions
@@ -88,7 +88,7 @@ def questions_for(exercise: Exercise, seed: int | None) -> tuple[Question, ...]:
 
 
 def mystery_of(exercise: Exercise) -> Mystery | None:
-    """What the exercise's grader module says of its mystery; None for an exercise without."""
+    """The mystery that the exercise's grader module declares; None if there is none."""
     if exercise.play is None:
         return None
     mystery = declared(load_module(exercise.grader), Mystery, exercise.id)

@@ -1,4 +1,4 @@
-"""How a grader module describes a mystery: what is right, and how its questions are worded.
+"""How a grader module describes a mystery: the right answers, and the words for its questions.
 
     mystery = Mystery("19-inspect-topics", __file__)
 
@@ -48,7 +48,7 @@ class Mystery:
     """The mystery of one exercise, as its grader module declares it."""
 
     def __init__(self, exercise: str, grader: str) -> None:
-        """grader: the module's own `__file__`; the mystery's module is found from there."""
+        """grader: the module's own `__file__`, from which the mystery's module is found."""
         self.exercise = exercise
         self._root = Path(grader).resolve().parents[1]
         self.answers_function: Answers | None = None
@@ -66,7 +66,7 @@ class Mystery:
         return function
 
     def acts(self, function: ActsOf) -> ActsOf:
-        """Decorator: this function maps a plan to the acts of a learner who does it all right; for tests."""
+        """Decorator: this function maps a plan to the acts of a learner who does all of it; for tests."""
         self.acts_function = function
         return function
 
@@ -87,7 +87,7 @@ class Mystery:
         return self.draw(seeded.seed)
 
     def draw(self, seed: int) -> Any:
-        """Return the plan for a seed of this exercise (see `play_module.seed_for`)."""
+        """Return the plan for a seed of this exercise (see `mystery_module.seed_for`)."""
         return load_mystery(self.file).draw(seed)
 
     def expect_act(
@@ -99,10 +99,10 @@ class Mystery:
         near_miss: str | None = None,
         at_home: bool = False,
     ) -> None:
-        """Check that the learner did the act of that name, which the mystery's nodes recorded.
+        """Check that the learner did the act with this name, which the mystery's nodes recorded.
 
         summary: what to say if they did not. near_miss: the name of acts that came close; the feedback
-        shows what the nodes saw of them. at_home: ignore what was done in this very recording.
+        shows their details. at_home: count only what was done at home, before this recording.
         """
         events = recording.events
         acts = acts_of(one for one in events if isinstance(one, Acted)) if at_home else recording.acts

@@ -1,6 +1,6 @@
 """`pytest graders/`: every grader judges the course's own reference solutions.
 
-A pytest plugin, loaded by graders/conftest.py. Each exercise is graded once, by the same way as
+A pytest plugin, loaded by graders/conftest.py. Each exercise is graded once, in the same way as by
 `ros2course check`; each of its checks is one test.
 """
 
@@ -53,7 +53,7 @@ class SolutionItem(pytest.Item):
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Module | None:
-    """Grader modules are found in their folder; one that is named is collected by pytest anyway."""
+    """Collect the grader modules in a folder; pytest itself collects a file named on the command line."""
     if parent.session.isinitpath(file_path) or not file_path.match("graders/ch[0-9][0-9]_*.py"):
         return None
     return pytest.Module.from_parent(parent, path=file_path)
@@ -73,7 +73,7 @@ def _exercise(item: SolutionItem) -> Exercise:
 
 
 def _result(item: SolutionItem) -> Result:
-    """Graded once for all checks of the exercise."""
+    """The exercise's result; it is graded once for all of its checks."""
     results = item.config.stash.setdefault(_RESULTS, {})
     exercise_id = item.spec.exercise
     if exercise_id not in results:

@@ -1,4 +1,4 @@
-"""From how a check function ended to its result: passed, the learner's failure, or our error."""
+"""Turns the way a check function ended into its result: passed, the learner's failure, or our error."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def skipped(spec: CheckSpec, because: str) -> CheckResult:
 
 
 def raised(spec: CheckSpec, error: BaseException) -> CheckResult:
-    """Only a `Failure` is the learner's; `NotApplicable` is nobody's; anything else is our error."""
+    """Only a `Failure` is the learner's fault; `NotApplicable` is nobody's; anything else is our error."""
     if isinstance(error, NotApplicable):
         return replace(skipped(spec, error.because), outcome=Outcome.NOT_APPLICABLE)
     if isinstance(error, Failure):
@@ -49,22 +49,22 @@ def raised(spec: CheckSpec, error: BaseException) -> CheckResult:
 
 
 def doubt_about(error: BaseException) -> Doubt | None:
-    """Why another attempt may not run into this error again; None where nothing says so."""
+    """Why this error may not occur in another attempt; None if nothing suggests that."""
     if isinstance(error, TooBusy):
         return Doubt.BUSY
-    # An OurFault says that what should be judged is not there: the submission may have kept it from us.
+    # An OurFault means that there is nothing to judge: the submission may have prevented it.
     return Doubt.SPOILT if isinstance(error, Spoilt | OurFault | MemoryError) else None
 
 
 def doubted(result: CheckResult, recording: Recording) -> CheckResult:
-    """An error with doubt, where the learner's own code answered to a probe: with anything it liked."""
+    """Add doubt to an error if the learner's code answered a probe, because it can send anything."""
     probed = any(isinstance(event, Probed) for event in recording.events)
     is_bug = result.outcome is Outcome.ERROR and result.doubt is None
     return replace(result, doubt=Doubt.SPOILT) if is_bug and probed else result
 
 
 def our_error(error: BaseException) -> Feedback:
-    """Feedback for a fault of the course: never the learner's, does not count."""
+    """Feedback on an error of the course, which is never the learner's fault and does not count."""
     if isinstance(error, Spoilt):
         return Feedback(str(error), advice="This attempt does not count. Try again.")
     lines = "".join(traceback.format_exception(error)).splitlines()
@@ -77,7 +77,7 @@ def our_error(error: BaseException) -> Feedback:
 
 
 def _in_graders(error: BaseException) -> Iterator[Location]:
-    """The innermost line of a grader that led to it."""
+    """The innermost line of a grader that led to the error."""
     frames = traceback.extract_tb(error.__traceback__)
     own = [frame for frame in frames if GRADERS in Path(frame.filename).parts]
     if own:
@@ -93,7 +93,7 @@ def unmet(spec: CheckSpec, done: dict[str, CheckResult], titles: dict[str, str])
 
 
 def out_of_reach(spec: CheckSpec, done: dict[str, CheckResult]) -> str | None:
-    """Why this check is not applicable: one that it needs is not."""
+    """Why this check is not applicable: one that it needs is not applicable either."""
     needed = (done[need] for need in spec.needs)
     return next((c.skipped_because for c in needed if c.outcome is Outcome.NOT_APPLICABLE), None)
 

@@ -1,7 +1,7 @@
-"""What the grading's processes say to each other: one JSON object a line.
+"""The messages between the processes that grade: one JSON object per line.
 
-The recording process gets a task and tells what it does, and last how it ended. A judging process gets
-portions of recordings and gives one answer for each.
+The recording process gets a task, and reports what it is doing and, finally, how it ended. A judging process
+gets portions of recordings, and gives one answer for each recording.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from course.model import codec
 from course.model.feedback import Feedback
 from course.model.result import CheckResult, Doubt
 
-# Seconds for one recording; nearly all take milliseconds.
+# Seconds to judge one recording; nearly all take milliseconds.
 MOST_TIME = 60
-# So many share one collection by pytest (some 50 ms), and at most so many reports that it keeps.
+# Recordings for which pytest collects once (about 50 ms), and of which it keeps all reports.
 PORTION = 50
 
 
 class RecordingTask(Struct, frozen=True):
     """One exercise to record.
 
-    home: the course home whose files are read. roots: the files and folders of it that belong
+    home: the course home whose files are read. roots: the files and folders in it that belong
     to the exercise. environment: for the learner's programs. python: their interpreter.
     looks_at: files, folders and patterns of the course home that become evidence. plain: the environment
-    of programs that need no ROS. local: False when a submission is graded. seed: the exercise's own, for
-    its mystery. acts: name and detail of what the learner did while it was played. sandbox: what their
-    programs are confined to, or None.
+    of programs that need no ROS. local: False if a submission is graded. seed: the exercise's own, for
+    its mystery. acts: name and detail of what the learner did while playing it. sandbox: what confines
+    their programs, or None. observed: whether to watch them from inside.
     """
 
     exercise: str
@@ -54,7 +54,7 @@ class RecordingTask(Struct, frozen=True):
 class Fork(Struct, frozen=True):
     """A recording process to start. environment: its own. folder: for scratch files.
 
-    holder: pid of a process whose namespaces it enters; None where there are none.
+    holder: pid of a process whose namespaces it enters; None if there are none.
     """
 
     environment: Mapping[str, str]
@@ -63,17 +63,17 @@ class Fork(Struct, frozen=True):
 
 
 class Stage(Struct, frozen=True, tag_field="kind", tag="stage"):
-    """What the recording process is doing, in words. running: the submission's programs run from now on."""
+    """What the recording process is doing, in words. running: whether the submission's programs now run."""
 
     text: str
     running: bool = False
 
 
 class RecordingOutcome(Struct, frozen=True, tag_field="kind", tag="outcome"):
-    """How a recording ended. seconds: that the scenario took. lag, cpu: see `result.Timing`.
+    """How a recording ended. seconds: how long the scenario took. lag, cpu: see `result.Timing`.
 
-    fault: why there is no recording. doubt: set with a fault where another attempt may end differently.
-    missing: True when `fault` is something that this machine lacks, with what installs it as its advice.
+    fault: why there is no recording. doubt: set with a fault if another attempt may end differently.
+    missing: True if `fault` is something that this machine lacks; its advice says how to install it.
     """
 
     seconds: float = 0.0
@@ -85,7 +85,7 @@ class RecordingOutcome(Struct, frozen=True, tag_field="kind", tag="outcome"):
 
 
 class Judgment(Struct, frozen=True):
-    """What the checks say of a recording. fault: why they say nothing. doubt: as of a result."""
+    """What the checks say about a recording. fault: why they say nothing. doubt: as in a result."""
 
     checks: tuple[CheckResult, ...]
     fault: Feedback | None = None
@@ -95,7 +95,7 @@ class Judgment(Struct, frozen=True):
 class Portion(Struct, frozen=True):
     """Recordings whose checks are in one module. looks_at: by exercise. files: (exercise, path).
 
-    Without files, it says which grader will be needed.
+    Without files, it only announces which grader will be needed.
     """
 
     grader: str
@@ -106,8 +106,8 @@ class Portion(Struct, frozen=True):
 class UnjudgedCause(str, Enum):
     """Why a recording cannot be judged.
 
-    FORMAT: it is whole, but of another version of the course. EXERCISE: of another one than was said.
-    FATAL: the process that judged it died of it, or did not end.
+    FORMAT: it is intact, but from another version of the course. EXERCISE: it is from a different exercise
+    than expected. FATAL: it made the process that judged it crash or hang.
     """
 
     MISSING = "missing"
@@ -125,9 +125,9 @@ class Unjudged(Struct, frozen=True, tag_field="kind", tag="unjudged"):
 
 
 class ScenarioState(str, Enum):
-    """Whether today's scenario would record the same (see `scenario_digest`).
+    """Whether the current scenario would record the same (see `scenario_digest`).
 
-    UNKNOWN: the recording does not say what made it.
+    UNKNOWN: the recording does not say which scenario made it.
     """
 
     SAME = "same"
@@ -136,14 +136,14 @@ class ScenarioState(str, Enum):
 
 
 class Judged(Struct, frozen=True, tag_field="kind", tag="judged"):
-    """What the checks of now say of a recording."""
+    """What the current checks say about a recording."""
 
     judgment: Judgment
     scenario: ScenarioState
 
 
 class Channel:
-    """The recording process's end. Messages beyond what the pipe takes at once block until they are read."""
+    """The recording process's end of the pipe. When the pipe is full, `tell` blocks until it is read."""
 
     def __init__(self, descriptor: int) -> None:
         self._descriptor = descriptor
@@ -155,12 +155,12 @@ class Channel:
 
 
 def read_message(line: bytes) -> Stage | RecordingOutcome:
-    """A line of the recording process. Raises DamagedData on anything else."""
+    """A line from the recording process. Raises DamagedData on anything else."""
     message: Stage | RecordingOutcome = codec.from_json(line, Stage | RecordingOutcome, "this line")
     return message
 
 
 def read_answer(line: bytes) -> Judged | Unjudged:
-    """What a judging process says of one recording. Raises DamagedData on anything else."""
+    """What a judging process says about one recording. Raises DamagedData on anything else."""
     answer: Judged | Unjudged = codec.from_json(line, Judged | Unjudged, "this line")
     return answer

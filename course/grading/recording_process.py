@@ -1,13 +1,13 @@
-"""The recording process: runs one scenario, apart from everything else. Checks are judged elsewhere.
+"""The recording process: runs one scenario, isolated from everything else. Checks are judged elsewhere.
 
 `grading.supervisor` starts one process that loads everything, and asks it for forks over a socket: loading
-takes most of a recording's CPU time. It starts no thread of ours and no node, and never hears of a task. Each
-fork gets its own environment, enters its own namespaces, and records once: nothing of it comes back.
+takes most of a recording's CPU time. That process starts no thread and no node, and never sees a task. Each
+fork gets its own environment, enters its own namespaces, and records once. It cannot affect later forks.
 
 A fork's arguments: the descriptor of the result pipe, that of the file for the recording, and a folder for
-scratch files. When a cause is looked for, the last one is the descriptor of the recording that was judged,
-and what is recorded is that one with notes of this run. The task comes as one line on standard input, which
-stays open: when it closes, the parent is gone, and this process ends all that it started and itself.
+scratch files. To look for a cause, there is one more: the descriptor of the recording that was judged. The
+new recording is then a copy of it with notes on this run. The task comes as one line on standard input, which
+stays open. When it closes, the parent is gone, and this process ends everything that it started and itself.
 """
 
 from __future__ import annotations
@@ -59,27 +59,27 @@ from course.model import codec, replace
 from course.model.events import Acted, Drawn, Event, LimitReached, Observed
 from course.model.feedback import Feedback
 
-# What a scenario, its recorder and saving need. What fails here fails again, and is told, when it is used.
+# Needed by scenarios, the recorder, and saving. An import that fails fails again, and is reported, on use.
 _NEEDED = ("course.evidence.recorder", "course.api", "mcap.writer")
 _NAMESPACES = ("user", "mnt", "ipc", "net", "pid")
 _MOST_DESCRIPTORS = 5
-# In the home of programs: what they note when a cause is looked for; so many files, and characters of each.
+# In the programs' home: their notes when we look for a cause. Limits on files, characters, and frames.
 _NOTES, _REPORTS = ".ros2course-notes", ".ros2course-report"
 _MOST_PROGRAMS, _MOST_NOTES, _MOST_FRAMES = 20, 200_000, 50
 _OBSERVER = Path(course.__file__).parent / "arena/observer_program.py"
 
 
 def main() -> int:
-    """Fork a recording process for each request, until nobody can ask for more."""
+    """Fork a recording process for each request, until the socket is closed."""
     _listen_to_signals()
-    process_control(PR_SET_DUMPABLE, 0)  # where nothing else keeps them apart, no program reads our memory
+    process_control(PR_SET_DUMPABLE, 0)  # no program may read our memory, even if nothing isolates it
     for module in _NEEDED:
         with contextlib.suppress(ImportError):
             importlib.import_module(module)
     if recorder := sys.modules.get("course.evidence.recorder"):
         recorder.load_middleware()
-    gc.freeze()  # else looking for garbage would copy the memory that forks share
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody needs to take note of their ends
+    gc.freeze()  # otherwise, garbage collection would copy memory that forks share
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the kernel cleans up after forks
     with socket.socket(fileno=int(sys.argv[1])) as link:
         while True:
             data, descriptors, _, _ = socket.recv_fds(link, PACKET, _MOST_DESCRIPTORS)
@@ -96,12 +96,12 @@ def main() -> int:
 
 
 def _guard(fork: Fork, descriptors: Sequence[int]) -> NoReturn:
-    """Start the recording process, and say how it ended if it did so badly. If we are killed, it is, too.
+    """Start the recording process, and report if it ended with an error. If we are killed, so is it.
 
-    Only children are in another pid namespace than their parent. The result pipe ends when both have ended.
+    Only a child can be in a different pid namespace. The result pipe closes when both have ended.
     """
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-    os.setsid()  # Ctrl+C at the terminal is for who started us, and ends everything in order
+    os.setsid()  # Ctrl+C in the terminal goes to our parent, which ends everything in order
     task, log, *others = descriptors
     for number, descriptor in enumerate((task, log, log)):
         os.dup2(descriptor, number)
@@ -119,15 +119,15 @@ def _guard(fork: Fork, descriptors: Sequence[int]) -> NoReturn:
     if code:
         how = f"signal {-code}" if code < 0 else f"exit code {code}"
         os.write(2, f"The recording process ended with {how}.\n".encode())
-    os._exit(0)  # noqa: TID251 - what else there is belongs to the process that we were forked from
+    os._exit(0)  # noqa: TID251 - everything else belongs to the process that we were forked from
 
 
 def _enter(holder: int) -> None:
-    """The namespaces of this process; its pid namespace is that of our children."""
+    """Enter the namespaces of this process; its pid namespace only applies to our children."""
     with contextlib.ExitStack() as stack:
         users, *others = (stack.enter_context(opened(f"/proc/{holder}/ns/{name}")) for name in _NAMESPACES)
         own = stack.enter_context(opened("/proc/self/ns/user"))
-        if not os.path.sameopenfile(own, users):  # root's is the same
+        if not os.path.sameopenfile(own, users):  # root has the same one
             enter_namespace(users)
         for namespace in others:
             enter_namespace(namespace)
@@ -139,7 +139,7 @@ def _recorded(fork: Fork, descriptors: Sequence[int]) -> int:
     _take_on(fork.environment)
     try:
         return record()
-    except BaseException:  # noqa: BLE001 - it must not get into what we are a fork of
+    except BaseException:  # noqa: BLE001 - it must not reach the code that forked us
         traceback.print_exc()
         return 1
     finally:
@@ -147,7 +147,7 @@ def _recorded(fork: Fork, descriptors: Sequence[int]) -> int:
 
 
 def _take_on(environment: Mapping[str, str]) -> None:
-    """As if this process had been started in it."""
+    """Continue as if this process had been started in this environment."""
     known = set(os.environ.get("LD_LIBRARY_PATH", "").split(os.pathsep))
     os.environ.clear()
     os.environ.update(environment)
@@ -159,7 +159,7 @@ def _take_on(environment: Mapping[str, str]) -> None:
 
 
 def _load(libraries: Sequence[str]) -> None:
-    """Each after those that it needs: the linker has long read where else it may look."""
+    """Load each after those that it needs: the linker reads LD_LIBRARY_PATH only when a process starts."""
     waiting, before = list(libraries), None
     while waiting and waiting != before:
         before = waiting
@@ -195,10 +195,10 @@ def record() -> int:
 
 
 def _listen_to_signals() -> None:
-    """As in front of a terminal, for us and all that we start.
+    """React to signals as in a terminal; everything that we start inherits this.
 
-    Who was started in the background has inherited to ignore SIGINT, and would hand that on
-    to the learner's programs: none of them would hear Ctrl+C.
+    A process that was started in the background may ignore SIGINT, and the learner's programs
+    would inherit that: none of them would react to Ctrl+C.
     """
     for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)
@@ -257,7 +257,7 @@ def _groups(task: RecordingTask) -> list[Path]:
 def _record(
     task: RecordingTask, channel: Channel, folder: Path, launcher: socket.socket
 ) -> tuple[Recording, float]:
-    """Run the scenario if there is something to run, and return how busy the machine was (s)."""
+    """Run the scenario if there is one; return the recording, and how busy the machine was (s)."""
     grader = load_grader(Path(task.grader), task.exercise)
     timeline = Timeline()
     home = Path(task.home)
@@ -292,9 +292,9 @@ def _record(
             try:
                 grader.scenario_function(arena)
             except Exception:
-                # Whatever a scenario runs into when all programs were killed: the recording says why.
+                # If all programs were killed, that caused this error, and the recording says why.
                 if isinstance(place.start, Sandbox):
-                    place.start.look()  # what just reached a limit may be what we ran into
+                    place.start.look()  # the limit may have been reached just now
                 if not any(timeline.of(LimitReached)):
                     raise
             arena.require_ours()
@@ -335,7 +335,7 @@ def _watching(task: RecordingTask, sources: Sources, folder: Path) -> Mapping[st
 
 
 def _noted(home: ScratchHome) -> Iterator[Observed]:
-    """The valid notes of programs. They may have written anything."""
+    """The valid notes of the programs, which may have written anything."""
     for file in islice(home.matching(f"{_NOTES}/*"), _MOST_PROGRAMS):
         for line in (home.text(file) or "")[:_MOST_NOTES].splitlines():
             with contextlib.suppress(DamagedData):
@@ -354,7 +354,7 @@ def _open_place(
     laid: tuple[HomeEntry, ...],
     files: Mapping[str, str],
 ) -> Iterator[Place]:
-    """Where the learner's programs run, and none has run yet. laid, files: what is in their home."""
+    """A new place for the learner's programs to run. laid, files: what to put into their home."""
 
     def fill(scratch: Path) -> None:
         lay_home(Path(task.home), laid, scratch / HOME, files)

@@ -1,8 +1,8 @@
 """The grader's own builds of packages that the learner also writes.
 
-To hear messages of a type that the learner defines, the recording process loads our reference
-build of that package, never the learner's. Whether the two define the same type is seen from
-the type's hash on the wire.
+To receive messages of a type that the learner defines, the recording process loads our reference
+build of that package, never the learner's. The type's hash on the wire shows whether both define
+the same type.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from course.content import Exercise
 from course.errors import OurFault
 from course.rosenv import Ros, node_environment, prepare
 
-# In a classroom, nobody is to find the neighbor's mystery.
+# In a classroom, learners must not see each other's mysteries.
 _OWN_MACHINE = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
 
 
 @contextmanager
 def workers() -> Iterator[tuple[ThreadPoolExecutor, Interrupt]]:
-    """Threads for builds, which are called off when this one is interrupted."""
+    """Threads for builds, which are stopped if this thread is interrupted."""
     with Interrupt() as stop, ThreadPoolExecutor(2, "check") as pool:
         try:
             yield pool, stop
@@ -42,10 +42,10 @@ def reference_packages(
     stop: Interrupt,
     keep: ExitStack,
 ) -> tuple[Path, ...]:
-    """Install prefixes of the exercise's `grader_packages`, built once a machine and kept.
+    """Install prefixes of the exercise's `grader_packages`, built once per machine and kept.
 
-    They stay in the store until `keep` is closed, at least.
-    Raises OurFault when the course's own solution does not build.
+    They stay in the store at least until `keep` is closed.
+    Raises OurFault if the course's own solution does not build.
     """
     prefixes: list[Path] = []
     for name in exercise.grader_packages:
@@ -58,7 +58,7 @@ def reference_packages(
 
 
 def _solution_with(package: str, solutions: Path) -> Path:
-    """The workspace among the reference solutions that holds this package."""
+    """The workspace in the reference solutions that contains this package."""
     found = sorted(solutions.glob(f"*/*workspace/src/{package}/package.xml"))
     if not found:
         raise OurFault(f"no solution of the course contains the package {package}")
@@ -74,11 +74,11 @@ def play_environment(
     on_progress: Callable[[str], None] = lambda text: None,
     environ: Mapping[str, str] | None = None,
 ) -> dict[str, str]:
-    """The environment of the mystery's nodes: the exercise's `grader_packages`, in the caller's ROS domain.
+    """The environment for the mystery's nodes: the exercise's `grader_packages`, in the caller's ROS domain.
 
     Only this machine sees them, unless the caller's `ROS_AUTOMATIC_DISCOVERY_RANGE` says otherwise.
-    Builds those packages the first time; they are not removed before `keep` is closed. Raises as
-    `check_exercise` does.
+    Builds those packages the first time; they are not removed before `keep` is closed. Raises what
+    `check_exercise` raises.
     """
     environ = os.environ if environ is None else environ
     prepare(ros)

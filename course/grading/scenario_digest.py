@@ -1,11 +1,11 @@
-"""What a recording was made by, as a digest: whether old evidence is what today's scenario would record.
+"""A digest of what made a recording, to tell whether the current scenario would record the same evidence.
 
-The digest covers the source of the scenario's function and of all that it uses, followed by name through
-its module, the modules beside it and those of `course.grading`: helpers, constants, and files below the
-graders' folder that it names (probes); the module of its mystery; and which files of the course home are
-kept. Comments, docstrings, formatting and order do not count, and neither do the checks, their titles and
-their points: those may change while the evidence stays as it is. What the arena itself records is not part
-of it either: a recording that cannot be read any more is of another format (`mcap_file.OtherFormat`).
+It covers the source of the scenario's function and of everything that it uses: helpers, constants, and files
+below the graders' folder that it names (probes). Names are followed through its module, the modules next to
+it, and `course.grading`. It also covers the mystery's module, and which files of the course home are kept.
+Comments, docstrings, formatting and order do not count. Neither do the checks, their titles and points, which
+may change while the evidence stays the same. Nor does what the arena itself records: a recording that can no
+longer be read has a different format (`mcap_file.OtherFormat`).
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ import course
 from course.errors import OurFault
 from course.grading.mystery import Mystery
 
-# Of the arguments of `Grader(...)`, this one says nothing of what is recorded.
+# The argument of `Grader(...)` that does not affect what is recorded.
 _POINTS = "builds"
 
 
 def scenario_digest(grader: Path, exercise: str, looks_at: Sequence[str]) -> str:
-    """Digest of what determines the evidence on this exercise; empty when a module cannot be read.
+    """Digest of what determines the evidence for this exercise; empty if a module cannot be read.
 
     grader: its module. looks_at: files, folders and patterns of the course home that become evidence.
     """
@@ -39,7 +39,7 @@ def scenario_digest(grader: Path, exercise: str, looks_at: Sequence[str]) -> str
 def _scenario(grader: Path, exercise: str) -> Iterator[str]:
     tree = parsed(grader)
     declared = _declaration(tree, exercise)
-    if declared is None:  # it was made in some other way: anything may belong to it
+    if declared is None:  # it is declared in some other way: anything here may matter
         yield ast.unparse(normal(tree))
         return
     name, arguments = declared
@@ -52,7 +52,7 @@ def _scenario(grader: Path, exercise: str) -> Iterator[str]:
 
 
 def _declaration(tree: ast.Module, exercise: str) -> tuple[str, list[str]] | None:
-    """Of `name = Grader("exercise", ros=False)`: the name, and the arguments that matter."""
+    """In `name = Grader("exercise", ros=False)`: the name, and the arguments that matter."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Call) and node.value.args:
             call, target, first = node.value, node.targets[0], node.value.args[0]
@@ -76,7 +76,7 @@ def _decorates(node: ast.expr, grader: str) -> bool:
 
 
 def _mystery(grader: Path, exercise: str) -> Iterator[str]:
-    with contextlib.suppress(OurFault):  # it has none
+    with contextlib.suppress(OurFault):  # there is none
         yield ast.unparse(normal(parsed(Mystery(exercise, str(grader)).file)))
 
 
@@ -87,18 +87,18 @@ def _files_named(folder: Path, strings: set[str]) -> Iterator[str]:
             yield file.read_text(encoding="utf-8", errors="replace")
 
 
-# What is followed into the engine: the helpers of scenarios, and what hands them on.
+# The engine's modules into which names are followed: scenarios' helpers, and the module that exports them.
 _ENGINE = ("course.api", "course.grading.")
-# Decorators of ours: they name the grader, and with it the points of a check.
+# Our decorators, which are left out: they name the grader, and contain the points of a check.
 _OURS = frozenset({"scenario", "check"})
 _DOCUMENTED = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Module)
 
 
 class Definitions:
-    """Collects definitions. texts: their sources in a normal form. strings: all that stand in them.
+    """Collects definitions. texts: their sources in a normal form. strings: all string constants in them.
 
-    folder: of the graders; modules in it are followed, and those of `course.grading`, through `course.api`
-    too. Others are named only.
+    folder: of the graders. Names are followed into its modules and those of `course.grading`, also through
+    `course.api`. Of definitions in other modules, only the name is collected.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -109,7 +109,7 @@ class Definitions:
         self._seen: set[tuple[Path, str]] = set()
 
     def follow(self, file: Path, name: str) -> None:
-        """Take what the module `file` calls `name`, and all that this uses."""
+        """Take what the module `file` calls `name`, and everything that it uses."""
         if (file, name) in self._seen:
             return
         self._seen.add((file, name))
@@ -160,7 +160,7 @@ def parsed(file: Path) -> ast.Module:
 
 
 def normal(tree: ast.Module) -> ast.Module:
-    """The same (not a copy) without docstrings, and without the decorators of scenarios and checks."""
+    """The same tree (not a copy) without docstrings and the decorators of scenarios and checks."""
     for node in ast.walk(tree):
         if isinstance(node, _DOCUMENTED) and ast.get_docstring(node, clean=False) is not None:
             node.body = node.body[1:] or [ast.Pass()]

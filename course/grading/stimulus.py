@@ -1,4 +1,4 @@
-"""Things to say to a learner's node that nobody can know beforehand."""
+"""Texts to send to a learner's node that nobody can know beforehand."""
 
 from __future__ import annotations
 

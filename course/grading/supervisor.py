@@ -1,7 +1,7 @@
 """The parent's side of recording processes: fork one early, give it the task, await the recording.
 
-They are forks of one process, which has loaded everything before there is anything to record. However one
-ends (crash, hang, Ctrl+C here), everything below it has ended afterwards.
+They are forks of one process, which loads everything before there is anything to record. However one ends
+(crash, hang, Ctrl+C here), everything that it started has ended afterward.
 """
 
 from __future__ import annotations
@@ -42,14 +42,14 @@ _PROCESS = "course.grading.recording_process"
 
 
 class ForkServer:
-    """The process that recording processes are forked from. Close it; it ends with its owner, too."""
+    """The process that recording processes are forked from. Close it; it also ends with its owner."""
 
     def __init__(self) -> None:
         self._started: tuple[subprocess.Popen[bytes], socket.socket] | None = None
-        self.log = os.fdopen(os.memfd_create("log"), "w+b")  # what it writes as errors
+        self.log = os.fdopen(os.memfd_create("log"), "w+b")  # its error output
 
     def start(self, environment: Mapping[str, str]) -> None:
-        """Have it load everything, if it does not run yet. Forks get environments of their own."""
+        """Start the process, which loads everything, if it is not running. Forks get other environments."""
         if self._started is not None and self._started[0].poll() is not None:
             self._stop()  # somebody killed it
         if self._started is None:
@@ -69,16 +69,16 @@ class ForkServer:
             self._started = process, ours
 
     def start_early(self) -> None:
-        """Start it before it is known whether there is a ROS; if there is none, a grading says so."""
+        """Start it before we know whether ROS is installed; if it is not, grading reports that."""
         with contextlib.suppress(CourseError):
             prepare(ros := find_ros())
             self.start(node_environment(ros))
 
     @contextlib.contextmanager
     def forked(self, fork: Fork, descriptors: Sequence[int]) -> Iterator[None]:
-        """A recording process, which is killed at the end. It need not have begun yet: it may be loading.
+        """A recording process, which is killed at the end. It starts later if modules are still loading.
 
-        descriptors: its input, where it writes errors, and what `recording_process` says. Raises OurFault.
+        descriptors: its input, its error output, and those that `recording_process` lists. Raises OurFault.
         """
         self.start(fork.environment)
         assert self._started is not None
@@ -106,7 +106,7 @@ class ForkServer:
             os.close(process)
 
     def close(self) -> None:
-        """End it; more than once does no harm."""
+        """End the process, if it is running."""
         self._stop()
         self.log.close()
 
@@ -120,9 +120,9 @@ class ForkServer:
 class Supervisor:
     """Owns one recording process between entering and leaving its context.
 
-    fork_server: what it is forked from; None for one that is used but once.
-    recording: the file that it writes. It has no name: it is gone however we end, and nobody else finds it.
-    environment: its own. judged: the recording that a run adds to when it looks for a cause.
+    fork_server: what it is forked from; None to start one for this process only.
+    recording: the file that it writes. It has no name, so nobody else finds it, and it never outlives us.
+    environment: the process's. judged: the recording that a run adds notes to when it looks for a cause.
     """
 
     def __init__(
@@ -163,9 +163,9 @@ class Supervisor:
 
     @contextlib.contextmanager
     def _scratch(self) -> Iterator[str]:
-        """The folder for the learner's programs, and the end of all that was started for it.
+        """Provide the folder for the learner's programs; afterward, end everything that was started for it.
 
-        In namespaces of its own the kernel does both, whatever happens to us.
+        In namespaces, the kernel does both, whatever happens to us.
         """
         if self._where.level is not Level.DOMAIN:
             yield str(SCRATCH)
@@ -186,7 +186,7 @@ class Supervisor:
             try:
                 holder = stack.enter_context(isolation.ISOLATION.hold(self._where.plan)).pid
             except OurFault:
-                forget(KNOWN)  # perhaps this machine does not allow any more what it did
+                forget(KNOWN)  # perhaps this machine no longer allows what it allowed before
                 raise
         with contextlib.ExitStack() as theirs:
             self._results, write_end = _pipe(stack, theirs)
@@ -200,13 +200,13 @@ class Supervisor:
     def record(
         self, task: RecordingTask, time_limit: float, on_progress: Callable[[str], None]
     ) -> RecordingOutcome:
-        """Send the task and read until the outcome; faults of the process become one."""
+        """Send the task and read until the outcome. Errors of the process become an outcome with a fault."""
         try:
             rest = codec.to_json(task) + b"\n"
             while rest:
                 rest = rest[os.write(self._tasks, rest) :]
         except BrokenPipeError:
-            forget(KNOWN)  # perhaps this machine does not allow any more what it did
+            forget(KNOWN)  # perhaps this machine no longer allows what it allowed before
             return self._fault("The recording process did not start.")
         return self._await_outcome(time_limit, on_progress)
 
@@ -254,7 +254,7 @@ def _last_lines(log: IO[bytes]) -> list[str]:
 
 
 def _pipe(reading: contextlib.ExitStack, writing: contextlib.ExitStack) -> tuple[int, int]:
-    """Its ends, each of which is closed by its stack."""
+    """The ends of a new pipe, each of which its stack closes."""
     ends = os.pipe()
     for number, stack in zip(ends, (reading, writing), strict=True):
         stack.callback(os.close, number)

@@ -1,6 +1,6 @@
-"""Trial homes: course homes made of the course's own solutions, starters and known mistakes.
+"""Trial homes: course homes made from the course's own solutions, starters and known mistakes.
 
-They prove graders: the reference and every other right way must pass, a starter must not, and
+They test graders: the reference and every alternative solution must pass, a starter must not, and
 each mistake must be caught.
 """
 
@@ -21,7 +21,7 @@ _NOT_LAID = frozenset({"alternatives", "alternative.yaml", BUILT})
 
 
 def lay_solution(course: Course, exercise: Exercise, home: Path) -> None:
-    """The reference solutions of this exercise's chapter and of all that it builds on."""
+    """Copy the reference solutions of this exercise's chapter and of everything that it builds on."""
     needed = _standing_on(course, exercise)
     for solution in dict.fromkeys(one.solution for one in needed):
         _lay(solution, home)
@@ -30,9 +30,9 @@ def lay_solution(course: Course, exercise: Exercise, home: Path) -> None:
 
 
 def lay_starter(course: Course, exercise: Exercise, home: Path) -> None:
-    """What a learner has who did all before and begins this exercise now.
+    """Copy what a learner has who did everything before, and begins this exercise now.
 
-    Where earlier exercises of the chapter share its solution, their starters stand in for it.
+    If earlier exercises of the chapter share its solution, their starters are used instead.
     """
     before = _standing_on(course, exercise)[:-1]
     for needed in before:
@@ -44,7 +44,7 @@ def lay_starter(course: Course, exercise: Exercise, home: Path) -> None:
 
 
 def lay_alternative(course: Course, exercise: Exercise, alternative: Alternative, home: Path) -> None:
-    """Another right solution over the reference."""
+    """Copy another right solution over the reference solution."""
     lay_solution(course, exercise, home)
     for name in alternative.deletes:
         (home / name).unlink()
@@ -56,16 +56,16 @@ def lay_alternative(course: Course, exercise: Exercise, alternative: Alternative
 
 
 def lay_mistake(course: Course, exercise: Exercise, mistake: Mistake, home: Path) -> None:
-    """The reference solution with this mistake in it.
+    """Copy the reference solution, and make this mistake in it.
 
-    Raises ContentError when an edit no longer applies to the solution.
+    Raises ContentError if an edit no longer applies to the solution.
     """
     lay_solution(course, exercise, home)
     apply_mistake(exercise, mistake, home)
 
 
 def apply_mistake(exercise: Exercise, mistake: Mistake, home: Path) -> None:
-    """The mistake, in a home where the reference solution lies."""
+    """Make the mistake in a home that contains the reference solution."""
     for edit in mistake.edits:
         where = exercise.folder / "mistakes.yaml"
         if edit.answers is not None:
@@ -75,7 +75,7 @@ def apply_mistake(exercise: Exercise, mistake: Mistake, home: Path) -> None:
 
 
 def _standing_on(course: Course, exercise: Exercise) -> tuple[Exercise, ...]:
-    """The exercise after all exercises that it requires, each one once."""
+    """All exercises that this one requires, each once, and then the exercise itself."""
     found: dict[str, Exercise] = {}
     for name in exercise.requires:
         found.update((needed.id, needed) for needed in _standing_on(course, course.exercise(name)))

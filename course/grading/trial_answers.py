@@ -1,6 +1,6 @@
-"""Right and wrong answers, and acts in mysteries, laid into trial homes.
+"""Puts right and wrong answers, and acts in mysteries, into trial homes.
 
-Where the solution has no answers file, the right answers are taken from the lesson, or computed
+If the solution has no answers file, the right answers are taken from the lesson, or computed
 for a mystery: all trials use the same seed.
 """
 
@@ -21,12 +21,12 @@ from course.grading.quiz.answers import answers_text, read_answers
 from course.grading.quiz.judge import right_answers
 from course.spelling import did_you_mean
 
-# The seed of the learner who did it all right.
+# The seed of the imaginary learner who did everything right.
 SEED = 1994
 
 
 def lay_answers(exercise: Exercise, home: Path) -> None:
-    """The right answers, unless a file of them is there, and the acts of a mystery."""
+    """Write the right answers, unless there is an answers file, and the acts of a mystery."""
     if exercise.questions and not (home / answers_file(exercise.id)).exists():
         answers = right_answers(questions_for(exercise, SEED))
         _write(exercise, home, answers)
@@ -38,9 +38,9 @@ def lay_answers(exercise: Exercise, home: Path) -> None:
 
 
 def change_answers(exercise: Exercise, home: Path, changes: Mapping[str, Given], where: Path) -> None:
-    """Put other answers in the place of some; `{name}` in them is a word of the mystery.
+    """Replace some answers; `{name}` in the new ones is a word of the mystery.
 
-    where: the file that asks for it. Raises ContentError when there is no such question.
+    where: the file that asks for it. Raises ContentError if there is no such question.
     """
     known = [question.id for question in exercise.questions]
     for name in changes:

@@ -1,4 +1,4 @@
-"""Builds what is in a trial home as its learner would: in place, and with nothing kept."""
+"""Builds what is in a trial home as a learner would: in place, but always from scratch."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ _CMAKE_TOOLS = ("cmake", "make", "g++")
 
 
 def build_in_place(folder: Path, options: Sequence[str] = ()) -> None:
-    """`colcon build` with these options in a workspace, from nothing; a CMake project is built and installed.
+    """Run `colcon build` with these options in a workspace; build and install a CMake project.
 
-    Raises OurFault with what it says if it fails.
+    Raises OurFault with the tool's output if it fails.
     """
     if (folder / "CMakeLists.txt").is_file():
         _install(folder, options)
         return
-    (folder / "src").mkdir(parents=True, exist_ok=True)  # empty folders are in no solution
+    (folder / "src").mkdir(parents=True, exist_ok=True)  # solutions contain no empty folders
     for name in ("build", "install", "log"):
         wipe(folder / name)
     environment = {**node_environment(find_ros()), "HOME": str(folder.parent)}

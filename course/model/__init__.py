@@ -1,4 +1,4 @@
-"""What travels between processes, into files and into reports; all other rooms build on it."""
+"""Data that travels between processes, into files, and into reports; everything else builds on it."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import msgspec
 
 if TYPE_CHECKING:
-    # mypy looks at the fields that are changed, of structs too.
-    from dataclasses import replace as replace  # noqa: TID251 - given on from here
+    # With this, mypy checks the fields that are changed, even those of structs.
+    from dataclasses import replace as replace  # noqa: TID251 - exported from here
 else:
     T = TypeVar("T")
 

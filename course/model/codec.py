@@ -1,7 +1,7 @@
-"""Types as JSON, and back: in files, in databases, and as lines between processes.
+"""Converts data to JSON and back: in files, in databases, and as lines between processes.
 
-Structs, dataclasses, enums, paths and unions of tagged structs all go this way; msgspec does the work. What
-is read has the types that were asked for, or it is a DamagedData.
+It handles structs, dataclasses, enums, paths and unions of tagged structs; msgspec does the work. What is
+read has the types that were asked for; anything else raises DamagedData.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ _HALF = b"\\ud"
 
 
 def to_json(value: object) -> bytes:
-    """One line of JSON, without its line end. JSON has no infinity: it becomes null."""
+    """One line of JSON, without a line end. JSON has no infinity: it becomes null."""
     try:
         return msgspec.json.encode(value, enc_hook=_path_as_text)
     except UnicodeEncodeError:
-        # Half a character, as in the name of a file that is not UTF-8. Escapes of JSON can hold it.
+        # Half a character, as in a file name that is not UTF-8. JSON can contain it as an escape.
         return json.dumps(msgspec.to_builtins(value, enc_hook=_path_as_text)).encode("ascii")
 
 
@@ -34,7 +34,7 @@ def from_json(data: bytes | str, kind: type[T], source: str | Path) -> T: ...
 @overload
 def from_json(data: bytes | str, kind: Any, source: str | Path) -> Any: ...
 def from_json(data: bytes | str, kind: Any, source: str | Path) -> Any:
-    """Read what `to_json` wrote of the type `kind`. source: where it is from, for people.
+    """Read a value of the type `kind` that `to_json` wrote. source: where it is from, for error messages.
 
     Raises DamagedData, which names `source` and the place in it.
     """

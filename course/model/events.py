@@ -1,4 +1,4 @@
-"""Everything that can be observed in a scenario, each as one small event on one time line.
+"""Everything that can be observed in a scenario, each as one small event on one timeline.
 
 `t` is always seconds since the recording began, on our own monotonic clock. Nothing here relies on a
 submission's claims: message times are when we received them.
@@ -30,7 +30,7 @@ class ProcessStarted(Event, frozen=True):
 
 
 class ExecutableMissing(Event, frozen=True):
-    """The arena should start an executable that is not installed. available: those that are."""
+    """The arena was asked to start an executable that is not installed. available: those that are."""
 
     process: str
     package: str
@@ -169,7 +169,7 @@ class Marked(Event, frozen=True):
 
 
 class Watched(Event, frozen=True):
-    """From this moment on (`on`), or until it, we measured how late the machine lets a program run.
+    """We measured how late the machine lets a program run, from this moment on (`on`) or until it.
 
     waited: at the end, the longest time (s) for which any thread of a program was kept from running; 0 if
     the kernel does not say.
@@ -186,7 +186,7 @@ class Late(Event, frozen=True):
 
 
 class ProgramMissing(Event, frozen=True):
-    """The arena should start a file of the course home that does not exist."""
+    """The arena was asked to start a file in the course home that does not exist."""
 
     process: str
     file: str
@@ -265,11 +265,11 @@ class Observed(Event, frozen=True):
     program knows them. `what` is one of these:
 
     - "caught": an `except` at `by` took `error`, raised at `raised`.
-    - "died": it ended a thread or task.
+    - "died": `error` ended a thread or task.
     - "stood" or "looped": the main thread was in the function at `by` for `seconds`. `error` says whether ROS
       had called it.
     - "ran": `lines` of the file `by`.
-    - "crashed": a sanitizer stopped C++ at or below `raised`. `error` is its term for the reason.
+    - "crashed": a sanitizer stopped C++ at or below `raised`. `error` is its name for the reason.
     """
 
     what: Literal["caught", "died", "stood", "looped", "ran", "crashed"]
@@ -281,4 +281,4 @@ class Observed(Event, frozen=True):
 
 
 # The type for reading events; each states its `kind`.
-AnyEvent: Any = Union[tuple(Event.__subclasses__())]  # noqa: UP007 - made of a list
+AnyEvent: Any = Union[tuple(Event.__subclasses__())]  # noqa: UP007 - made from a list

@@ -1,6 +1,6 @@
 """What a learner is told if their work did not pass: data, never concatenated text.
 
-Nearly every room creates feedback, so it is at the bottom.
+Nearly every module creates feedback, so this one imports none of them.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Feedback(Struct, frozen=True):
 
 
 class Pace(Struct, frozen=True):
-    """How often a check wants messages: the median time (s) between two of them on `topic`."""
+    """How often a check wants messages: the allowed median time (s) between two of them on `topic`."""
 
     topic: str
     shortest: float

@@ -1,4 +1,4 @@
-"""What a graded class is: who, which exercises, and how each of them ended."""
+"""A graded class: who was graded, on which exercises, and with which results."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from course.model.result import Result
 
 @dataclass(frozen=True)
 class Person:
-    """Who handed something in.
+    """Someone who handed something in.
 
     id: unique in the class, the same each time (a roster's id, or the submission's name). name: safe to show.
-    late: what the LMS says, None where it says nothing. handed_in: when, None where that is not known; it has
-    no time zone where it is in that of the class.
-    group: empty for who works alone. graded_as: the id of whose submission counts for this person, too.
-    renamed: ids of exercises in which theirs is graded as if it were named right.
+    late: what the LMS says; None if it says nothing. handed_in: when; None if unknown. Without a time zone,
+    it is in the class's.
+    group: empty for a person who works alone. graded_as: the id of the person whose submission counts for
+    this one, too. renamed: ids of exercises in which files are graded as if they were named correctly.
     """
 
     id: str
@@ -31,7 +31,7 @@ class Person:
 
 @dataclass(frozen=True)
 class GradedExercise:
-    """One exercise that was asked for. max_points: what it brings when all of its checks apply."""
+    """One exercise that was asked for. max_points: what it is worth if all of its checks apply."""
 
     id: str
     title: str
@@ -41,11 +41,11 @@ class GradedExercise:
 
 @dataclass(frozen=True)
 class HandMark:
-    """What a person decided about a submission, or once for the class, beside the machine's verdicts.
+    """A person's decision about a submission, or for the whole class, on top of the automatic verdicts.
 
     exercise: its id, "" for the submission as a whole. check: the id of one of its checks, "" for all of it.
-    points: what is earned there instead of the machine's points. bonus: added to them; below zero takes away.
-    excused: it does not count. comment: for the learner. label: what the sentence begins with.
+    points: what is earned there instead of the automatic points. bonus: added to them; deducted if negative.
+    excused: it does not count. comment: for the learner. label: the first words of the sentence about it.
     """
 
     exercise: str = ""
@@ -59,10 +59,10 @@ class HandMark:
 
 @dataclass(frozen=True)
 class Delay:
-    """When a submission was handed in, held against its deadline.
+    """When a submission was handed in, compared with its deadline.
 
-    handed_in: with a time zone, None when not known. seconds: after the deadline, 0 when in time.
-    penalty: the share of the points that it costs, from 0 to 1. words: `2 days late`, empty when in time.
+    handed_in: with a time zone; None if unknown. seconds: after the deadline; 0 if on time.
+    penalty: the share of the points that it costs, from 0 to 1. words: `2 days late`; empty if on time.
     """
 
     handed_in: datetime | None = None
@@ -75,11 +75,11 @@ class Delay:
 class GradedSubmission:
     """One submission and what became of it.
 
-    source: what was handed in, as a name inside the folder of submissions; empty when nothing was.
+    source: what was handed in, as a name inside the folder of submissions; empty if nothing was.
     results: one for each exercise that was found in it; a missing one was not handed in.
     remarks: sentences about the submission as a whole, for the learner and the instructor.
     by_hand: people's decisions, in the order in which they were written down.
-    lateness: None where no deadline was set.
+    lateness: None if no deadline was set.
     """
 
     person: Person
@@ -94,9 +94,9 @@ class GradedSubmission:
 class Gradebook:
     """A graded class.
 
-    graded: can be walked more than once, and need not be in memory: an object whose `__iter__` reads
-    one submission after another from where they are stored. Only results of the listed `exercises`
-    are reported. began, ended: with a time zone. containment: how submissions were kept apart.
+    graded: can be iterated more than once, and need not be in memory: its `__iter__` may read one
+    submission after another from where they are stored. Only results of the listed `exercises`
+    are reported. began, ended: with a time zone. containment: how submissions were isolated.
     """
 
     course: str

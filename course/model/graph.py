@@ -68,7 +68,7 @@ class Graph(Struct, frozen=True, forbid_unknown_fields=True):
         return tuple(e for e in self.endpoints if e.topic == topic and e.kind == "subscription")
 
     def topics_of(self, kind: Kind) -> tuple[str, ...]:
-        """Return the names of topics that have such an endpoint, except for those of ROS itself."""
+        """Return the names of topics that have such an endpoint, except for ROS's own topics."""
         return tuple(
             sorted({e.topic for e in self.endpoints if e.kind == kind and not infrastructure(e.topic)})
         )
@@ -80,7 +80,7 @@ def infrastructure(topic: str) -> bool:
 
 
 def mismatch(publisher: Qos, subscription: Qos) -> str | None:
-    """The policy because of which these two do not match ("reliability", "durability", ...), or None.
+    """The policy that keeps these two from matching ("reliability", "durability", ...), or None.
 
     A subscription may not ask for more than the publisher offers. Source: ROS 2 documentation, "Quality of
     Service settings", compatibility tables.

@@ -1,4 +1,4 @@
-"""What a check ends with: plain data that travels between processes and to renderers.
+"""The results of grading: plain data that travels between processes and to renderers.
 
 The grading process writes a `Result` as JSON; the command line, the reports and the batch
 read it back. Nothing here knows how it will be shown.
@@ -35,15 +35,15 @@ __all__ = [
 ]
 
 SCHEMA_VERSION = 1
-# Controls that JSON leaves as they are, what turns the direction of text around, and halves of characters.
+# Control characters that JSON does not escape, marks that reverse the direction of text, and half characters.
 _UNSAFE = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
 class Outcome(str, Enum):
-    """How one check ended. Only FAILED is the learner's; ERROR is ours.
+    """How one check ended. Only FAILED is the learner's fault; ERROR is ours.
 
     SKIPPED: an earlier check failed. NOT_APPLICABLE: it cannot be judged here (a submission lacks what
-    belongs to the learner's machine, or this machine lacks something); it takes no part in the verdict.
+    belongs to the learner's machine, or this machine lacks something); it does not affect the verdict.
     """
 
     PASSED = "passed"
@@ -56,9 +56,9 @@ class Outcome(str, Enum):
 class Doubt(str, Enum):
     """Why another attempt may end differently.
 
-    SPOILT: something of ours went wrong that the submission may have caused. KILLED: a program of the
-    submission's was killed: by itself, from outside, or because Ctrl+C did not end it. BUSY: the machine had
-    too much else to do, which no submission can bring about.
+    SPOILT: something went wrong on our side that the submission may have caused. KILLED: one of the
+    submission's programs was killed: by itself, from outside, or because Ctrl+C did not end it. BUSY: the
+    machine had too much else to do, which no submission can cause.
     """
 
     SPOILT = "spoilt"
@@ -80,12 +80,12 @@ class CheckResult(Struct, frozen=True):
     """One check of an exercise.
 
     id: unique within the exercise, stable over versions.
-    points: what it is worth. earned: what it brought: 0, or `share` (from 0 to 1) of the points.
+    points: what it is worth. earned: 0, or `share` (from 0 to 1) of the points.
     bonus: not needed to pass the exercise.
-    feedback: set when failed or error; on a right answer of a quiz, its explanation.
-    skipped_because: set when skipped or not applicable.
-    pace: how often messages were to come, where it asked for that.
-    doubt: set where another attempt may end differently.
+    feedback: set if failed or error; for a right answer in a quiz, its explanation.
+    skipped_because: set if skipped or not applicable.
+    pace: how often messages should have arrived, if the check asked for that.
+    doubt: set if another attempt may end differently.
     """
 
     id: str
@@ -107,8 +107,8 @@ class CheckResult(Struct, frozen=True):
 class Timing(Struct, frozen=True):
     """Seconds spent: `build`, `evidence` (scenario start to its end), `total` (command to verdict).
 
-    lag: how long a program had to wait for a CPU at worst, through no doing of the submission's (see
-    `arena.lateness`); cpu: CPU time that the submission's programs used.
+    lag: the longest time that a program had to wait for a CPU, unless the submission caused it (see
+    `arena.lateness`). cpu: CPU time that the submission's programs used.
     """
 
     build: float = 0.0
@@ -122,9 +122,9 @@ class Result(Struct, frozen=True):
     """The verdict on one exercise.
 
     fault: set only for OUR_ERROR and NOT_AVAILABLE: what is wrong on our side or missing here.
-    doubt: set only where another attempt may end differently: with a fault, or for a killed program.
-    containment: how the learner's processes were kept apart ("namespaces" or "domain").
-    notes: quiet lines for the reader (what this machine lacks, what was done instead).
+    doubt: set only if another attempt may end differently: with a fault, or for a killed program.
+    containment: how the learner's processes were isolated ("namespaces" or "domain").
+    notes: minor remarks for the reader (what this machine lacks, what was done instead).
     bonus: the course is complete without this exercise.
     """
 
@@ -145,15 +145,15 @@ class Result(Struct, frozen=True):
 
     @property
     def max_points(self) -> float:
-        """Points that can be had here without bonus checks."""
+        """Points that can be earned here without bonus checks."""
         return sum(check.points for check in self.checks if _counts(check))
 
 
 def verdict_of(checks: tuple[CheckResult, ...]) -> Verdict:
-    """Passed when every check that is not a bonus passed; our error if any check is one.
+    """Passed if every check that is not a bonus passed; our error if any check is one.
 
-    What is not applicable takes no part; when all that is needed is, so is the exercise. An exercise
-    without a single judged check is our error: nothing passes for lack of evidence.
+    Checks that are not applicable do not count. If that leaves none that are needed, the exercise is not
+    applicable. An exercise without any checks is our error: nothing passes for lack of evidence.
     """
     if not checks or any(check.outcome is Outcome.ERROR for check in checks):
         return Verdict.OUR_ERROR
@@ -180,7 +180,7 @@ def to_dict(result: Result) -> dict[str, Any]:
 
 
 def to_json(result: Result, *, indent: int | None = None) -> str:
-    """As UTF-8 can hold it, and a terminal may show it: what submissions print is in it."""
+    """As JSON that is valid UTF-8, and safe to show in a terminal despite what submissions print."""
     text = json.dumps(to_dict(result), indent=indent, ensure_ascii=False)
     return _UNSAFE.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
 

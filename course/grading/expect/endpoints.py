@@ -1,4 +1,4 @@
-"""Expectations of the ROS graph: nodes, publishers, subscriptions and their types."""
+"""Expectations about the ROS graph: nodes, publishers, subscriptions and their types."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _MAKERS = {"publisher": "create_publisher", "subscription": "create_subscription
 
 
 def expect_node(recording: Recording, name: str, *, whole: bool = True) -> str:
-    """Check that a node of this full name (`/talker`) appeared; unless `whole`, one whose name contains it.
+    """Check that a node with this full name (`/talker`) appeared; unless `whole`, the name may contain more.
 
     Returns its full name.
     """
@@ -49,7 +49,7 @@ def expect_node(recording: Recording, name: str, *, whole: bool = True) -> str:
 
 
 def expect_endpoint(recording: Recording, kind: Kind, topic: str, *, remedy: str) -> None:
-    """Check for a publisher on, or subscription to, `topic` (full name) that no callback creates again."""
+    """Check that `topic` (full name) has a publisher or subscription, and that no callback adds more."""
     if _on(recording, kind, topic):
         _expect_made_once(recording, kind, topic)
         return
@@ -98,7 +98,7 @@ def expect_type(recording: Recording, kind: Kind, topic: str, type_name: str) ->
 def expect_same_definition(
     recording: Recording, kind: Kind, topic: str, type_name: str, type_hash: str, *, advice: str
 ) -> None:
-    """Check that the type of that name was built from the definition that the course uses.
+    """Check that the type with this name was built from the definition that the course uses.
 
     advice: tells the learner where to find that definition.
     """

@@ -1,4 +1,4 @@
-"""Expectations of a launch file: that it is installed, starts its programs, and ends them.
+"""Expectations about a launch file: that it is installed, starts its programs, and ends them.
 
 `file` is the launch file's name, and also the name under which the scenario launched it.
 """
@@ -69,7 +69,7 @@ def expect_launch_file(recording: Recording, package: str, file: str) -> None:
 
 
 def expect_launched(recording: Recording, file: str) -> None:
-    """Check that `ros2 launch` reads the file, and that all it starts runs until the scenario ends it."""
+    """Check that `ros2 launch` reads the file, and all its programs run until the scenario ends them."""
     view = _view(recording, file)
     if view.error:
         raise Failure(_unreadable(recording, file, view.error))
@@ -81,7 +81,7 @@ def expect_launched(recording: Recording, file: str) -> None:
 
 
 def expect_launched_node(recording: Recording, file: str, name: str) -> None:
-    """Check that a node appeared under this full name, which the launch file gives it."""
+    """Check that a node appeared with this full name, which the launch file gives it."""
     nodes = recording.seen_nodes()
     if name in nodes:
         return
@@ -109,7 +109,7 @@ def expect_launched_node(recording: Recording, file: str, name: str) -> None:
 
 
 def _wrong_naming(own: Sources, name: str) -> Cause | None:
-    """A launch file that gives the name in another place than the node's name."""
+    """A launch file that passes the node's name in the wrong place."""
     for node in calls(own, "Node"):
         space = node.keywords.get("namespace")
         if isinstance(space, ast.Constant) and str(space.value).strip("/") == name:
@@ -156,7 +156,7 @@ def expect_own_launch_parameter(
 
 
 def expect_launch_interrupt(recording: Recording, file: str) -> None:
-    """Check that one Ctrl+C ended `ros2 launch` and all that it started, within 3 s and with no traceback."""
+    """Check that one Ctrl+C ended `ros2 launch` and all its programs, within 3 s, without a traceback."""
     view = _view(recording, file)
     for name in view.processes:
         expect_clean_interrupt(_by_themselves(recording, view), name)
@@ -173,13 +173,13 @@ def expect_launch_interrupt(recording: Recording, file: str) -> None:
 
 
 def launch_file(recording: Recording, file: str) -> Sources:
-    """Return only the launch file of this name, so that `expect_*` helpers look for a cause there."""
+    """Return only the launch file with this name, so that `expect_*` helpers look for a cause there."""
     found = {path: text for path, text in recording.sources.files.items() if PurePosixPath(path).name == file}
     return Sources(found)
 
 
 def _expect_no_slip(recording: Recording, file: str, name: str) -> None:
-    """Check that no launch file sets a parameter of nearly this name, which ROS accepts silently."""
+    """Check for mistakes that ROS accepts silently, such as a misspelled parameter in the launch file."""
     _expect_no_yaml(recording, file)
     _expect_parameter_files(recording, file)
     own = launch_file(recording, file)
@@ -197,7 +197,7 @@ def _expect_no_slip(recording: Recording, file: str, name: str) -> None:
 
 
 def _expect_no_yaml(recording: Recording, file: str) -> None:
-    """Check that no `ros__parameters` wraps the parameters; in a dict it is just another parameter's name."""
+    """Check that no `ros__parameters` wraps the parameters; in a dict, it is just another parameter."""
     places = named(launch_file(recording, file), "ros__parameters")
     if places:
         raise Failure(
@@ -213,7 +213,7 @@ def _expect_no_yaml(recording: Recording, file: str) -> None:
 
 
 def _expect_parameter_files(recording: Recording, file: str) -> None:
-    """Check that each file of parameters was where the launch file looks for it."""
+    """Check that each parameter file was where the launch file looks for it."""
     for text in _view(recording, file).main.text:
         found = _NO_FILE.search(text)
         if found:

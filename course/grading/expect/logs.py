@@ -1,4 +1,4 @@
-"""Expectations of a node's log."""
+"""Expectations about a node's log."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from course.model.feedback import Failure, Feedback, Location
 
 _SHOWN, _FEW = 3, 2
 _EXACTLY = "Log exactly the words of the task, with the same capital letters and period."
-# Words less alike than this are not the expected line with an error in it.
+# A line that is less similar than this is not just a misspelled version of the expected one.
 _ALIKE = 0.6
 
 
@@ -30,7 +30,7 @@ def expect_logged(
 ) -> None:
     """Check that the node logs lines like `example` at level INFO; `lines` are those that were found.
 
-    mark: a text in every such line; it identifies the line if it was printed or logged elsewhere.
+    mark: a text in every such line, to recognize it if it was printed, or logged by another logger.
     """
     wrong_level = [line for line in lines if line.level != "INFO"]
     if wrong_level:
@@ -67,7 +67,7 @@ def _other_words(recording: Recording, process: str, example: str) -> Feedback:
     line = max(recording.log, key=alike)
     cause = language_of(recording.sources).other_words(line.text, recording.sources)
     shapes = Counter(re.sub(r"\d", "", one.text) for one in recording.log)
-    again = max(shapes.values()) > 1  # so something logs again and again, in words of its own
+    again = max(shapes.values()) > 1  # so a line is logged repeatedly, just in other words
     lost = None if cause or again or alike(line) >= _ALIKE else _lost(recording, process)
     if lost:
         return Feedback(
@@ -96,7 +96,7 @@ def _lost(recording: Recording, process: str) -> Cause:
 
 
 def _written(recording: Recording, text: str) -> tuple[Location, ...]:
-    words = max(re.split(r"[-\d.]+", text), key=len).strip()[:20]  # numbers are seldom written there
+    words = max(re.split(r"[-\d.]+", text), key=len).strip()[:20]  # code rarely contains the numbers
     files = recording.sources.files
     places = tuple(
         place
@@ -106,7 +106,7 @@ def _written(recording: Recording, text: str) -> tuple[Location, ...]:
     return places if len(places) == 1 else ()
 
 
-# What ROS writes into the terminal for a message that some logger logs.
+# How ROS prints a logged message in the terminal.
 _BY_A_LOGGER = re.compile(r"\[[A-Z]+\] \[[\d.]+\] \[(?P<logger>[^\]]+)\]: ")
 
 

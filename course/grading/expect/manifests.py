@@ -1,4 +1,4 @@
-"""Expectations of a package.xml."""
+"""Expectations about a package.xml."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ _LANGUAGES = {"rclpy": ("rclcpp", "C++"), "rclcpp": ("rclpy", "Python")}
 def _undeclared(found: Manifest, missing: list[str], wanted: tuple[str, ...], *, own: bool) -> Feedback:
     """Feedback on the first missing package, or on all if several are missing.
 
-    own: the package is one of the learner's own, so the build order depends on it.
+    own: whether the first one is the learner's own package, so that the build order depends on it.
     """
     name = missing[0]
     line = f"<depend>{name}</depend>"

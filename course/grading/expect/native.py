@@ -1,4 +1,4 @@
-"""Expectations of C++ files that the scenario compiled, and of the resulting programs."""
+"""Expectations about C++ files that the scenario compiled, and about the resulting programs."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def native_answer(
     where: Location | None = None,
     shape: Any = Any,
 ) -> ProbeAnswer:
-    """Return a program's answer to a question of `ask.hpp`, which may be an exception in the learner's code.
+    """Return a program's answer to a question from `ask.hpp`; the answer may be an exception.
 
     what: the call as a beginner types it, for the feedback. where: the place to name if nothing points to a
     better one. shape: see `answered`.

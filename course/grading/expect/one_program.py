@@ -30,7 +30,7 @@ def about(recording: Recording, package: str, executable: str, node: str) -> Rec
 def of_program(recording: Recording, process: str) -> Recording:
     """Return the recording without the modules that this program does not import, as far as that is known.
 
-    A crash may be about a file that could not be imported, so explaining it takes all of them.
+    A crash may be about a file that could not be imported, so to explain one, use the whole recording.
     """
     started = recording.process(process).started
     for package in recording.packages.built:
@@ -65,7 +65,7 @@ def _others_in_setup_py(sources: Sources, folder: str, executable: str) -> set[s
 
 
 def _modules(sources: Sources) -> set[str]:
-    """The importable files of packages: those beside an __init__.py."""
+    """The importable files of packages: those next to an __init__.py."""
     folders = {name.rpartition("/")[0] for name in sources.files if name.endswith("/__init__.py")}
     return {name for name in sources.files if name.endswith(".py") and name.rpartition("/")[0] in folders}
 
@@ -75,7 +75,7 @@ def _imported(sources: Sources, file: str) -> set[str]:
     modules, found = _modules(sources), [file]
     if file not in modules:
         return set()
-    for one in found:  # grows on the way
+    for one in found:  # `found` grows during the loop
         tree = parsed(sources.files[one])
         if tree is None or "importlib" in sources.files[one] or "__import__" in sources.files[one]:
             return set()

@@ -1,4 +1,4 @@
-"""Expectations of a node's parameters."""
+"""Expectations about a node's parameters."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def expect_declared(recording: Recording, node: str, name: str, default: Paramet
 def expect_parameter(
     recording: Recording, node: str, name: str, value: ParameterData, *, t: float = inf
 ) -> None:
-    """Check type and value of the parameter, as the node last reported it before time `t` (s)."""
+    """Check the parameter's type and value, as the node last reported them before the time `t` (s)."""
     expect_declared(recording, node, name, value)
     view = _view(recording, node)
     found = view.get(name, t)

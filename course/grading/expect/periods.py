@@ -1,4 +1,4 @@
-"""Expectations of how often something happens."""
+"""Expectations about how often something happens."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ def expect_period(
 
     came: the messages of a topic, whose pace a report can then plot; or the times of anything else (s, our
     clock). what: what to call them. program: the recording with only this program's sources, where the
-    times may prove a cause. advice, where: used if they do not. written: whether the code must state the
-    period itself rather than get it from somewhere. Raises Failure with both figures.
+    times may prove a cause. advice, where: used if they do not. written: whether the code itself must
+    contain the period, rather than get it from elsewhere. Raises Failure with both periods.
     """
     if isinstance(came, TopicView):
         ask_for(came.name, period * (1 - tolerance), period * (1 + tolerance))

@@ -1,4 +1,4 @@
-"""Expectations of Python code that one of our probes called."""
+"""Expectations about Python code that one of our probes called."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from course.explain.python_errors import EXCEPTIONS, PROVEN, learners_file
 from course.model.feedback import Failure, Feedback, Location
 
 _LAST_LINES = 6
-_FOLDERS = re.compile(r" \(/[^)]*\)")  # where an import was looked for: a copy of ours
+_FOLDERS = re.compile(r" \(/[^)]*\)")  # where Python looked for an import: in our copy
 _ADVICE = (
     (("SyntaxError",), "Python cannot read the file. Check this line and the end of the line before it."),
     (("IndentationError",), "Check the spaces at the beginning of this line: use four for each level."),
@@ -29,7 +29,7 @@ _ADVICE = (
 
 
 def expect_importable(recording: Recording, what: str, name: str = "probe") -> None:
-    """Check that the probe could import the learner's code, and ran to its end.
+    """Check that the probe could import the learner's code, and that the import ended.
 
     what: the import as a beginner types it (`from lamps import Lamp`).
     """
@@ -57,8 +57,8 @@ def answered(
     """Return the answer to a question. Raises Failure if it is an exception.
 
     what: the call as a beginner types it (`Lamp()`), for the feedback. where: the place to name if the
-    exception names none of the learner's lines. shape: the type of the answer's value, as
-    `tuple[float, list[str]]`: the learner's code can send anything, so a value of another type is a Failure.
+    exception names none of the learner's lines. shape: the type of the answer's value, such as
+    `tuple[float, list[str]]`. The learner's code can send anything, so any other type is a Failure.
     """
     probe = recording.probe(name)
     answer = probe.answer(question)
@@ -72,7 +72,7 @@ def answered(
 
 
 def of_shape(answer: ProbeAnswer, what: str, shape: Any, where: Location | None = None) -> ProbeAnswer:
-    """Return the answer. Raises Failure if its value has another type than `shape`; see `answered`."""
+    """Return the answer. Raises Failure if its value is not of the type `shape`; see `answered`."""
     try:
         msgspec.convert(answer.value, Any if answer.error else shape)
     except msgspec.ValidationError:

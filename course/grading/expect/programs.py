@@ -1,4 +1,4 @@
-"""Expectations of a program: that it starts, keeps running, and ends on Ctrl+C."""
+"""Expectations about a program: that it starts, keeps running, and ends on Ctrl+C."""
 
 from __future__ import annotations
 
@@ -156,7 +156,7 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
     ended = view.exited
     if ended is None or ended.signal == signal.SIGKILL:
         feedback = _deaf(of_program(recording, process))
-        # A correct node once spun inside ROS at Ctrl+C, in some 2,500 tries. Why is not known.
+        # Once in about 2,500 tries, a correct node kept spinning inside ROS after Ctrl+C. We don't know why.
         raise Failure(feedback) if feedback.where else DoubtfulFailure(feedback)
     language = language_of(recording.sources)
     found = language.unhandled(of_program(recording, process), view, asked)

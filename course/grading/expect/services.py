@@ -1,4 +1,4 @@
-"""Expectations of services: that they are offered or used, have the right type, and are answered."""
+"""Expectations about services: that they are offered or used, have the right type, and answer calls."""
 
 from __future__ import annotations
 
@@ -134,7 +134,7 @@ def _late(recording: Recording, slowest: float, within: float) -> Feedback:
 
 
 def _of_side(recording: Recording, side: Side) -> list[Service]:
-    """What the learner's nodes offer (or use)."""
+    """The services that the learner's nodes offer (or use)."""
     services = recording.seen_graph().services
     if side == "client":
         return [service for service in services if service.clients]

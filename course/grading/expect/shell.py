@@ -1,4 +1,4 @@
-"""Expectations of an interactive bash that reads the learner's `.bashrc`."""
+"""Expectations about an interactive bash that reads the learner's `.bashrc`."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def expect_ran(recording: Recording, command: str, name: str = "bash") -> ShellR
 
 
 def complaints(recording: Recording, name: str = "bash") -> tuple[tuple[Location | None, str], ...]:
-    """Return what bash printed while reading `.bashrc`: for each message its line, if known, and its text."""
+    """Return what bash printed while reading `.bashrc`: each message's line, if known, and its text."""
     ready = recording.shell(name).ready
     return tuple(_complaint(line) for line in (ready.printed if ready else ()))
 

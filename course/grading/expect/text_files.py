@@ -1,4 +1,4 @@
-"""Expectations of files in the course home."""
+"""Expectations about files in the course home."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def expect_file(recording: Recording, path: str, *, advice: str | None = None) -
 
 
 def expect_text(recording: Recording, path: str, *, advice: str | None = None) -> HomeFile:
-    """Check that there is a text file at `path`, otherwise like `expect_file`."""
+    """Check that there is a text file at `path`; otherwise, this is like `expect_file`."""
     found = expect_file(recording, path, advice=advice)
     if found.text is None:
         raise Failure(
@@ -62,7 +62,7 @@ def expect_lines(recording: Recording, path: str, wanted: Sequence[str], *, advi
 def expect_mode(
     recording: Recording, path: str, *, has: int = 0, lacks: int = 0, summary: str, advice: str
 ) -> None:
-    """Check that the file's mode has all bits of `has` and none of `lacks` (from `stat`: `stat.S_IXUSR`)."""
+    """Check that the file's mode has all bits of `has` and none of `lacks` (such as `stat.S_IXUSR`)."""
     found = expect_file(recording, path)
     if found.mode & has == has and not found.mode & lacks:
         return

@@ -1,4 +1,4 @@
-"""Expectations of YAML files in the course home: that they are readable and not too large."""
+"""Expectations about YAML files in the course home: that they are readable and not too large."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from course.evidence.recording import Recording
 from course.grading.expect.text_files import expect_text
 from course.model.feedback import Failure, Feedback, Location
 
-# With every alias expanded. A few lines of aliases can expand beyond any memory.
+# Counted with every alias expanded: a few lines of aliases can expand to more than any memory holds.
 MOST_NODES = 10_000
 _NO_SPACE = re.compile(r"\s*(?:- )?[\w.-]+:[^\s/]")
 _INDENT = (

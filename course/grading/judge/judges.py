@@ -1,8 +1,8 @@
 """The parent's side of the processes that judge recordings: `Judge` for one at a time, `rejudge` for many.
 
-A process takes portions of recordings whose checks are in one module, for which pytest collects once. It
-answers in order, so a process that dies has died of the recording whose answer is missing: that one is
-unjudged, and another process takes the rest.
+A process takes portions of recordings whose checks are in one module, so that pytest collects only once. It
+answers in order, so if it dies, the first recording without an answer is the cause. That one is not judged,
+and another process takes the rest.
 """
 
 from __future__ import annotations
@@ -39,13 +39,13 @@ Key = TypeVar("Key")
 
 _PROCESS = "course.grading.judge.judging_process"
 _LOG = 2000
-# No preparation for ROS by the wheels, which takes longer than ten recordings; no plugins but ours.
+# The wheels do not prepare ROS, which takes longer than judging ten recordings. No plugins but ours.
 _QUICK = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
 
 
 @dataclass(frozen=True)
 class StoredRecording(Generic[Key]):
-    """A recording (MCAP) of an exercise. key: by which the caller knows it; it stays with the caller."""
+    """A recording (MCAP) of an exercise. key: how the caller identifies it; the process never gets it."""
 
     key: Key
     exercise: Exercise
@@ -53,7 +53,7 @@ class StoredRecording(Generic[Key]):
 
 
 class JudgingProcess(Generic[Key]):
-    """waiting: what it has been given and has not answered. answers: the descriptor to wait at."""
+    """waiting: recordings that it has not answered yet. answers: the descriptor to wait on."""
 
     def __init__(self) -> None:
         self.waiting: deque[StoredRecording[Key]] = deque()
@@ -67,11 +67,11 @@ class JudgingProcess(Generic[Key]):
         self.answers = self._child.answers
 
     def prepare(self, exercises: Iterable[Exercise]) -> None:
-        """Exercises of one module, recordings of which are about to follow."""
+        """Announce exercises of one module, whose recordings are about to follow."""
         self._send(exercises, ())
 
     def take(self, recordings: list[StoredRecording[Key]], prepared: Iterable[Exercise] = ()) -> None:
-        """Recordings whose checks are in one module. prepared: what was given to `prepare` of it."""
+        """Judge recordings whose checks are in one module. prepared: what `prepare` was given for it."""
         self.waiting.extend(recordings)
         own = {stored.exercise.id: stored.exercise for stored in recordings}
         self._send({**{one.id: one for one in prepared}, **own}.values(), recordings)
@@ -80,10 +80,10 @@ class JudgingProcess(Generic[Key]):
         looks_at = {one.id: (*one.files, *one.looks_at) for one in exercises}
         files = tuple((stored.exercise.id, str(stored.file)) for stored in recordings)
         (grader,) = {str(one.grader) for one in exercises}
-        self._child.tell(Portion(grader, looks_at, files))  # it is read where it has ended
+        self._child.tell(Portion(grader, looks_at, files))  # if it has ended, `read` tells
 
     def read(self) -> list[bytes] | None:
-        """What it answered since; None when it has ended."""
+        """The new answers; None if the process has ended."""
         lines = self._child.read()
         if lines and not self._ready:
             self._ready = True
@@ -91,7 +91,7 @@ class JudgingProcess(Generic[Key]):
         return lines
 
     def how_it_ended(self) -> Unjudged:
-        """For the recording that it died of. Raises OurFault when it never began."""
+        """The answer for the recording that ended the process. Raises OurFault if it never started."""
         code = self._child.process.wait()
         if not self._ready:
             self._log.seek(0)
@@ -102,7 +102,7 @@ class JudgingProcess(Generic[Key]):
         return Unjudged(UnjudgedCause.FATAL, f"The process that judged it was ended {how}.")
 
     def close(self) -> None:
-        """End it; more than once does no harm."""
+        """End the process, if it is still running."""
         self._stack.close()
 
 
@@ -113,23 +113,23 @@ def start_judging(module: str, log: IO[str]) -> Child:
 
 
 class Judge:
-    """Judges one recording after another, in a process that stays. Close it; it ends with its owner, too."""
+    """Judges one recording after another, in one process. Close it; it also ends with its owner."""
 
     def __init__(self) -> None:
         self._process: JudgingProcess[None] | None = None
         self._known: dict[str, Exercise] = {}
 
     def prepare(self, exercise: Exercise) -> None:
-        """Load what judging this exercise needs while its recording is made; there is no need to call it.
+        """Optional: load what judging this exercise needs while its recording is still being made.
 
-        Raises OurFault when no process can be started.
+        Raises OurFault if no process can be started.
         """
         self._started().prepare(self._beside(exercise))
 
     def judge(self, exercise: Exercise, file: Path) -> Judgment:
-        """What the checks say of the recording; with a fault where it could not be judged.
+        """What the checks say about the recording; with a fault if it could not be judged.
 
-        Raises OurFault when no process can be started.
+        Raises OurFault if no process can be started.
         """
         process = self._started()
         process.take([StoredRecording(None, exercise, file)], self._beside(exercise))
@@ -148,19 +148,19 @@ class Judge:
         return self._process
 
     def _beside(self, exercise: Exercise) -> list[Exercise]:
-        """All checks of its module that are judged, because pytest collects them once for all."""
+        """All known exercises of its module, because pytest collects the checks once for all of them."""
         self._known[exercise.id] = exercise
         return [one for one in self._known.values() if one.grader == exercise.grader]
 
     def close(self) -> None:
-        """End the process; more than once does no harm."""
+        """End the process, if there is one."""
         process, self._process = self._process, None
         if process is not None:
             process.close()
 
 
 def _unjudged(answer: Unjudged) -> Judgment:
-    # A submission may bring about a recording that no process can judge; all else about it is ours.
+    # A submission may cause a recording that no process can judge. Any other cause is our fault.
     theirs = answer.cause in (UnjudgedCause.FATAL, UnjudgedCause.DAMAGED)
     return Judgment((), Feedback(summary=answer.what), Doubt.SPOILT if theirs else None)
 
@@ -168,12 +168,12 @@ def _unjudged(answer: Unjudged) -> Judgment:
 def rejudge(
     recordings: Iterable[StoredRecording[Key]], *, jobs: int | None = None
 ) -> Iterator[tuple[Key, Judged | Unjudged]]:
-    """Judge each recording by the checks of its exercise as they are now. In no particular order.
+    """Judge each recording with the current checks of its exercise, in no particular order.
 
-    jobs: processes at once; as many as there are cores by default. Whatever is wrong with one recording is
-    told of that one only; where a grader cannot be run, its judgments have a `fault`. Nothing is read
-    before it is asked for: who takes the answers slowly slows the processes down. To stop early, close the
-    iterator. Questions are not judged here: see `regraded`. Raises OurFault when no process can be started.
+    jobs: processes at once; by default, as many as there are cores. An error in one recording does not
+    affect the others; if a grader cannot be run, its judgments have a `fault`. Nothing is read before you
+    ask for it, so a slow caller slows the processes down. To stop early, close the iterator. Questions are
+    not judged here: see `regraded`. Raises OurFault if no process can be started.
     """
     portions = deque(_portions(recordings))
     most = min(jobs or len(os.sched_getaffinity(0)), len(portions))
@@ -192,7 +192,7 @@ def _portions(recordings: Iterable[StoredRecording[Key]]) -> Iterator[list[Store
 
 
 class _Crew(Generic[Key]):
-    """Processes, each with its portion. stack: ends them, however this ends."""
+    """Processes, each with its portion. stack: ends them in any case."""
 
     def __init__(self, portions: deque[list[StoredRecording[Key]]], stack: contextlib.ExitStack) -> None:
         self._portions = portions

@@ -1,8 +1,8 @@
 """A process that judges recordings: `python -m course.grading.judge.judging_process DESCRIPTOR`.
 
-Each line on standard input is a portion; each recording of it gets one line on the descriptor, in order.
-Learners' texts are in the recordings, and what parses them may never end, or bring down the
-process: then the kernel ends it, and its parent knows by which recording.
+Each line on standard input is a portion; each of its recordings gets one line on the descriptor, in order.
+Recordings contain learners' texts, and parsing them may never end, or may crash the process.
+Then the kernel ends it, and its parent knows which recording was the cause.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ def main() -> int:
     _, hard = resource.getrlimit(resource.RLIMIT_DATA)
     most = _MOST_MEMORY if hard == resource.RLIM_INFINITY else min(_MOST_MEMORY, hard)
     resource.setrlimit(resource.RLIMIT_DATA, (most, hard))
-    end_with_parent()  # we may be in the middle of a recording
-    signal.signal(signal.SIGALRM, signal.SIG_DFL)  # no handler: Python's would wait for a regular expression
+    end_with_parent()  # even in the middle of a recording
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)  # a Python handler would wait for a regular expression
     with os.fdopen(int(sys.argv[1]), "wb") as answers:
         answers.write(b"ready\n")
         answers.flush()
@@ -53,21 +53,21 @@ def main() -> int:
 
 
 class _Portions:
-    """What is asked, as it comes."""
+    """The portions on standard input, read as they arrive."""
 
     def __init__(self, lines: BinaryIO) -> None:
         self._lines = lines
         self._next: Portion | None = None
 
     def take(self) -> Portion | None:
-        """The next portion; None when there will be none."""
+        """The next portion; None if there are no more."""
         portion, self._next = self._next, None
         if portion is None and (line := self._lines.readline()):
             portion = codec.from_json(line, Portion, "this line")
         return portion
 
     def take_like(self, other: Portion) -> Portion | None:
-        """The next portion, if its checks are collected already; else it stays for `take`."""
+        """The next portion, if its checks are already collected; otherwise, it is kept for `take`."""
         portion = self.take()
         if portion and (portion.grader, portion.looks_at) == (other.grader, other.looks_at):
             return portion
@@ -76,7 +76,7 @@ class _Portions:
 
 
 class _Work:
-    """A portion, and those like it that follow: pytest collects once for them."""
+    """A portion, and any following ones with the same checks: pytest collects once for all of them."""
 
     def __init__(self, portion: Portion, following: _Portions, answers: BinaryIO) -> None:
         self._portion = portion
@@ -91,12 +91,12 @@ class _Work:
         signal.alarm(MOST_TIME)
         portion = self._portion
         judge(Path(portion.grader), portion.looks_at.keys(), self._recordings(), self._judged, self._stop)
-        if self._answered != self._asked:  # pytest has swallowed what went wrong; our parent waits
+        if self._answered != self._asked:  # pytest has swallowed an error, and our parent waits
             raise OurFault("not every recording was judged")
         signal.alarm(0)
 
     def _stop(self) -> None:
-        """pytest has ended, perhaps early. Other checks get a new session."""
+        """pytest has ended, perhaps early. Later portions get a new session."""
         self._following = None
 
     def _recordings(self) -> Iterator[Recording]:
@@ -127,7 +127,7 @@ class _Work:
         self._answer(Judged(judgment, self._scenario))
 
     def _answer(self, answer: Judged | Unjudged) -> None:
-        signal.alarm(0)  # who reads may take as long as they like
+        signal.alarm(0)  # the reader may take as long as it likes
         self._answers.write(codec.to_json(answer) + b"\n")
         self._answers.flush()
         self._answered += 1

@@ -1,9 +1,9 @@
-"""Recordings judged by the checks of a grader module, in one pytest session.
+"""Judges recordings with the checks of a grader module, in one pytest session.
 
-pytest collects every `Grader` of a module as a node of its own and every check as a test
-function below it. So checks may use fixtures, `-k` picks them, and reports name them. The
+pytest collects every `Grader` of a module as a separate node, and every check as a test
+function below it. So checks may use fixtures, `-k` selects them, and reports name them. The
 fixture `recording` gives a check what its exercise's scenario observed. One session judges any
-number of recordings, each as if it were the only one: fixtures end with it.
+number of recordings, each as if it were the only one: no fixture outlives its recording.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ from course.model.result import CheckResult, Doubt, Outcome
 
 _FAULT_LINES = 12
 _PYTEST = (
-    # graders/conftest.py is for `pytest graders/`; no conftest has a say in a grading.
+    # graders/conftest.py is for `pytest graders/`; no conftest may influence a grading.
     "--noconftest",
     *("-p", "no:cacheprovider", "-p", "no:faulthandler"),
-    # They collect all garbage, several times, to warn of what we do not ask.
+    # They run the garbage collector several times, for warnings that we do not need.
     *("-p", "no:unraisableexception", "-p", "no:threadexception"),
     *("-q", "--tb=short", "--capture=no", "-W", "ignore"),
 )
@@ -56,7 +56,7 @@ class CheckItem(pytest.Function):
                 self.pace = paces[-1] if paces else None
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """For a failure of the learner's, don't search the sources for a traceback."""
+        """If the learner's work is wrong, don't search the sources for a traceback."""
         if isinstance(excinfo.value, Failure):
             return f"{self.spec.exercise}: {self.spec.title}: {excinfo.value}"
         return super().repr_failure(excinfo)
@@ -85,8 +85,8 @@ class GraderNode(pytest.Collector):
 class JudgePlugin:
     """Judges recordings with the checks of their exercises.
 
-    exercises: ids of those whose checks are collected. recordings: taken one after the other, each
-    when the one before has been judged. tell: gets their judgments in the same order.
+    exercises: ids of those whose checks are collected. recordings: taken one by one, each after the
+    previous one has been judged. tell: gets their judgments in the same order.
     """
 
     def __init__(
@@ -103,7 +103,7 @@ class JudgePlugin:
         self._results: dict[str, CheckResult] = {}
 
     def finish(self) -> None:
-        """Tell of the recordings that pytest did not come to: nothing could judge them."""
+        """Report the recordings that pytest did not finish; those without any result get a fault."""
         if self._recording is not None:
             self._end(self._recording)
         for recording in self._waiting:
@@ -126,7 +126,7 @@ class JudgePlugin:
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
-        """Instead of pytest's own, which goes through the checks once."""
+        """Replaces pytest's own loop, which runs the checks only once."""
         checks = [item for item in session.items if isinstance(item, CheckItem)]
         for recording in self._waiting:
             self._recording, self._results = recording, {}
@@ -194,10 +194,10 @@ def judge(
 ) -> None:
     """Judge recordings of these exercises in one pytest session. Needs no ROS.
 
-    grader: the module that has the checks of all of them. recordings: each is taken when the one before has
-    been judged, so that they need not be held all. tell: gets one judgment for each, in their order; with
-    a fault where the grader cannot be run. over: called when pytest has ended; what it left of the
-    recordings is told as a fault after that. pytest writes its progress to standard output.
+    grader: the module with the checks of all of them. recordings: each is taken after the previous one has
+    been judged, so that they are not all in memory. tell: gets one judgment for each, in order; with a
+    fault if the grader cannot be run. over: called when pytest has ended; recordings that it did not reach
+    are reported with a fault after that. pytest writes its progress to standard output.
     """
     plugin = JudgePlugin(exercises, recordings, tell)
     pytest.main([str(grader), f"--rootdir={grader.parent}", "-c", os.devnull, *_PYTEST], [plugin])

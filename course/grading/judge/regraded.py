@@ -1,4 +1,4 @@
-"""A submission's new result, when its recording is judged again, and what differs from the old one."""
+"""A submission's new result when its recording is judged again, and how it differs from the old one."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def regraded(
 ) -> Result:
     """The result of an exercise that is judged again.
 
-    judgment: of its recording; None for an exercise of questions alone (`load.runs_programs`). answers: a
-    folder in which the submission's answers lie as in a course home. seed: the one it was graded with.
-    What was measured while the submission ran (timing, containment) stays as it was.
+    judgment: of its recording; None for an exercise with only questions (see `load.runs_programs`).
+    answers: a folder with the submission's answers, laid out like a course home. seed: the one it was graded
+    with. What was measured while the submission ran (timing, containment) stays the same.
     """
     if judgment is None:
         return replace(check_quiz(exercise, answers, seed), timing=before.timing)
@@ -40,12 +40,12 @@ def regraded(
 
 
 def lacks(before: Result, after: Result, rejudged: Judged | Unjudged) -> str | None:
-    """Why the evidence is not enough for today's checks, in one line; None if it is.
+    """Why the evidence is not enough for the current checks, in one line; None if it is.
 
-    It is not enough where there is no recording to judge; where a check ran into anything but a
-    failure: it asks for what was not recorded; and where the scenario is not the one that made the
-    recording, and a check says something else than before: a new one may pass or fail for want of what
-    today's scenario would have done. The same scenario would bring the same evidence, so its checks count.
+    It is not enough if there is no recording to judge, or if a check raises anything but a failure, because
+    it needs what was not recorded. Nor is it enough if the recording may be from a different scenario and
+    the outcome of a check has changed: the missing evidence may be the reason. The same scenario would
+    produce the same evidence, so its checks count.
     """
     if isinstance(rejudged, Unjudged):
         return rejudged.what
@@ -72,12 +72,12 @@ _OTHERWISE = {
 
 
 def _without_answers(notes: tuple[str, ...], exercise: Exercise) -> tuple[str, ...]:
-    """Without the recorded answers, because they are judged again."""
+    """The notes without those about answers, which are judged again."""
     return tuple(note for note in notes if not note.startswith(f"{answers_file(exercise.id)}:"))
 
 
 class MoveCause(str, Enum):
-    """What made the marks move. GRADER: nothing could be judged, now or before."""
+    """Why the marks changed. GRADER: nothing could be judged, either now or before."""
 
     ADDED = "check added"
     GONE = "check gone"
@@ -88,11 +88,11 @@ class MoveCause(str, Enum):
 
 @dataclass(frozen=True)
 class Move:
-    """One check that brings other points than before, or other points can be had for.
+    """One check whose outcome or points changed.
 
-    check: its id; empty when it is about the whole exercise. before, after: points earned. most_before,
-    most_after: points that could be had (0 for a bonus check, and where the check was not applicable or
-    not there). why: one line.
+    check: its id; empty if it is about the whole exercise. before, after: points earned. most_before,
+    most_after: points that were possible (0 for a bonus check, or one that was not applicable or did not
+    exist). why: one line.
     """
 
     check: str
@@ -106,9 +106,9 @@ class Move:
 
 
 def moves(before: Result, after: Result) -> tuple[Move, ...]:
-    """How the marks moved from one result to the other; in the order of the checks, those gone at the end.
+    """How the marks changed between two results, in the order of the checks; removed checks come last.
 
-    A check whose feedback alone is another one has not moved.
+    A check with nothing but different feedback has not changed.
     """
     old = {check.id: check for check in before.checks}
     new = {check.id: check for check in after.checks}

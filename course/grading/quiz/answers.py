@@ -1,9 +1,9 @@
 """A learner's answers: `answers/<exercise>.yaml` in the course home, read with suspicion.
 
-The file may be written by hand, and in a batch by anybody. It is one mapping of question ids to
-texts or lists of texts. Every value stays the text that it is written as (`yes`, `1e3`, `~`), so
-no YAML type is ever made of it. Aliases, tags and anything nested are refused, and so is a file
-that is too large. Raises `Failure` with file and line for all of that.
+The file may be written by hand, and in a batch by anyone. It is one mapping of question ids to
+texts or lists of texts. Every value stays the text that was written (`yes`, `1e3`, `~`), and is
+never converted to another YAML type. Aliases, tags, anything nested, and files that are too
+large are refused: they raise `Failure` with file and line.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _QUOTES = (
 
 @dataclass(frozen=True)
 class Given:
-    """The answer to one question: its texts (none when left empty), and its line."""
+    """The answer to one question: its texts (none if left empty), and its line."""
 
     texts: tuple[str, ...]
     line: int = 0
@@ -42,30 +42,30 @@ class Given:
 
 @dataclass(frozen=True)
 class Answers:
-    """All that a file says. `file` is relative to the course home; `given` may hold unknown ids."""
+    """The content of an answers file. file: relative to the course home. given: may have unknown ids."""
 
     file: str
     given: Mapping[str, Given] = field(default_factory=dict)
 
     def to(self, question: str) -> Given | None:
-        """The answer to a question; None when there is none or it was left empty."""
+        """The answer to a question; None if there is none or it was left empty."""
         given = self.given.get(question)
         return given if given and given.texts else None
 
     def first(self, question: str) -> Given | None:
-        """The first answer to a question if it was wrong, as `check` has kept it."""
+        """The first answer to a question, which `check` keeps if it was wrong."""
         return self.to(question + FIRST)
 
     def unknown(self, known: frozenset[str]) -> tuple[tuple[str, Given], ...]:
-        """Entries under ids that are not questions, by line."""
+        """Entries whose ids are not questions, in the file's order."""
         names = known | {name + FIRST for name in known}
         return tuple((name, given) for name, given in self.given.items() if name not in names)
 
 
 def read_answers(home: Path, exercise: str) -> Answers | None:
-    """The answers in the course home; None when there is no such file.
+    """The answers in the course home; None if there is no such file.
 
-    Raises Failure, which blames the file, when it is not what it should be.
+    Raises Failure, which blames the file, if it is not what it should be.
     """
     name = answers_file(exercise)
     data = _read(home, name)
@@ -80,10 +80,10 @@ def read_answers(home: Path, exercise: str) -> Answers | None:
 
 
 def missing(home: Path, exercise: str) -> Feedback:
-    """What is said when there is no file of answers."""
+    """The feedback if there is no answers file."""
     name = answers_file(exercise)
     chapter = exercise.partition("-")[0]
-    # A file of another chapter is its own exercise's.
+    # A file with another chapter's number belongs to another exercise.
     likely = (one for one in _names(home / "answers") if one.startswith(chapter) or not one[:2].isdigit())
     alike = close_names(Path(name).name, likely, 1)
     return Feedback(
@@ -105,7 +105,7 @@ def _names(folder: Path) -> list[str]:
 def _read(home: Path, name: str) -> bytes | None:
     """The content of a plain file in the home, up to a maximum size."""
     path = home / name
-    # A pipe must not be waited for, and a link may lead to what is nobody's business.
+    # Don't wait for a pipe, and don't follow a link: it may lead to a private file.
     flags = os.O_RDONLY | os.O_NONBLOCK | os.O_NOFOLLOW | os.O_CLOEXEC
     try:
         if not path.parent.resolve().is_relative_to(home.resolve()):
@@ -143,7 +143,7 @@ def _parsed(name: str, text: str) -> dict[str, Given]:
 
 
 class _Reading:
-    """One pass over the parser's events, which are made one by one: nothing is expanded or nested."""
+    """Reads the parser's events in one pass, one by one: nothing is expanded or nested."""
 
     def __init__(self, file: str, events: Iterator[Any]) -> None:
         self._file = file
@@ -189,11 +189,11 @@ class _Reading:
         if not isinstance(event, yaml.ScalarEvent):
             raise self._wrong(event, "an answer must be a string or a list of strings")
         if not event.value and event.style in (">", "|"):
-            return str(event.style)  # `redirect: >` is meant as it looks
+            return str(event.style)  # `redirect: >` means the sign itself
         return str(event.value)
 
     def _next(self, *skipped: type) -> Any:
-        """The next event that is not of a kind in `skipped`. Refuses what makes YAML more than text."""
+        """The next event whose type is not in `skipped`. Refuses anchors, aliases, and tags."""
         event = next(event for event in self._events if not isinstance(event, skipped))
         if getattr(event, "anchor", None) is not None or getattr(event, "tag", None) is not None:
             raise self._wrong(event, "it uses YAML's `&`, `*` or `!`")
@@ -215,7 +215,7 @@ _PLAIN = re.compile(r"[A-Za-z0-9_/][A-Za-z0-9_/ .,+()'-]*")
 
 
 def answers_text(exercise: str, questions: Iterable[Question], given: Mapping[str, Texts]) -> str:
-    """A file that `read_answers` reads back. Answers to unknown questions are kept at its end."""
+    """The text of a file for `read_answers`. Answers to unknown questions are kept at its end."""
     asked = list(questions)
     parts = [f"# Your answers to {exercise}. `ros2course check {exercise}` asks and judges them.\n"]
     parts += [_entry(question, given) for question in asked]

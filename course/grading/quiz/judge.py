@@ -1,4 +1,4 @@
-"""Judges one answer. A wrong one gets the explanation of just that answer, and never the right one."""
+"""Judges one answer. The feedback on a wrong one explains that answer, but never reveals the right one."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from course.model.result import CheckResult, Outcome
 from course.spelling import close_names, did_you_mean
 
 _TITLE = 180
-_NEARLY = 0.85  # of its letters in their order: a slip of the keyboard
-_SHORT = 5  # shorter texts are soon alike without meaning the same
+_NEARLY = 0.85  # of the letters match, in order: probably a typo
+_SHORT = 5  # shorter texts can be similar without meaning the same
 LATER_SHARE = 0.5  # of the points, for a right answer after a wrong one
 _WRONG = "This is not the right answer. Look it up in the lesson, then try again."
 
@@ -27,7 +27,7 @@ def title(question: Question) -> str:
 
 
 def judge(question: Question, answers: Answers, known: frozenset[str]) -> CheckResult:
-    """The check of one question. known: the ids of all questions, to tell misspelt ones by."""
+    """The result of one question. known: the ids of all questions, to recognize misspelled ones."""
     given = answers.to(question.id)
     if given is None:
         return _check(question, Outcome.FAILED, _unanswered(question, answers, known))
@@ -44,7 +44,7 @@ def is_right(question: Question, given: Given) -> bool:
 
 
 def is_a_try(question: Question, given: Given) -> bool:
-    """Whether it is a wrong answer, and not one that makes no sense here or is nearly spelled right."""
+    """Whether this is a real wrong answer, not one that makes no sense here or is merely misspelled."""
     if is_right(question, given):
         return False
     if question.choices:
@@ -68,13 +68,13 @@ def failed(question: Question, feedback: Feedback) -> CheckResult:
 
 
 def explanation(question: Question, given: Given) -> str | None:
-    """What is worth knowing about a right answer."""
+    """The explanation to show after a right answer."""
     chosen = [choice.why for text in given.texts if (choice := chosen_by(question, text)) and choice.why]
     return " ".join(chosen) or question.explain
 
 
 def chosen_by(question: Question, text: str) -> Choice | None:
-    """The choice that a text means: its id or its words."""
+    """The choice that a text names by its id or its words."""
     names = {name: choice for choice in question.choices for name in (choice.text, choice.name)}
     found = same(text, names)
     return names[found] if found is not None else None
@@ -210,17 +210,17 @@ _ROUNDING = 1e-9
 
 
 def plain(text: str) -> str:
-    """Without the backquotes of code and with single spaces."""
+    """The text without backquotes and with single spaces."""
     return " ".join(text.replace("`", "").split())
 
 
 def tidy(text: str, *, exact: bool = False) -> str:
-    """What is compared: by default without regard to capitals, spaces at the ends and a final period."""
+    """The text as it is compared: by default, capitals, extra spaces and a final period do not matter."""
     return text.strip() if exact else plain(text).casefold().removesuffix(".").strip()
 
 
 def same(text: str, others: Iterable[str], *, exact: bool = False) -> str | None:
-    """The one of `others` that `text` means: to the letter if there is one, else loosely; or None."""
+    """The one of `others` that `text` means: an exact match if there is one, else a loose one, else None."""
     known = tuple(others)
     for loose in (str.strip, plain, tidy):
         fits = [other for other in known if loose(other) == loose(text)]
@@ -230,21 +230,21 @@ def same(text: str, others: Iterable[str], *, exact: bool = False) -> str | None
 
 
 def number(text: str) -> float | None:
-    """The number that a learner wrote, with or without its unit; None when it is none."""
+    """The number that a learner wrote, with or without its unit; None if it is not a number."""
     found = _NUMBER.fullmatch(text.strip())
     value = float(found[1].replace(",", ".")) if found else math.nan
     return value if math.isfinite(value) else None
 
 
 def is_near(seen: float, wanted: float, question: Question) -> bool:
-    """Within the question's tolerance, taken as the same share of `wanted` as of the right value."""
+    """Whether `seen` is near `wanted`: the tolerance is the same share of it as of the right value."""
     share = question.tolerance / abs(question.value) if question.value else 0.0
     width = question.tolerance if wanted == question.value else share * abs(wanted)
     return abs(seen - wanted) <= width + _ROUNDING * max(1.0, abs(wanted))
 
 
 def items(texts: tuple[str, ...], wanted: tuple[str, ...]) -> tuple[str, ...]:
-    """A list of answers, also when it was written as one text: `build, install and log`."""
+    """The answers as a list, even if they were written as one text: `build, install and log`."""
     if len(texts) != 1:
         return texts
     blanks = r"|\s+" if not any(" " in text for text in wanted) else ""
@@ -253,7 +253,7 @@ def items(texts: tuple[str, ...], wanted: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def right_answers(questions: tuple[Question, ...]) -> Mapping[str, tuple[str, ...]]:
-    """By question id, as they go into an answers file."""
+    """The right answers by question id, in the form of an answers file."""
     return {question.id: right_answer(question) for question in questions}
 
 

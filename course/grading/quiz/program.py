@@ -24,10 +24,10 @@ _TRACEBACK = re.compile(r"Traceback \(most recent call last\):\n(?:(?:[ \t].*)?\
 
 
 def printed(program: Path, ros: Ros) -> tuple[str, ...]:
-    """Run a script of the course in a folder of its own, and return its lines; of a traceback, the last one.
+    """Run a script of the course in its own folder, and return its lines; of a traceback, only the last one.
 
-    C++ is compiled first. It runs without network, and sees no file of the learner's. Raises OurFault when it
-    does not end, and MissingHere when this machine has no compiler.
+    C++ is compiled first. The script has no network, and sees none of the learner's files. Raises OurFault if
+    it does not end, and MissingHere if this machine has no compiler.
     """
     prepare(ros)
     with tempfile.TemporaryDirectory(prefix="ros2course-program-") as name:
@@ -37,7 +37,7 @@ def printed(program: Path, ros: Ros) -> tuple[str, ...]:
         environment = {
             **node_environment(ros),
             "HOME": str(folder),
-            "PYTHONUNBUFFERED": "1",  # what is printed and what is logged, in their real order
+            "PYTHONUNBUFFERED": "1",  # keeps printed and logged lines in order
             "RCUTILS_COLORIZED_OUTPUT": "0",
             "RCUTILS_CONSOLE_OUTPUT_FORMAT": "[{severity}] [{name}]: {message}",
         }
@@ -60,7 +60,7 @@ _COMMANDS = {
 
 
 def wrong_about(question: Question, lines: Sequence[str]) -> str | None:
-    """What is wrong with the choices of a question whose program prints `lines`; None when all are right."""
+    """What is wrong with the choices of a question whose program prints `lines`; None if nothing is."""
     shown = " / ".join(lines) or "nothing"
     for choice in question.choices:
         if choice.right and not _says(choice, lines):
@@ -71,7 +71,7 @@ def wrong_about(question: Question, lines: Sequence[str]) -> str | None:
 
 
 def _says(choice: Choice, lines: Sequence[str]) -> bool:
-    """A choice has each line of the output in backquotes. For an error, its name is enough."""
+    """Whether a choice has each line of the output in backquotes. For an error, its name is enough."""
     said = _CODE.findall(choice.text)
     return len(said) == len(lines) and all(
         line == word or (_ERROR.search(word) and line.startswith(f"{word}:"))

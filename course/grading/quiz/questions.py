@@ -18,7 +18,7 @@ from course.model.result import CheckResult, Result, Verdict, verdict_of
 
 
 def check_quiz(exercise: Exercise, home: Path, seed: int | None = None) -> Result:
-    """Judge the answers in the course home `home` of an exercise that is questions alone."""
+    """Judge the answers in the course home `home` to an exercise that only has questions."""
     return with_questions(Result(exercise.id, Verdict.PASSED, bonus=exercise.bonus), exercise, home, seed)
 
 
@@ -51,7 +51,7 @@ def _judged(
 
 
 def _none_of(questions: tuple[Question, ...], because: Feedback) -> Iterator[CheckResult]:
-    """The first question says why none was judged."""
+    """The first question fails and says why none was judged."""
     first, *others = questions
     yield failed(first, because)
     yield from (skipped(question, "there are no answers to judge") for question in others)
