@@ -1,4 +1,4 @@
-"""What containment adds to a check: the same exercise, alternately contained and in its own ROS domain.
+"""The time that containment adds to a check: one exercise, alternately contained and in its own ROS domain.
 
 The exercise is a script that prints a line, without ROS, so that little else is timed. Opening and closing
 are also timed separately, from outside.

@@ -49,7 +49,7 @@ Judged = tuple[str, frozenset[str]]
 
 @dataclass
 class Peaks:
-    """The most memory that one process of each role held, in bytes; and their CPU time, in seconds."""
+    """The most memory that one process of each role used, in bytes; and their CPU time, in seconds."""
 
     memory: Counter[str] = field(default_factory=Counter)
     cpu: dict[tuple[int, float], tuple[str, float]] = field(default_factory=dict)
@@ -179,7 +179,7 @@ def _role(process: psutil.Process) -> str:
 def checked(
     homes: Sequence[Path], exercise: str, environment: dict[str, str]
 ) -> list[tuple[str, float, Judged]]:
-    """Each by a separate command, as an instructor would type it: person, seconds, verdict."""
+    """Check each with a separate command, as an instructor would. Return person, seconds, verdict."""
     found = []
     for home in homes:
         subprocess.run(command("init", home), env=environment, check=True, stdout=subprocess.DEVNULL)

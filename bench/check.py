@@ -72,7 +72,7 @@ def once(home: Path) -> tuple[float, dict]:
 
 
 def peer_environment(home: Path, launch_testing: Path, keep: contextlib.ExitStack) -> dict[str, str]:
-    """Of `launch_test`: the packages, built as `check` does, and a ROS domain of its own."""
+    """The environment of `launch_test`: packages that are built as `check` does, and its own ROS domain."""
     prepare(ros := find_ros())
     built = build(Workspace.scan(home / WORKSPACE), PACKAGES, ros, Store(), keep=keep)
     found = node_environment(ros, built.prefixes)
@@ -82,7 +82,7 @@ def peer_environment(home: Path, launch_testing: Path, keep: contextlib.ExitStac
 
 
 def peer_once(environment: dict[str, str]) -> float:
-    """Seconds. Raises CalledProcessError if it does not pass."""
+    """Run it once, and return the seconds. Raises CalledProcessError if it does not pass."""
     command = [sys.executable, "-m", "launch_testing.launch_test", str(ROOT / "bench/launch_peer.py")]
     began = time.monotonic()
     subprocess.run(command, env=environment, check=True, capture_output=True)

@@ -63,7 +63,7 @@ def row(name: str, values: list[float]) -> list[str]:
 
 
 def measured(tries: int, *, default: bool, namespaces: bool) -> list[float]:
-    """In batches, each in its own namespaces, as in a check."""
+    """Measure in batches, each in its own namespaces, as in a check."""
     batches = [min(BATCH, tries - start) for start in range(0, tries, BATCH)]
     return [delay for size in batches for delay in batch(size, default=default, namespaces=namespaces)]
 
@@ -97,9 +97,9 @@ def first_messages(tries: int) -> list[float]:
             ready = float(process.stdout.readline().split()[1])
             if not timeline.wait_until(lambda listener=listener: listener.count > 0, 10):
                 raise SystemExit(f"no message came on {listener.topic} within 10 s")
-            # By our own clock: the time in the message is the time of sending.
+            # By our own clock, because the time in the message is when it was sent.
             delays.append(time.monotonic() - ready)
-            process.send_signal(signal.SIGINT)  # it says goodbye, so nobody keeps announcing to it
+            process.send_signal(signal.SIGINT)  # it says goodbye, so nobody announces itself to it any more
             process.wait()
     return delays
 

@@ -76,7 +76,7 @@ def faults_of(file: Path) -> Iterator[Fault]:
 
 
 def _is_a_step(node: ast.AST) -> bool:
-    """Whether it can be removed with an effect, so not a docstring."""
+    """Whether removing it has an effect, so it is not a docstring."""
     is_text = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
     return isinstance(node, ast.Expr | ast.AugAssign | ast.Continue | ast.Raise) and not is_text
 
@@ -96,7 +96,7 @@ class Copy:
         self.failing: set[str] = set()
 
     def near(self, fault: Fault) -> list[str]:
-        """Test files of the module's room and those that name it; first those with its name."""
+        """Test files of the module's room, and those that name the module; first those with its name."""
         room, module = (
             fault.file.parts[1],
             ".".join(fault.file.with_suffix("").parts).removesuffix(".__init__"),

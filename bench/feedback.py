@@ -38,7 +38,7 @@ Entry = dict[str, Any]
 
 
 class DoesNotFit(Exception):
-    """An edit finds no text to replace, or no file, or several."""
+    """An edit that finds no text to replace, no file, or several files."""
 
 
 def main() -> None:

@@ -22,7 +22,7 @@ from table import show
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
-from course.batch.results import FILE  # noqa: E402 - the repository has to be on the path
+from course.batch.results import FILE  # noqa: E402 - the repository must be on the path
 from course.content import open_course  # noqa: E402
 from course.grading import trial  # noqa: E402
 from tests.hostile.world import NODE, PROGRAMS, with_attack  # noqa: E402
@@ -70,7 +70,7 @@ def main() -> None:
 
 
 def lay_class(folder: Path, hostile: int, honest: int) -> list[str]:
-    """The names of the honest ones."""
+    """Lay out the class, and return the names of the honest submissions."""
     course = open_course()
     exercise = course.exercise(EXERCISE)
     attacks = sorted(file.stem for file in PROGRAMS.glob("*.py") if file.stem not in _PARTS)

@@ -29,7 +29,7 @@ STATES = ("/myrobot_1/get/joint_states", "sensor_msgs/msg/JointState")
 TARGETS = ("/myrobot_1/set/target_joint_positions", "std_msgs/msg/Float64MultiArray")
 RATES = (500.0, 2000.0)
 HEAD = ("message", "rate (Hz)", "listener", "sent", "lost", "of a core (%)", "MCAP (MB)")
-# Patched in the bytes, so that the publisher needs almost no CPU.
+# Replaced in the serialized bytes, so that the publisher needs almost no CPU.
 MARK = 4711.0815
 PUBLISHER = """
 import struct, sys, time
@@ -162,7 +162,7 @@ def recorder(topic: str, kind: str, sent: int) -> Heard:
 
 
 def cpu_of(sent: int, count: Callable[[], int], wait: Callable[[Callable[[], bool], float], object]) -> float:
-    """CPU time of this process from the first message to the last; a second without any is the end."""
+    """CPU time of this process from the first message to the last; one second without any is the end."""
     wait(lambda: count() > 0, 60)
     began, heard = time.process_time(), 0
     while heard < count() < sent:
@@ -172,14 +172,14 @@ def cpu_of(sent: int, count: Callable[[], int], wait: Callable[[Callable[[], boo
 
 
 def wait(condition: Callable[[], bool], timeout: float) -> None:
-    """Without a time line: look from time to time."""
+    """Wait without a timeline, by checking the condition every 10 ms."""
     last = time.monotonic() + timeout
     while not condition() and time.monotonic() < last:
         time.sleep(0.01)
 
 
 def number(data: bytes) -> int:
-    """The first of six joints: both messages contain six doubles in a row."""
+    """The message's number, in the first of six joints: both types contain six doubles in a row."""
     rest = struct.pack("<5d", 0.1, 0.2, 0.3, 0.4, 0.5)
     place = data.index(rest) - 8
     return round(struct.unpack_from("<d", data, place)[0])

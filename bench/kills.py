@@ -34,13 +34,13 @@ from table import show
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
-from course.batch.results import FILE  # noqa: E402 - the repository has to be on the path
+from course.batch.results import FILE  # noqa: E402 - the repository must be on the path
 from course.content import open_course  # noqa: E402
 from tests.batch.command import groups_of, half_written, outliving  # noqa: E402
 from tests.processes import ours_below  # noqa: E402
 
 COMMAND, WORKER, DASK = "command", "worker", "Dask worker"
-# `grade` that also notes which worker gets whose submission, because no process shows that from outside.
+# A `grade` that also writes down which worker gets whose submission, which is not visible from outside.
 NOTING = """
 import sys
 from course.batch.pool import Worker
@@ -172,7 +172,7 @@ def lay_class(options: argparse.Namespace, name: str, people: int) -> Class:
     lay_variants(folder / "class", people, options.exercise, open_course(options.course))
     for file in (folder / "class").glob("p*/**/setup.py"):
         mark = f"# {file}"
-        if mark not in file.read_text(encoding="utf-8"):  # otherwise its build is in the cache
+        if mark not in file.read_text(encoding="utf-8"):  # without this edit, its build would be in the cache
             with file.open("a", encoding="utf-8") as opened:
                 opened.write(f"\n{mark}\n")
     about = ("--course", str(options.course), "grade", str(folder / "class"))
@@ -215,7 +215,7 @@ def strikes(
     most: int,
     started: set[psutil.Process],
 ) -> Iterator[Hit]:
-    """Kill until the command has ended. started: everything that it starts is added."""
+    """Kill until the command has ended. started: a set to which everything that it starts is added."""
     top, hits, judged = psutil.Process(command.pid), Counter[str](), len(this.judged())
     while command.poll() is None:
         time.sleep(random.uniform(0, LONGEST_PAUSE))
@@ -245,7 +245,7 @@ def targets(top: psutil.Process, tasks: dict[int, str]) -> Iterator[tuple[str, p
             whose.update(dict.fromkeys([worker, *below(worker)], person))
     yield from ((kind, process, whose[process]) for kind, process in found if process in whose)
     dask = [process for kind, process in found if kind == DASK]
-    yield from ((DASK, process, "") for process in dask)  # nobody has noted whose submission it has
+    yield from ((DASK, process, "") for process in dask)  # it is not known whose submission it has
     if whose or dask:
         yield COMMAND, top, ""
 

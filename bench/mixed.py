@@ -12,7 +12,7 @@ from course.validate.prover import lay
 
 
 def lay_mixed(folder: Path, people: int, exercise_id: str) -> list[Path]:
-    """Every other submission is right, the others are the exercise's mistakes in turn; their folders."""
+    """Lay out right submissions and the exercise's mistakes alternately; return their folders."""
     course = open_course()
     exercise = course.exercise(exercise_id)
     mistakes = exercise.mistakes()

@@ -1,8 +1,8 @@
 """How long it takes to judge a thousand stored recordings again, and whether the verdicts stay the same.
 
 Solutions and known mistakes of different exercises are graded once, and their recordings are copied to a
-thousand files. The baseline loads these files and judges nothing. What the mistakes take longer than the
-solutions is what their explanations cost; 50 ms are allowed.
+thousand files. The baseline loads these files and judges nothing. The mistakes take longer than the solutions
+because of their explanations; 50 ms are allowed.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ _SELF, _CHILDREN = resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN
 
 
 def recorded(solved: list[tuple[Exercise, Path]], mistakes: int, folder: Path) -> list[Kept]:
-    """The right solution of each exercise, and then so many of its mistakes in files or acts."""
+    """The right solution of each exercise, and then `mistakes` of its mistakes in files or acts."""
     chosen = [(exercise, one) for exercise, _ in solved for one in some_mistakes(exercise, mistakes)]
     with ThreadPoolExecutor(2) as pool:
         right = list(pool.map(lambda one: Kept(*one, folder / f"{one[0].id}.mcap"), solved))
@@ -88,7 +88,7 @@ def recorded(solved: list[tuple[Exercise, Path]], mistakes: int, folder: Path) -
 
 
 def some_mistakes(exercise: Exercise, count: int) -> list[Mistake]:
-    """So many, from the first to the last of them."""
+    """`count` mistakes, evenly chosen from all of them."""
     found = [one for one in exercise.mistakes() if all(edit.answers is None for edit in one.edits)]
     return found[:: max(1, len(found) // count)][:count]
 
@@ -118,7 +118,7 @@ def loaded(stored: list[StoredRecording[Kept]]) -> None:
 
 
 def judged(stored: list[StoredRecording[Kept]], jobs: int) -> None:
-    """End the bench if a verdict has changed, or if a recording is said to be incomplete."""
+    """End the benchmark if a verdict has changed, or if a recording counts as incomplete."""
     count = 0
     for kept, answer in rejudge(stored, jobs=jobs):
         if isinstance(answer, Unjudged):

@@ -138,7 +138,7 @@ def busy(processes: int) -> Iterator[None]:
 
 def burn() -> None:
     parent = os.getppid()
-    while os.getppid() == parent:  # they end with us, even if we are killed
+    while os.getppid() == parent:  # ends when its parent does, even if that is killed
         pass
 
 

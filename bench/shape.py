@@ -1,8 +1,8 @@
 """The shape of the engine in numbers: lines, files, names used twice, crumbs, lazy imports, circles.
 
-A *crumb* is a file of at most 50 lines with a single importer. A *lazy import* is in a function. With
-names of rooms, it looks only at these: `bench/shape.py cli report`; `--list` shows what is counted.
-`tests/test_shape.py` holds limits.
+A *crumb* is a file of at most 50 lines with a single importer. A *lazy import* is in a function. If you name
+rooms, only these are counted: `bench/shape.py cli report`. `--list` shows what is counted.
+`tests/test_shape.py` contains the limits.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Module:
 
     @property
     def room(self) -> str:
-        """`course.content.chapter` is in `content`; modules at the top are in ``."""
+        """`content` for `course.content.chapter`; empty for modules at the top."""
         parts = self.name.split(".")
         return parts[1] if len(parts) > 2 or (self.file.name == "__init__.py" and len(parts) > 1) else ""
 
@@ -72,7 +72,7 @@ class Module:
 
 
 class Engine:
-    """All modules of a package. An import of a package's front door counts as one of its `__init__`."""
+    """All modules of a package. An import from a package counts as an import of its `__init__`."""
 
     def __init__(self, root: Path = REPO / "course") -> None:
         self.root = root
@@ -109,7 +109,7 @@ class Engine:
         return {base: names for base, names in found.items() if len(names) > 1}
 
     def shared_classes(self) -> dict[str, list[str]]:
-        """Public classes of the same name."""
+        """Public classes with the same name."""
         found: dict[str, list[str]] = defaultdict(list)
         for module in self.modules.values():
             for name in module.classes():
@@ -117,7 +117,7 @@ class Engine:
         return {name: names for name, names in found.items() if len(names) > 1}
 
     def circles(self) -> list[list[str]]:
-        """Groups of modules that import each other. A package's front door is left out of them."""
+        """Groups of modules that import each other. A package's `__init__` is left out."""
         graph = {
             name: {target for target in targets if not self._is_front_door(target)}
             for name, targets in self.imports.items()
@@ -139,14 +139,14 @@ class Engine:
                 base = _absolute(module, node)
                 for alias in node.names:
                     name = f"{base}.{alias.name}"
-                    # `from course.batch.intake import look` means the function where the front door has one.
+                    # `from course.batch.intake import look` means the function, if `__init__` has one.
                     if name in self.modules and not self._gives(base, alias.name):
                         yield name
                     elif base in self.modules:
                         yield base
 
     def _gives(self, package: str, name: str) -> bool:
-        """Whether the package's front door has something else of this name."""
+        """Whether the package's `__init__` has something else with this name."""
         if package not in self.modules:
             return False
         nodes = self.modules[package].tree.body

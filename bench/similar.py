@@ -174,7 +174,7 @@ def is_own(path: Path) -> bool:
 
 
 def of_one_s_own(text: str, draw: random.Random) -> str:
-    """Statements in another order, with others between them."""
+    """The text with its functions in another order, and with an extra function."""
     return (
         reordered(text, draw) + f"\ndef extra(a, b):\n{statements(draw, draw.randrange(4, 12))}    return a\n"
     )
@@ -217,7 +217,7 @@ def padded(text: str, draw: random.Random) -> str:
 
 
 def halved(text: str, draw: random.Random) -> str:
-    """Half of it is the person's own."""
+    """The text with as much code of the person's own."""
     count = text.count("\n") // 12
     own = (f"\n\ndef own_{number}(a, b):\n{statements(draw, 8)}" for number in range(count))
     return text + "".join(own)

@@ -8,7 +8,7 @@ from statistics import median
 
 
 def percentile(values: Sequence[float], share: float) -> float:
-    """The value below or at which `share` of the values lie (nearest rank)."""
+    """The smallest value that is at least as large as `share` of the values (nearest rank)."""
     ordered = sorted(values)
     return ordered[max(0, math.ceil(share * len(ordered)) - 1)]
 

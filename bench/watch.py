@@ -1,7 +1,7 @@
 """How much longer it takes from a save to the verdict on the screen than the check itself takes.
 
-`watch` runs on a pseudo-terminal. A round writes the learner's file and waits until the verdict is there; the
-check's own time is what it says itself, as `check` does.
+`watch` runs on a pseudo-terminal. A round writes the learner's file and waits for the verdict. The check's
+own time is the one that it prints, as `check` does.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def watching(home: Path, exercise: str) -> Iterator[pexpect.spawn]:
 
 
 def once(child: pexpect.spawn, home: Path, exercise: str, file: Path, turn: int) -> tuple[float, float]:
-    """Seconds from the save to the verdict, and of the check. Another comment each time: a new build."""
+    """Seconds from the save to the verdict, and of the check. A new comment each time forces a build."""
     child.send("t")  # the last verdict disappears from the screen
     child.expect_exact(f"== {exercise}: ".encode())
     text = file.read_text(encoding="utf-8").partition("\n# turn ")[0]

@@ -1,13 +1,13 @@
-"""The one import of a grader.
+"""The only module that a grader imports from the engine.
 
     from course.api import Arena, Failure, Feedback, Grader, Recording, expect_running
 
-Everything that a grader uses of the engine is here. A `Grader` has a scenario, which acts in an `Arena`, and
-checks, which judge a `Recording`. Many checks share the `expect_*` functions. Others turn a symptom into a
-cause. What several graders of one course share, and no other course needs, is in a folder beside them:
-`from lib.counts import expect_counting` for `graders/lib/counts.py`.
+Everything that a grader uses from the engine is here. A `Grader` has a scenario, which acts in an `Arena`,
+and checks, which judge a `Recording`. Many checks share the `expect_*` functions; other functions find the
+cause of a symptom. Code that several graders of one course share, and no other course needs, is in a folder
+next to them: `from lib.counts import expect_counting` for `graders/lib/counts.py`.
 
-This module needs no ROS, and is imported before a recording begins: it stays quick to import.
+This module does not need ROS. It is imported before a recording begins, so it must stay quick to import.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""A process of ours that does one task after another, as its parent sees it and as it sees its parent.
+"""One of our own processes, which does one task after another: the parent's side and the process's side.
 
-Both speak in lines of JSON. Tasks go to the standard input of `python -m MODULE DESCRIPTOR`; answers come on
-that descriptor, a pipe of their own: whatever the process prints elsewhere is not an answer.
+Both sides send lines of JSON. Tasks go to the standard input of `python -m MODULE DESCRIPTOR`; answers come
+through that descriptor, a separate pipe, so nothing that the process prints is taken for an answer.
 
-Three programs of ours are started differently. `course.arena.lateness_program` measures this machine, so it
-starts in milliseconds and imports nothing of ours. Probes and the nodes of a mystery run among the learner's
-programs, within the same limits: they cannot be trusted, and what they say is part of the recording.
+Three of our programs are started differently. `course.arena.lateness_program` measures this machine, so it
+starts in milliseconds and imports none of our modules. Probes and the nodes of a mystery run among the
+learner's programs, within the same limits: they cannot be trusted, and their output is part of the recording.
 """
 
 from __future__ import annotations
@@ -36,16 +36,16 @@ _PR_SET_PDEATHSIG = 1
 
 
 def own_path(environment: Mapping[str, str]) -> str:
-    """PYTHONPATH with this very course first."""
+    """PYTHONPATH, with the folder of the running engine first."""
     parts = (str(Path(course.__file__).parents[1]), environment.get("PYTHONPATH"))
     return os.pathsep.join(part for part in parts if part)
 
 
 class Child:
-    """The process, from its start on. answers: the descriptor to wait at.
+    """Starts the process; call `close` at the end. answers: the descriptor to wait for.
 
-    log: where it writes its errors; None for where we write ours. environment: None for ours. folder: where
-    it runs, and looks for modules first. Close it.
+    log: where it writes its errors; None for our stderr. environment: None for ours. folder: where it runs,
+    and looks for modules first.
     """
 
     def __init__(
@@ -79,16 +79,16 @@ class Child:
             os.close(theirs)
 
     def tell(self, task: object) -> None:
-        """One that has ended is told nothing; `read` tells that it has."""
+        """Send a task. Does nothing if the process has ended; `read` reports that."""
         assert self.process.stdin is not None
         with contextlib.suppress(BrokenPipeError):
             self.process.stdin.write(codec.to_json(task) + b"\n")
             self.process.stdin.flush()
 
     def read(self) -> list[bytes] | None:
-        """Lines that it answered since, after waiting for something to come; None when it has ended.
+        """Wait for output and return the new complete lines; None when the process has ended.
 
-        Raises DamagedData for one that is far too long.
+        Raises DamagedData for a line that is far too long.
         """
         data = os.read(self.answers, _CHUNK)
         if not data:
@@ -100,7 +100,7 @@ class Child:
         return lines
 
     def readline(self, timeout: float) -> bytes | None:
-        """Its next answer; None when it has ended without one. Raises TimeoutError, and as `read` does."""
+        """The next answer; None if the process has ended without one. Raises TimeoutError, DamagedData."""
         deadline = time.monotonic() + timeout
         while not self._lines:
             if not select.select([self.answers], [], [], max(0.0, deadline - time.monotonic()))[0]:
@@ -112,7 +112,7 @@ class Child:
         return self._lines.popleft()
 
     def close(self, patience: float = 0.0) -> None:
-        """Tell it that there is no more to do; end it by force after so many seconds."""
+        """Tell the process that no more tasks follow; kill it if it still runs after `patience` seconds."""
         if self.process.stdin:
             with contextlib.suppress(OSError):
                 self.process.stdin.close()
@@ -127,10 +127,10 @@ class Child:
 def answer_tasks(
     kind: type[Task], answer: Callable[[Task, Tell], object], *, at_parents_end: int = signal.SIGKILL
 ) -> None:
-    """What the process does: one task after another, until its parent is gone or tells it to end.
+    """The process's loop: do one task after another, until the parent is gone or says to end.
 
-    kind: of the tasks. answer: gives what is sent back; it may tell more before, from any thread.
-    at_parents_end: the signal that this process gets when its parent is gone.
+    kind: the type of the tasks. answer: returns what to send back; it may send more before that, with its
+    second argument, from any thread. at_parents_end: the signal for this process when its parent is gone.
     """
     for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
         signal.signal(number, _call_off)
@@ -151,11 +151,11 @@ def answer_tasks(
 
 
 def end_with_parent(number: int = signal.SIGKILL) -> None:
-    """The kernel sends us this signal when the thread that started us has ended, however that was."""
+    """Have the kernel send us this signal when the thread that started us ends, for whatever reason."""
     ctypes.CDLL(None, use_errno=True).prctl(_PR_SET_PDEATHSIG, number, 0, 0, 0)
 
 
 def _call_off(number: int, frame: object) -> NoReturn:
     for ending in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
-        signal.signal(ending, signal.SIG_IGN)  # nothing disturbs the tidying up
+        signal.signal(ending, signal.SIG_IGN)  # nothing interrupts the cleanup
     raise KeyboardInterrupt

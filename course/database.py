@@ -1,4 +1,4 @@
-"""A SQLite file of ours: a change is there as a whole or not at all, even if others use the file."""
+"""Our SQLite files: a change is stored completely or not at all, even if other processes use the file."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ BUSY_SECONDS = 10.0
 
 
 class Database:
-    """A context manager, which closes the file. Subclasses say in `_refusals` what the disk refused."""
+    """A context manager that closes the file. Subclasses turn errors into their own in `_refusals`."""
 
     def __init__(self, database: sqlite3.Connection) -> None:
         self._database = database
@@ -34,13 +34,13 @@ class Database:
         raise NotImplementedError
 
     def _run(self, statement: str, *values: object) -> list[Any]:
-        """All rows at once: what cannot be read is met here."""
+        """All rows at once, so that read errors are raised here."""
         with self._refusals():
             return self._database.execute(statement, values).fetchall()
 
     @contextlib.contextmanager
     def _writing(self) -> Iterator[None]:
-        """All or nothing, as part of what is being written already; waits for another process that writes."""
+        """A transaction, or part of one that is open already; waits for another process that writes."""
         if self._is_writing():
             yield
             return
@@ -50,7 +50,7 @@ class Database:
                 yield
                 self._database.execute("COMMIT")
             finally:
-                if self._is_writing():  # an error came between; a full disk has ended it already
+                if self._is_writing():  # after an error; a full disk has already rolled it back
                     self._database.execute("ROLLBACK")
 
     def _is_writing(self) -> bool:
@@ -58,7 +58,7 @@ class Database:
 
 
 def begin(database: sqlite3.Connection, schema: str) -> None:
-    """Make the tables of a file that is empty. Others can look on while somebody writes."""
+    """Make the tables in an empty file. Others can read it while one process writes."""
     with contextlib.suppress(sqlite3.OperationalError):  # a disk without shared memory: plain journal
         database.execute("PRAGMA journal_mode = WAL")
     if pragma(database, "journal_mode") != "wal":

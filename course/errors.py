@@ -1,12 +1,12 @@
-"""Every error the course raises on purpose, and the exit code each ends with.
+"""Every error that the course raises on purpose, and the exit code of each.
 
 CourseError            what happened, and the next step
-├── UsageError         the command was called with something that does not exist or fit (exit 2)
+├── UsageError         the command was called with something that does not exist or does not fit (exit 2)
 ├── OurFault           the course itself is broken; never the learner's failure (exit 3)
 │   └── ContentError   a lesson, grader or mistake file is wrong; says file, line and key
 ├── MissingHere        this machine lacks something: ROS, a compiler, a wheel (exit 4)
 └── StorageError       a file could not be written or read: full, read-only, no permission (exit 4)
-    └── DamagedData    what was read is not what was written; says where it is from (exit 4)
+    └── DamagedData    data is unreadable or was changed; says where it came from (exit 4)
 
 Only `course/cli` turns these into a message and an exit code.
 """
@@ -56,7 +56,7 @@ class OurFault(CourseError):
 
 
 class ContentError(OurFault):
-    """A file of the course is wrong: `file`, and if known `line` (from 1) and `key`."""
+    """A file of the course is wrong: `file`, and `line` (from 1) and `key` if they are known."""
 
     def __init__(
         self,

@@ -1,6 +1,6 @@
-"""Files that others may use at the same moment: written whole or not at all, locked, and removed for good.
+"""Files that others may use at the same time: written completely or not at all, locked, and removed for good.
 
-And the folder for those that the course can make again.
+Also the cache folder, for files that the course can make again.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pathlib import Path
 
 from course.errors import StorageError
 
-# .NAME.PID-RANDOM and this: what is being written, or was by a process that was killed.
+# `.NAME.PID-RANDOM` plus this names a file that is being written, or that a killed process left unfinished.
 PART = ".ros2course-part"
 _PART = re.compile(rf"\..+\.(?P<pid>\d+)-[0-9a-f]+{re.escape(PART)}")
 _REMOVE, _OPEN = ("/bin/rm", "-rf"), ("/bin/chmod", "-R", "u+rwx")
@@ -24,7 +24,7 @@ _REMOVE, _OPEN = ("/bin/rm", "-rf"), ("/bin/chmod", "-R", "u+rwx")
 
 @contextlib.contextmanager
 def unfinished(target: Path) -> Iterator[Path]:
-    """A name beside `target` for a file that is still being written; gone afterwards, whatever happens."""
+    """A path next to `target` for a file that is being written; removed afterwards, whatever happens."""
     part = _part_of(target)
     try:
         yield part
@@ -34,9 +34,9 @@ def unfinished(target: Path) -> Iterator[Path]:
 
 @contextlib.contextmanager
 def replacing(target: Path) -> Iterator[Path]:
-    """A name for what takes the place of `target` at the end, in one step; after an error all stays.
+    """A path for a file that replaces `target` at the end, in one step; after an error `target` is unchanged.
 
-    Readers see the old or the new content, never a part. A link at `target` is replaced, not followed.
+    Readers see all of the old or all of the new content. A link at `target` is replaced, not followed.
     """
     target.parent.mkdir(parents=True, exist_ok=True)
     with unfinished(target) as part:
@@ -46,7 +46,7 @@ def replacing(target: Path) -> Iterator[Path]:
 
 @contextlib.contextmanager
 def new_folder(target: Path) -> Iterator[Path]:
-    """A folder that gets the name `target` at the end, or is gone if there was an error."""
+    """A folder that is renamed to `target` at the end, or removed if there was an error."""
     sweep(target.parent)
     part = _part_of(target)
     part.mkdir(parents=True)
@@ -63,7 +63,7 @@ def _part_of(target: Path) -> Path:
 
 
 def sweep(folder: Path) -> None:
-    """Remove what processes that were killed left half-written in `folder`. Raises OSError."""
+    """Remove the unfinished files that killed processes left in `folder`. Raises OSError."""
     for left in folder.glob(f".*{PART}"):
         found = _PART.fullmatch(left.name)
         if found and not Path("/proc", found["pid"]).exists():
@@ -87,7 +87,7 @@ def write_atomic(path: Path, text: str) -> bool:
 
 
 def write_pieces(target: Path, pieces: Iterable[str | bytes]) -> None:
-    """Give `target` a content that comes piece by piece. Raises StorageError; then the old file stays."""
+    """Write `target` from pieces that come one by one. Raises StorageError; then the old file remains."""
     try:
         with replacing(target) as part:
             with part.open("wb") as stream:
@@ -101,7 +101,7 @@ def write_pieces(target: Path, pieces: Iterable[str | bytes]) -> None:
 
 
 def to_disk(file: Path) -> None:
-    """To the disk itself: after a power cut the name must not stand for an empty file."""
+    """Flush the file to the disk, so that it is not empty after a power failure."""
     descriptor = os.open(file, os.O_RDONLY)
     try:
         os.fsync(descriptor)
@@ -110,17 +110,17 @@ def to_disk(file: Path) -> None:
 
 
 def link(place: Path, target: Path) -> None:
-    """Make `place` a link to `target`; readers see the old one or the new one, never none."""
+    """Make `place` a link to `target`; readers always see the old link or the new one."""
     with replacing(place) as part:
         part.symlink_to(target)
 
 
 @contextlib.contextmanager
 def locked(path: Path, *, shared: bool = False, wait: bool = True) -> Iterator[int]:
-    """Hold the lock file `path`, against everyone else or `shared`; a process that dies lets go of it.
+    """Hold a lock on the file `path`, exclusively or `shared`; if the process dies, the lock is released.
 
-    Gives the descriptor: a child that inherits it holds the lock, too. A network disk may have no locks: then
-    there is none. Raises OSError, and without `wait` BlockingIOError when somebody holds it.
+    Yields the descriptor: a child that inherits it holds the lock, too. On a disk without locks, such as some
+    network disks, nothing is locked. Raises OSError; without `wait`, BlockingIOError if the lock is taken.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     descriptor = open_lock(path)
@@ -136,12 +136,12 @@ def locked(path: Path, *, shared: bool = False, wait: bool = True) -> Iterator[i
 
 
 def open_lock(path: Path) -> int:
-    """A descriptor of the lock file, which nobody holds yet. Close it to let go. Raises OSError."""
+    """Open the lock file without taking the lock. Close the descriptor to release it. Raises OSError."""
     return os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
 
 
 def try_lock(descriptor: int, *, shared: bool = False) -> bool:
-    """Take the lock, unless somebody else has it. Whether it was taken."""
+    """Take the lock, unless somebody else has it. Return whether it was taken."""
     try:
         fcntl.flock(descriptor, _kind(shared) | fcntl.LOCK_NB)
     except BlockingIOError:
@@ -156,13 +156,13 @@ def _kind(shared: bool) -> int:
 
 
 def wipe(*paths: Path) -> None:
-    """Remove files, links and trees, or what can be removed of them. What is not there is no error.
+    """Remove files, links and trees, as far as possible. Paths that do not exist are ignored.
 
-    Not shutil: a thousand folders in one another, as a submission may leave them, are too deep for it.
-    Closed folders keep out everyone but root, until they are opened.
+    Not shutil: it cannot remove a thousand nested folders, which a submission may leave. Folders without
+    permissions keep out everyone but root, so they get permissions before the second try.
     """
     for command in (_REMOVE, _OPEN, _REMOVE):
-        # A link must not open what it leads to.
+        # chmod would follow a link and change its target.
         chosen = [path for path in paths if command is not _OPEN or not path.is_symlink()]
         done = subprocess.run([*command, "--", *map(str, chosen)], check=False, capture_output=True)
         if command == _REMOVE and done.returncode == 0:
@@ -173,7 +173,7 @@ def cache_dir(environ: Mapping[str, str]) -> Path:
     """$ROS2COURSE_CACHE, else $XDG_CACHE_HOME/ros2course, else ~/.cache/ros2course; it may not exist yet."""
     if own := environ.get("ROS2COURSE_CACHE"):
         return Path(own).absolute()
-    # The XDG rules say that a relative path is to be ignored.
+    # The XDG specification says to ignore a relative path.
     xdg = Path(environ.get("XDG_CACHE_HOME", ""))
     if xdg.is_absolute():
         return xdg / "ros2course"

@@ -1,7 +1,7 @@
-"""What a learner has done: attempts, passes, hints seen, and where they are. One SQLite file in the home.
+"""What a learner has done: attempts, passes, hints seen, current exercise. One SQLite file in the home.
 
-The file is in WAL mode, so that two checks at once both land. A damaged file is kept aside and told of, and
-a new one begun. Errors of ours are stored too, but never count as an attempt of the learner's.
+The file is in WAL mode, so that two checks at once are both stored. A damaged file is renamed and reported,
+and a new one is begun. Our own errors are stored too, but never count as the learner's attempts.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ State = Literal["new", "begun", "tried", "passed"]
 
 FILE = "progress.sqlite3"
 SCHEMA_VERSION = 1
-APPLICATION = 0x726F7332  # "ros2", in the file's header: tells our files from anybody else's
+APPLICATION = 0x726F7332  # "ros2", in the file's header: distinguishes our files from others
 
 # The answers in reviews: `wrong` goes up with each wrong one, and down with each right one.
 _REVIEWS = "CREATE TABLE reviews (exercise TEXT, question TEXT, wrong INT, PRIMARY KEY (exercise, question));"
@@ -58,7 +58,7 @@ COMMIT;
 
 
 class Progress(Database):
-    """The progress kept in one course home. A context manager; `notices` tells what happened to the file."""
+    """The progress stored in one course home. A context manager. `notices` says what happened to the file."""
 
     def __init__(self, database: sqlite3.Connection, notices: tuple[str, ...] = ()) -> None:
         super().__init__(database)
@@ -66,7 +66,7 @@ class Progress(Database):
 
     @classmethod
     def open(cls, state: Path) -> Progress:
-        """Open the file in `state` (a home's), or begin one.
+        """Open the file in a home's `state` folder, or begin one.
 
         Raises StorageError when it cannot be read or written, UsageError when a newer ros2course wrote it.
         """
@@ -75,8 +75,8 @@ class Progress(Database):
             return cls(*_open(state / FILE))
 
     def record(self, result: Result) -> None:
-        """Store a result, and a pass if it is one. It is on the disk when this returns."""
-        from course.model.result import Verdict, to_json  # `hint` and `list` do without
+        """Store a result; if it passed, mark the exercise as passed. It is on the disk when this returns."""
+        from course.model.result import Verdict, to_json  # `hint` and `list` do not need it
 
         counts = result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED)
         row = (result.exercise, now(), result.verdict.value, counts, result.points, result.max_points)
@@ -91,7 +91,7 @@ class Progress(Database):
                 self._stamp(result.exercise, "passed_at")
 
     def state(self, exercise: str) -> State:
-        """What is passed stays passed, whatever later attempts bring."""
+        """An exercise that was passed stays passed, whatever the result of later attempts."""
         row = self._one("SELECT begun_at, passed_at FROM exercises WHERE exercise = ?", exercise)
         begun, passed = row or (None, None)
         if passed:
@@ -101,7 +101,7 @@ class Progress(Database):
         return "begun" if begun else "new"
 
     def attempts(self, exercise: str) -> int:
-        """How often it was checked, without the times when the fault was ours."""
+        """How often it was checked, not counting attempts that ended in our own error."""
         return int(self._value("SELECT count(*) FROM attempts WHERE exercise = ? AND counts", exercise) or 0)
 
     def best(self, exercise: str) -> float | None:
@@ -122,9 +122,9 @@ class Progress(Database):
             return None
 
     def failures(self) -> dict[tuple[str, str], int]:
-        """How often each check failed, by exercise and check; of results that can still be read.
+        """How often each check failed, by exercise and check, in the results that can still be read.
 
-        A wrong answer in a review counts, too. A right one there takes a failure away.
+        A wrong answer in a review counts, too; a right one cancels a failure.
         """
         from course.model.result import Outcome, from_json  # as above
 
@@ -165,7 +165,7 @@ class Progress(Database):
             self._stamp(exercise, "begun_at")
 
     def next_hint(self, exercise: str, total: int) -> int:
-        """Index of the hint to show now, from 0. Each call moves on by one; at the last one it stays."""
+        """Index of the hint to show now, from 0. Each call moves on by one, until the last hint."""
         if total < 1:
             raise ValueError("an exercise without hints has no next one")
         with self._writing():
@@ -212,7 +212,7 @@ class Progress(Database):
 
 
 class _Damaged(Exception):
-    """The file is not ours, or not whole."""
+    """The file is not ours, or not complete."""
 
 
 def _open(file: Path) -> tuple[sqlite3.Connection, tuple[str, ...]]:
@@ -249,7 +249,7 @@ def _connect(file: Path) -> sqlite3.Connection:
 
 
 def _leave_wal(database: sqlite3.Connection) -> None:
-    """WAL needs shared memory, which some network disks lack. Convert a home that was moved to one."""
+    """Convert a home that was moved to a network disk without shared memory, which WAL needs."""
     try:
         database.execute("PRAGMA locking_mode = EXCLUSIVE")  # works without shared memory
         database.execute("PRAGMA journal_mode = DELETE")

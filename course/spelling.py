@@ -1,4 +1,4 @@
-"""Names that are nearly right: which of the known ones was probably meant, or how ROS would write them."""
+"""Names that are nearly right: which known name was probably meant, or how ROS would write it."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 # `..._publisher_node` and `..._subscriber_node` are 0.84 alike, but neither is a typo of the other.
 _TYPO = 0.85
-# If both name the same kind of thing in the same package, less is enough.
+# A lower bound is enough if both name the same kind of thing in the same package.
 LOOSELY = 0.75
 # Shorter names often differ by one letter on purpose.
 _SHORT = 4
@@ -34,7 +34,7 @@ def nearest(wanted: str, known: Iterable[str], cutoff: float = _TYPO) -> str | N
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """`; did you mean ...?` to end a sentence with, or nothing."""
+    """`; did you mean ...?` as the end of a sentence, or an empty string."""
     found = close_names(name, known, 1)
     return f"; did you mean `{found[0]}`?" if found else ""
 
@@ -48,7 +48,7 @@ def listed(names: Iterable[str], empty: str = "none") -> str:
 
 
 def _one_typo(one: str, other: str) -> bool:
-    """One letter missing, extra or wrong, or two swapped. In short names, that is a lot."""
+    """Whether one letter is missing, extra or wrong, or two are swapped."""
     shared = min(len(one), len(other))
     start = next((n for n in range(shared) if one[n] != other[n]), shared)
     one, other = one[start:], other[start:]
@@ -61,5 +61,5 @@ def _one_typo(one: str, other: str) -> bool:
 
 
 def snake_case(name: str) -> str:
-    """`point_stamped` for `PointStamped`, as ROS writes names of fields and of headers."""
+    """`point_stamped` for `PointStamped`, as ROS writes the names of fields and headers."""
     return re.sub(r"[^a-z0-9]+", "_", re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()).strip("_")

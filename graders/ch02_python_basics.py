@@ -166,7 +166,7 @@ def run_import_and_execute_it(arena: Arena) -> None:
 
 
 def lines(arena: Arena, program: Process) -> int:
-    """How many it has printed; none if it prints an error, because then it is about to end by itself."""
+    """How many lines it has printed; 0 after an error, because then the program is about to end by itself."""
     printed = arena.lines(program)
     return 0 if any(text.startswith("Traceback") for text in printed) else len(printed)
 
@@ -618,7 +618,7 @@ DRAW = random.SystemRandom()
 
 @unit_tests.scenario
 def run_the_tests_on_right_and_broken_classes(arena: Arena) -> None:
-    """Replace the learner's class by the reference class, unchanged or with a fault.
+    """Replace the learner's class with the reference class, unchanged or with a fault.
 
     The order is random and each run has a separate place, so that a test can tell them apart only by what
     the class does.

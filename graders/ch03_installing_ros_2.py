@@ -55,7 +55,7 @@ def once(recording: Recording) -> None:
     if len(found) == 1:
         return
     if not found and not recording.local and "/setup." in (recording.home.file(BASHRC).text or ""):
-        raise NotApplicable(ELSEWHERE)  # it may test whether the file exists, which it does not here
+        raise NotApplicable(ELSEWHERE)  # it may source the file only if it exists: not here
     raise Failure(repeated(found) if found else missing(recording))
 
 

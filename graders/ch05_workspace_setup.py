@@ -124,7 +124,7 @@ def sources(recording: Recording) -> None:
         )
     written = mentions(recording)
     if not recording.local and "/setup." in (recording.home.file(BASHRC).text or ""):
-        raise NotApplicable(SUBMITTED)  # it may test whether the file exists, which it does not here
+        raise NotApplicable(SUBMITTED)  # it may source the file only if it exists: not here
     raise Failure(not_sourced(recording, written))
 
 

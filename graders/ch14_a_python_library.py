@@ -127,7 +127,7 @@ def place_of_error(recording: Recording, question: str) -> tuple[Location, ...]:
     """The line of the learner's code that led to the exception, from the frames that the probe saw."""
     frames = recording.probe().answer(f"{question} places")
     for frame in reversed(frames.value if frames and isinstance(frames.value, list) else []):
-        match frame:  # the learner's code runs where this answer comes from
+        match frame:  # its form is not certain: the learner's code runs in the same process
             case [str(file), int(line)]:
                 own = learners_file(file, recording.packages, recording.sources)
                 if own:

@@ -43,7 +43,7 @@ FEW_DECIMALS = 8  # a drawn number has many more
 EXACT = 1e-9
 ENOUGH = 5
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?!\w)")
-DECIMAL = re.compile(r"\d\.\d|\{")  # what is not in a line with a name
+DECIMAL = re.compile(r"\d\.\d|\{")  # never in a line with a name
 LIST = re.compile(r"\[(['\"]).\1, ")  # how Python shows a list of letters
 WHOLE = ("randint", "randrange", "choice", "getrandbits")
 MOST_NUMBERS = 6  # per line that we look at
@@ -108,7 +108,7 @@ def sums(recording: Recording) -> tuple[Sum, ...]:
 
 
 def as_sum(line: LogLine) -> Sum | None:
-    """A comes before B; C and other numbers may be anywhere. Otherwise the last three numbers count."""
+    """A comes before B; C and other numbers may be anywhere. If no three fit, the last three count."""
     numbers = [float(text) for text in NUMBER.findall(line.text)][-MOST_NUMBERS:]
     if len(numbers) < 3:
         return None

@@ -387,7 +387,7 @@ def wall(recording: Recording) -> None:
 def wrong_range(
     recording: Recording, summary: str, expected: str, message: Message, advice: str, code: str = ".range = "
 ) -> Feedback:
-    """code: what is in the line to look at."""
+    """code: a part of the line to look at."""
     return Feedback(
         summary=summary,
         expected=expected,

@@ -336,7 +336,7 @@ def serve_enough(arena: Arena, shop: Server, oracle: Oracle, node: Process) -> b
             return False
     if not oracle.given:
         return False
-    last = oracle.given[-1]  # the last one now: a node that logs at its next call is always one behind
+    last = oracle.given[-1]  # keep this one: a node that logs an answer at its next call is always one behind
     return arena.until(lambda: is_logged(arena, last), timeout=3, while_running=node)
 
 
@@ -652,7 +652,7 @@ def says_success(recording: Recording) -> None:
 
 
 def told_at(recording: Recording, number: int) -> float:
-    """When the service was called for the n-th time. A correct node may stop the rover right then."""
+    """When the service was called for call `number`, from 0. A correct node may stop the rover at once."""
     calls_so_far = recording.service(rover.STOP).calls
     return calls_so_far[number].asked if len(calls_so_far) > number else inf
 

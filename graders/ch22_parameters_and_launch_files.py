@@ -71,7 +71,7 @@ NOT_TAKEN = (
 )
 PERIOD, GIVEN_PERIOD, LATER_PERIOD = 0.5, 0.2, 0.05
 SECOND_RUN = f"{EXECUTABLE} with other values"
-# The grader also listens on a topic that no parameter names: a node could find the right one in the graph.
+# The grader also listens on a topic that no parameter names: else a node could find its topic in the graph.
 DECOY = "a topic that no parameter names"
 ENOUGH = 5
 # A message that was on its way when the change was confirmed may still be an old one.

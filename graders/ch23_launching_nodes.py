@@ -105,7 +105,7 @@ ROVER_FILE = "rover_launch.py"
 SENSOR, CONTROLLER = f"/{rover.SENSOR}", f"/{rover.CONTROLLER}"
 DISTANCE, STOP_AT, FULL_SPEED = 2.0, 0.8, 1.0  # m, m, m/s
 NEARER = 0.5  # m, the new `stop_at`
-NEAR = 0.06  # m: the rover slows down all the way
+NEAR = 0.06  # m; near enough, because the rover becomes slower and slower and never quite arrives
 APPROACH, REST = 45, 28  # measurements, ten per second, until it is that near
 TUNED = "stop_at was set"
 

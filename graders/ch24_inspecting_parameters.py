@@ -130,7 +130,7 @@ def set_to_the_largest(recording: Recording) -> None:
         "set",
         "The integer parameter was not yet set to its largest allowed value.",
         near_miss="set_other",
-        at_home=True,  # the node of this very check does it, too
+        at_home=True,  # the node in this recording does it itself
     )
 
 

@@ -171,7 +171,7 @@ def controller_subscribes(recording: Recording) -> None:
     expect_endpoint(recording, "subscription", rover.RANGE, remedy=remedy)
     expect_type(recording, "subscription", rover.RANGE, rover.RANGE_TYPE)
     expect_qos(recording, rover.RANGE)
-    if not recording.sent(rover.RANGE):  # the graph may have shown it for a moment
+    if not recording.sent(rover.RANGE):  # it may have existed only for a moment
         raise Failure(
             Feedback(
                 summary=f"The subscription to `{rover.RANGE}` was gone before a message came.",

@@ -49,8 +49,8 @@ BEFORE = "/before/this"
 # Programs see only exported variables.
 SHOW = "; ".join(f"echo {name}=$(printenv {name})" for name in VARIABLES)
 AGAIN = f"""env {" ".join(f"{name}={BEFORE}" for name in VARIABLES)} bash -ic '{SHOW}'"""
-# Solved by hand: 1/2 x'Hx + g'x with H = diag(2, 4) and g = (-2, 4), then also bounds, then x1 + x2 >= 3.
-# Each is a 1 for solved, then x1, x2, and the objective.
+# Solved by hand: 1/2 x'Hx + g'x with H = diag(2, 4) and g = (-2, 4); with bounds; also with x1 + x2 >= 3.
+# Each consists of a 1 for solved, x1, x2, and the objective.
 SOLUTIONS = {
     "inside": [1.0, 1.0, -1.0, -3.0],
     "corner": [1.0, 2.0, 0.0, 0.0],

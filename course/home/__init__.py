@@ -1,4 +1,4 @@
-"""The course home: making and finding it, starter files, backups, and the look at the solution."""
+"""The course home: making and finding it, starter files, backups, and comparing files with the solution."""
 
 from course.home.compare import FileDiff, solution_diff
 from course.home.course_home import (

@@ -1,4 +1,4 @@
-"""The learner's files beside the reference solution's."""
+"""Compares the learner's files with those of the reference solution."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from course.errors import ContentError
 from course.home.course_home import CourseHome
 from course.home.storage import storing
 
-LARGEST = 1_000_000  # bytes; a larger file is not source code, and would be compared for minutes
+LARGEST = 1_000_000  # bytes; a larger file is not source code, and comparing it would take minutes
 
 
 class FileDiff(NamedTuple):
@@ -28,7 +28,7 @@ def solution_diff(
 ) -> list[FileDiff]:
     """One entry for each of `exercise.files`, in their order. A missing file counts as an empty one.
 
-    made: texts of reference files that are not stored but made, by their path in the home.
+    made: texts of reference files that are generated instead of stored, by their path in the home.
     """
     return [FileDiff(file, _diff(file, home.path, exercise, made.get(file))) for file in exercise.files]
 
@@ -54,13 +54,13 @@ def _reference(file: str, before: list[str], reference: Path) -> list[str]:
 
 
 def _added(before: list[str], addition: Path) -> list[str]:
-    from course.rosenv import on_this_machine  # only for files of the shell
+    from course.rosenv import on_this_machine  # only for the shell's files
 
     added = on_this_machine(addition.read_text(encoding="utf-8"))
     return with_addition("".join(before), added).splitlines(keepends=True)
 
 
 def _lines(file: Path) -> list[str]:
-    """The lines with their ends. A missing one at the end of the file is marked, as in `diff`."""
+    """The lines with their line ends. If the last one has no line end, this is marked, as in `diff`."""
     *lines, last = file.read_bytes().decode(errors="replace").split("\n")
     return [f"{line}\n" for line in lines] + ([f"{last}\n\\ No newline at end of file\n"] if last else [])

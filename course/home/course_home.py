@@ -1,4 +1,4 @@
-"""The course home, the folder that plays `~` for a learner: making it, finding it, and its course."""
+"""The course home, the folder that replaces `~` for a learner: making it, finding it, and its course."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class CourseHome:
 
     @property
     def state(self) -> Path:
-        """What the course keeps for itself: progress, backups, the marker."""
+        """The folder of the course's own files: progress, backups, the marker."""
         return self.path / STATE
 
     @property
@@ -35,12 +35,12 @@ class CourseHome:
         return self.path / WORKSPACE
 
     def seed(self) -> int:
-        """The learner's own random number (63 bits), made once: what mysteries are drawn from."""
+        """The learner's own random number (63 bits), drawn once; it determines the learner's mysteries."""
         return read_marker(self.path)
 
     @contextlib.contextmanager
     def lock(self) -> Iterator[None]:
-        """One command at a time changes the files of a home; another one waits."""
+        """Only one command at a time changes the files of a home; others wait."""
         file = inside(self.path, f"{STATE}/lock")
         with contextlib.ExitStack() as stack:
             with storing("the course home cannot be written"):
@@ -57,14 +57,14 @@ def is_home(path: Path) -> bool:
 
 
 def read_marker(path: Path) -> int:
-    """The seed that the marker holds. Raises StorageError when it cannot be read, UsageError when too new."""
+    """The seed in the marker. Raises StorageError if it cannot be read, UsageError if it is too new."""
     file = path / STATE / MARKER
     with storing("the course home cannot be read"):
         content = file.read_bytes()
     try:
         marker = json.loads(content)
         schema, seed = int(marker["schema"]), int(marker["seed"])
-    except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError):  # whatever they made of it
+    except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError):  # somebody edited it
         raise StorageError(f"{file} is damaged", f"`ros2course init {path}` makes it again") from None
     if schema > SCHEMA_VERSION:
         raise UsageError(f"{path} was made by a newer ros2course", "upgrade ros2course, then try again")
@@ -80,7 +80,7 @@ def find_home(
 ) -> CourseHome:
     """--home, else ROS2COURSE_HOME, else the current folder or one above it, else ~/ros2course.
 
-    One that is named must be a course home: no other is taken in its place. Raises UsageError.
+    If one of the first two is given, it must be a course home. Raises UsageError.
     """
     environ = os.environ if environ is None else environ
     cwd = _here() if cwd is None else cwd
@@ -116,7 +116,7 @@ def _named(path: Path, by: str) -> CourseHome:
 
 
 def _full(path: Path, environ: Mapping[str, str], cwd: Path) -> Path:
-    """Absolute. Paths from files and editors may still contain `~`, because no shell has expanded it."""
+    """The absolute path. One from a file or an editor may still start with `~`, which no shell expanded."""
     if path.parts[:1] == ("~",):
         path = _user_home(environ).joinpath(*path.parts[1:])
     return Path(os.path.normpath(cwd / path))
@@ -142,8 +142,8 @@ OnNew = Callable[[Path], None]
 def create_home(path: Path, *, on_new: OnNew | None = None) -> CourseHome:
     """Make `path` a course home, or complete the one that is there.
 
-    on_new: told of each folder and file that was made, so that a second call tells of nothing.
-    Raises UsageError when the path cannot be one, StorageError when it cannot be written.
+    on_new: called with each folder and file that was made. A second call makes nothing.
+    Raises UsageError if the path cannot be a course home, StorageError if it cannot be written.
     """
     home = CourseHome(Path(os.path.normpath(path.absolute())))
     _refuse(home.path)
@@ -155,14 +155,14 @@ def create_home(path: Path, *, on_new: OnNew | None = None) -> CourseHome:
             sweep(home.path)
             sweep(home.state)
             _make_file(home.path, ".bashrc", BASHRC, tell)
-            _make_marker(home, tell)  # last: what carries it is complete
+            _make_marker(home, tell)  # last: a home with a marker is complete
     return home
 
 
 def _refuse(path: Path) -> None:
     if path.exists() and not path.is_dir():
         raise UsageError(f"{path} is a file", "give the name of a new folder: ros2course init DIR")
-    _damaged(path)  # raises for a home that is too new for us
+    _damaged(path)  # raises UsageError if a newer ros2course made the home
     if not (path / STATE).exists() and _is_own_home(path):
         advice = f"choose a folder inside it: ros2course init {path / 'ros2course'}"
         raise UsageError(f"{path} is your own home, which the course leaves alone", advice)
@@ -207,13 +207,13 @@ _COURSE_FILE = "course.txt"
 
 
 def remember_course(home: CourseHome, folder: Path) -> None:
-    """From now on commands in this home are about the course in `folder`."""
+    """From now on, commands in this home use the course in `folder`."""
     with storing("the course home cannot be written"):
         write_atomic(inside(home.path, f"{home.state.name}/{_COURSE_FILE}"), f"{folder.absolute()}\n")
 
 
 def remembered_course(home: CourseHome) -> Path | None:
-    """The folder that was remembered. Raises UsageError when it is gone."""
+    """The folder of the course that this home uses, if one is stored. Raises UsageError if it is gone."""
     file = home.state / _COURSE_FILE
     with storing("the course home cannot be read"):
         text = file.read_text(encoding="utf-8", errors="replace").strip() if file.is_file() else ""

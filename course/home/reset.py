@@ -1,6 +1,6 @@
-"""Begins an exercise again: what was there goes to a dated backup first.
+"""Begins an exercise again, after moving the old files to a dated backup.
 
-At every moment the learner's work is in its place, in the backup, or in both: a full disk or a killed
+At every moment, the learner's work is in its place, in the backup, or in both, so a full disk or a killed
 command loses nothing.
 """
 
@@ -25,9 +25,9 @@ from course.home.storage import copy_into, copy_over, inside, storing
 class ResetReport:
     """What `reset` did; paths of files are relative to the course home.
 
-    backup: the folder that holds what was there, laid out as the home; None when nothing was.
-    saved: what is in it. restored: starter files laid again. removed: files that the starter lacks.
-    kept: files that other exercises work on too, left as they are (and saved).
+    backup: the folder with the old files, arranged as in the home; None if there were none.
+    saved: the files in it. restored: starter files that were copied again. removed: files that are not in
+    the starter. kept: files that other exercises use too; they are saved, but not changed.
     """
 
     backup: Path | None
@@ -40,7 +40,7 @@ class ResetReport:
 def reset(home: CourseHome, exercise: Exercise, *, now: datetime | None = None) -> ResetReport:
     """Put the exercise's files into a backup, and its starter in their place.
 
-    Raises StorageError, with the learner's files unharmed, when the disk does not take it.
+    Raises StorageError if the disk cannot be written; the learner's work is then in its place or the backup.
     """
     starter = starter_files(exercise)
     listed = tuple(dict.fromkeys((*starter, *exercise.files)))
@@ -64,7 +64,7 @@ def _back_up(home: CourseHome, files: tuple[str, ...], name: str) -> Path | None
     if not files:
         return None
     part = inside(home.path, f"{STATE}/backups/unfinished")
-    _remove(part)  # what a killed command left; we hold the home's lock
+    _remove(part)  # left by a killed command; we hold the home's lock
     try:
         for file in files:
             _copy(home.path / file, part / file)
@@ -83,7 +83,7 @@ def _copy(source: Path, target: Path) -> None:
 
 
 def _claim(part: Path, name: str) -> Path:
-    """Rename to an unused name, even within the same second."""
+    """Rename to an unused name, even if there is already a backup from the same second."""
     backup, number = part.with_name(name), 2
     while os.path.lexists(backup):
         backup, number = part.with_name(f"{name}-{number}"), number + 1

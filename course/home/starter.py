@@ -1,4 +1,4 @@
-"""Lays an exercise's starter files into the course home. A learner's file is never overwritten."""
+"""Copies an exercise's starter files into the course home. A learner's file is never overwritten."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ _NOT_STARTERS = {"__pycache__", ".pytest_cache", ".DS_Store"}
 def begin(home: CourseHome, exercise: Exercise) -> tuple[Path, ...]:
     """Copy the starter files that are missing; returns those, as paths in the home.
 
-    A command that is killed leaves whole files only, and the next one adds the rest.
+    A killed command leaves only complete files; the next one adds the rest.
     """
     files = starter_files(exercise)
     with storing(f"the starter of {exercise.id} cannot be copied"):
         if all((home.path / file).exists() for file in files):
-            return ()  # nothing to write, so a read-only home is as good as another
+            return ()  # nothing to write, so a read-only home will do
         with home.lock():
             return tuple(_lay(home, exercise.starter, files))
 
@@ -34,7 +34,7 @@ def starter_files(exercise: Exercise) -> tuple[str, ...]:
 
 
 def _lay(home: CourseHome, starter: Path, files: tuple[str, ...]) -> Iterator[Path]:
-    targets = [(starter / file, inside(home.path, file)) for file in files]  # all, before any is written
+    targets = [(starter / file, inside(home.path, file)) for file in files]  # check all before writing any
     for source, target in targets:
         target.parent.mkdir(parents=True, exist_ok=True)
         sweep(target.parent)
@@ -43,9 +43,9 @@ def _lay(home: CourseHome, starter: Path, files: tuple[str, ...]) -> Iterator[Pa
 
 
 def keep_answers(home: CourseHome, exercise: str, text: str) -> None:
-    """Write the exercise's answers, whole or not at all. The caller has the home's lock.
+    """Write the exercise's answers, completely or not at all. The caller must hold the home's lock.
 
-    Raises StorageError when the disk does not take it, UsageError for a folder that leads elsewhere.
+    Raises StorageError if they cannot be written, UsageError if a folder is a link that leads elsewhere.
     """
     name = answers_file(exercise)
     with storing(f"{name} cannot be written"):

@@ -1,4 +1,4 @@
-"""Writing to the learner's disk: whole or not at all, and never through a link that leads elsewhere."""
+"""Writes to the learner's disk: completely or not at all, and never through a link that leads elsewhere."""
 
 from __future__ import annotations
 
@@ -34,23 +34,23 @@ def storing(what: str) -> Iterator[None]:
 
 
 def write_new(target: Path, content: bytes) -> bool:
-    """Make a file that does not exist yet; False, and nothing done, when something is there."""
+    """Make a file that does not exist yet. If something is there, do nothing and return False."""
     return _new(target, lambda part: _fill(part, content))
 
 
 def copy_new(source: Path, target: Path) -> bool:
-    """Copy a file with its mode; False, and nothing done, when something is there."""
+    """Copy a file with its mode. If something is there, do nothing and return False."""
     return _new(target, lambda part: copy_into(source, part))
 
 
 def copy_over(source: Path, target: Path) -> None:
-    """Copy a file with its mode in place of what is there. A link there is replaced, not followed."""
+    """Copy a file with its mode, and replace what is there. A link there is replaced, not followed."""
     with replacing(target) as part:
         copy_into(source, part)
 
 
 def copy_into(source: Path, target: Path) -> None:
-    """A file with its mode, or a link as a link. A plain copy: for places where half a file does no harm."""
+    """Copy a file with its mode, or a link as a link. Only for places where half a file does no harm."""
     shutil.copy(source, target, follow_symlinks=False)
     if not target.is_symlink():
         # The course may be installed read-only; the learner's copy must not be.
@@ -61,7 +61,7 @@ def copy_into(source: Path, target: Path) -> None:
 def inside(home: Path, relative: str) -> Path:
     """`home/relative`. Raises UsageError if a folder on the way is a link that leads out of the home."""
     target = home / relative
-    for folder in reversed(target.parents):  # from the top, so that the link itself is named
+    for folder in reversed(target.parents):  # from the top, so that the error names the link itself
         if folder.is_relative_to(home) and not _real(folder).is_relative_to(_real(home)):
             raise UsageError(
                 f"{folder} is a link that leads out of the course home, so nothing was written there",
@@ -71,7 +71,7 @@ def inside(home: Path, relative: str) -> Path:
 
 
 def _real(path: Path) -> Path:
-    return Path(os.path.realpath(path))  # unlike resolve(), at ease with links that lead in a circle
+    return Path(os.path.realpath(path))  # unlike resolve(), accepts circular links
 
 
 def _new(target: Path, fill: Callable[[Path], None]) -> bool:
@@ -83,7 +83,7 @@ def _new(target: Path, fill: Callable[[Path], None]) -> bool:
 
 
 def _name_it(part: Path, target: Path) -> bool:
-    """Rename the finished file, unless the name is taken in the meantime."""
+    """Rename the finished file, unless the name was taken in the meantime."""
     try:
         os.link(part, target, follow_symlinks=False)
     except FileExistsError:
@@ -91,7 +91,7 @@ def _name_it(part: Path, target: Path) -> bool:
     except OSError as error:
         if error.errno not in (errno.EPERM, errno.EOPNOTSUPP, errno.ENOSYS, errno.EMLINK):
             raise
-        if os.path.lexists(target):  # a disk without hard links: as good as it gets there
+        if os.path.lexists(target):  # on a disk without hard links, a check is the best we can do
             return False
         part.replace(target)
     return True

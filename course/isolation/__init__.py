@@ -1,4 +1,4 @@
-"""Runs foreign programs apart from this machine: `isolation.start(plan, command)`.
+"""Runs other people's programs isolated from this machine: `isolation.start(plan, command)`.
 
 isolation_plan.py  what a program may see, write, and use; sent to the grading process
 bubblewrap.py      in namespaces made by bubblewrap; the only module that names it
@@ -10,8 +10,8 @@ sandbox.py         a submission's programs, in namespaces kept open for them; la
 watchdog.py        notices when a submission exceeds a limit
 linux.py           system calls that Python has no function for; system_calls.py: those that are refused
 
-Another isolation (Docker, say) is one more module with the functions of `Backend`. `ISOLATION` names the
-one in use.
+To add another isolation (Docker, say), write one more module with the functions of `Backend`. `ISOLATION`
+is the one in use.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Backend(Protocol):
     """What each isolation module provides."""
 
     def program(self) -> str:
-        """If this file changes, everything has to be tried again."""
+        """The program that isolates, whose levels are tested again when its file changes."""
 
     def obstacle(self, level: Level) -> str | None:
         """Why this level is not available here, in one line with what to do; None if it is."""

@@ -1,7 +1,7 @@
 """Isolation in namespaces that bubblewrap makes. See `course.isolation.Backend`.
 
-Source: bwrap(1). Of the settings that keep namespaces from an ordinary user:
-Documentation/admin-guide/sysctl/{user,kernel}.rst of Linux; apparmor.d(5); Ubuntu's release notes of 24.04.
+Source: bwrap(1). About the settings that deny namespaces to ordinary users: apparmor.d(5), the release notes
+of Ubuntu 24.04, and Documentation/admin-guide/sysctl/{user,kernel}.rst of Linux.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from course.isolation.system_calls import refusing
 from course.isolation.view import SYSTEM
 
 _PROBE_TIMEOUT = 30.0
-_BUSY = 2.0  # programs that want each processor, from which on they slow down a start
+_BUSY = 2.0  # at this many waiting programs per processor, starts become slow
 _START_TIME = 20.0
 _END_TIMEOUT = 30.0
 _READY = b"ready\n"
@@ -48,14 +48,14 @@ _READABLE = (
 ).split()
 # The machine has about 3,000 pseudo-terminals, and builds need none.
 _NO_TERMINALS = ("--tmpfs", "/dev/pts", "--remount-ro", "/dev/pts")
-# Until bubblewrap does this itself. If we have ended before the kernel knows whom to signal ($0 is our
-# number), nothing starts: a bubblewrap that nobody listens to hangs forever.
+# Ends bubblewrap when we end, until its own --die-with-parent takes effect. $0 is our pid: if we end before
+# the kernel knows about this, nothing starts. A bubblewrap that nobody listens to hangs forever.
 _WITH_US = "setpriv --pdeathsig KILL -- /bin/sh -c".split()
 _IF_WE_ARE_HERE = '[ "$PPID" = "$0" ] || exit 126; '
 _NAMESPACES = "--die-with-parent --unshare-pid --unshare-ipc --unshare-uts --hostname robot".split()
 # The only user inside that is not root. Nested user namespaces cannot have others.
 _USER = "--unshare-user --uid 1000 --gid 1000 --disable-userns".split()
-# What programs look up there, without anything about this machine or its users.
+# The files of /etc that programs read, except those about this machine or its users.
 _ETC = (
     "alternatives bash.bashrc bash_completion.d default/locale inputrc ld.so.cache ld.so.conf ld.so.conf.d "
     "locale.alias localtime lsb-release mime.types nsswitch.conf os-release profile profile.d protocols "
@@ -64,17 +64,17 @@ _ETC = (
 ).split()
 # A right that does nothing: processes of the same user without it cannot reach a process that has it.
 _GUARDED = ("--cap-add", "CAP_WAKE_ALARM")
-# What programs need may be in SCRATCH.
+# SCRATCH may contain files that programs need.
 _OWN_MEMORY = (
     f"--die-with-parent --dev-bind / / --perms 1777 --tmpfs /dev/shm --bind-try {SCRATCH} {SCRATCH} --"
 ).split()
-# The first process of a build's namespaces, which nothing in there can kill: it says how the command ended.
-# What bash itself says about that does not belong in the command's output.
+# The first process of a build's namespaces, which nothing inside can kill. It reports the command's exit
+# code; bash's own message about how the command ended does not belong in the output.
 _TELLING = 'exec 3>&2 2>/dev/null; "$@" 2>&3 3>&- {0}>&-; code=$?; echo "$code" >&{0}; exit "$code"'
 # The first process of an arena's namespaces, so no signal from inside ends it. It ignores SIGCHLD, so it
 # need not reap orphans. It ends when our end of its input closes.
 _IGNORING = "env --ignore-signal=CHLD"
-# Only ready when it starts no more processes: the ids of a program's own would tell a busy machine.
+# It reports ready only when it starts no more processes: they would shift the pids that programs see.
 _HOLDING = f"{_IGNORING} true 2>/dev/null; no=$?; echo ready; [ $no = 0 ] && exec {_IGNORING} cat; exec cat"
 
 
@@ -168,7 +168,7 @@ def start(plan: IsolationPlan, command: Sequence[str], **options: Any) -> Iterat
         return
     with contextlib.ExitStack() as stack:
         texts = [(stack.enter_context(data(text)), name) for name, text in users(plan)]
-        info, telling = stack.enter_context(_pipe())  # which is the first process of the namespaces
+        info, telling = stack.enter_context(_pipe())  # says which process is the namespaces' first
         gate, opening = stack.enter_context(_pipe())  # it waits until we have noted that
         ending, ended = stack.enter_context(_pipe())  # how the command ended
         given = [*(number for number, _ in texts), *(end.fileno() for end in (telling, gate, ended))]
@@ -183,7 +183,7 @@ def start(plan: IsolationPlan, command: Sequence[str], **options: Any) -> Iterat
         started = stack.enter_context(none.start(None, whole, pass_fds=given, **options))
         telling.close()
         if (pid := _first_process(info)) is not None:
-            with contextlib.suppress(ProcessLookupError):  # it was killed again
+            with contextlib.suppress(ProcessLookupError):  # it has been killed already
                 stack.callback(_end, os.pidfd_open(pid))
         opening.write(b"!")
         yield IsolatedProcess(started.process, lambda: bool(_ready([ending], 0) and ending.read(100)))
@@ -219,7 +219,7 @@ def hold(plan: IsolationPlan, scratch: Path | None = None) -> Iterator[Holder]:
 
 
 def _answers(process: subprocess.Popen[bytes]) -> bool:
-    """Whether it, and bubblewrap, are still alive: then it repeats what it is told."""
+    """Whether the first process and bubblewrap are alive: then the process repeats what it is told."""
     assert process.stdin is not None
     try:
         os.write(process.stdin.fileno(), _READY)
@@ -229,7 +229,7 @@ def _answers(process: subprocess.Popen[bytes]) -> bool:
 
 
 def _until_ready(process: subprocess.Popen[bytes]) -> bytes:
-    """What it prints until it says that it is ready, or until it ends."""
+    """What the process prints until it says that it is ready, or until it ends."""
     assert process.stdout is not None
     said = b""
     while not said.endswith(_READY):
@@ -262,8 +262,8 @@ def arguments(
         *_mounts("--bind", plan.write),
         *(_memory(scratch, plan.limits.scratch) if scratch else ()),
         *(word for number, name in texts for word in ("--perms", "644", "--ro-bind-data", str(number), name)),
-        # All of this goes into memory that has no limit and belongs to root inside.
-        # And in /proc, programs could change how the kernel schedules them.
+        # All these folders are in memory without a limit, and belong to root inside.
+        # In /proc, programs could also change how the kernel schedules them.
         *(word for path in ("/", "/dev", "/proc", *plan.empty) for word in ("--remount-ro", path)),
     )
 
@@ -331,7 +331,7 @@ def _pipe() -> Iterator[tuple[IO[bytes], IO[bytes]]]:
 
 
 def _first_process(info: IO[bytes]) -> int | None:
-    """Its pid, as bubblewrap reports it; None if bubblewrap did not get that far. It ends with its command.
+    """The pid that bubblewrap reports; None if it did not get that far. The process ends with its command.
 
     Raises OurFault if bubblewrap hangs.
     """

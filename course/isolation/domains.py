@@ -1,4 +1,4 @@
-"""ROS domains: a free one for a check, and for programs of a scenario where others use the same network."""
+"""ROS domains: a free one for a check, or for a scenario's programs if others use the same network."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from course.errors import MissingHere
 
 # Higher domains have port numbers in the range that Linux uses for outgoing connections.
 _DOMAINS = range(1, 102)
-# How many programs may remain in one domain when the first has ended.
+# How many participants of a domain are looked for: the first ones may have ended.
 _PARTICIPANTS = 32
 
 
@@ -68,8 +68,8 @@ class Domains:
     def at(self, number: int) -> int:
         """The real ROS_DOMAIN_ID for domain `number`; 0 is the arena's.
 
-        On a network that others use, too, that is a free domain: in the one with that number, there may be
-        other checks, or a robot. It is held until `close`. Raises MissingHere if all are taken.
+        On a network that others use, too, this is a free domain, because other checks or a robot may use the
+        one with that number. It is held until `close`. Raises MissingHere if all are taken.
         """
         if self._around is None:
             return number
@@ -79,5 +79,4 @@ class Domains:
         return found
 
     def close(self) -> None:
-        """Release the domains."""
         self._claims.close()

@@ -37,7 +37,7 @@ _MAP = Path("/proc/self/uid_map")
 @contextlib.contextmanager
 def control_groups(limits: ResourceLimits, root: Path = ROOT) -> Iterator[tuple[Path, ...]]:
     """Folders of new groups with these limits, whose processes are killed at the end; () if impossible."""
-    made: list[Path] = []  # what is made counts even if a signal ends the making
+    made: list[Path] = []  # complete even if a signal interrupts `_make`
     try:
         if not _make(made, limits, root):
             _remove(made)
@@ -68,7 +68,7 @@ def memory_kills(groups: Sequence[Path]) -> int:
 
 
 def refused_processes(groups: Sequence[Path]) -> int:
-    """How often the kernel refused the group another process or thread."""
+    """How often the kernel refused to give the group another process or thread."""
     return sum(_counter(group / "pids.events", "max") for group in groups)
 
 
@@ -155,7 +155,7 @@ def _sweep(parent: Path) -> None:
 
 
 def _started(pid: int) -> int:
-    """When the process began, in ticks since the machine did; 0 if it has ended. Numbers are used again."""
+    """When the process began, in ticks since boot; 0 if it has ended. A pid may be reused; this differs."""
     with contextlib.suppress(OSError):
         fields = Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()
         return int(fields[19]) if fields[0] not in (b"Z", b"X") else 0

@@ -20,7 +20,7 @@ SCRATCH, PROGRAMS = Path("/dev/shm/ros2course"), "programs"
 TEMPORARY = 64 * _MB
 # The address sanitizer reserves 20 TB of addresses, one mark for each byte, and no memory.
 _FOR_SANITIZERS = 64 * 1024 * 1024 * _MB
-# Of the grading process: it limits what it keeps of a submission, but its middleware limits nothing.
+# For the grading process: it limits what it keeps of a submission, but its middleware limits nothing.
 _OURS = 2048 * _MB
 
 
@@ -83,8 +83,8 @@ class IsolationPlan:
 class IsolatedProcess:
     """What `isolation.start` started.
 
-    saw_the_end: call it afterwards: whether the process ended by itself, and was not killed together with
-    the processes around it, by us or from outside.
+    saw_the_end: call it afterwards. It says whether the process ended by itself, and was not killed together
+    with the processes around it, by us or from outside.
     """
 
     process: subprocess.Popen[bytes]

@@ -143,7 +143,7 @@ class _Launcher:
 
     def _become(self, order: Order, descriptors: Sequence[int], trouble: int) -> NoReturn:
         try:
-            # Away from the requested numbers.
+            # Move it away from the requested numbers.
             trouble = fcntl.fcntl(trouble, fcntl.F_DUPFD_CLOEXEC, 1 + max(3, *order.descriptors, 3))
             os.setsid()
             fcntl.ioctl(descriptors[0], termios.TIOCSCTTY, 0)
@@ -198,7 +198,7 @@ def _limit_of_descriptors() -> int:
 
 
 def _execute(order: Order) -> NoReturn:
-    for number in (signal.SIGPIPE, signal.SIGXFSZ):  # which Python ignores
+    for number in (signal.SIGPIPE, signal.SIGXFSZ):  # Python ignores them
         signal.signal(number, signal.SIG_DFL)
     name = order.command[0]
     try:
@@ -246,7 +246,7 @@ def _serve_alone(link: socket.socket) -> NoReturn:
 
 
 def _let_go_of_everything(link: int) -> None:
-    """Close everything, above all the pipe for verdicts, and the job."""
+    """Close everything, above all the pipe for verdicts and the file with the job."""
     nothing = os.open(os.devnull, os.O_RDWR)
     for number in (0, 1):
         os.dup2(nothing, number)

@@ -27,7 +27,7 @@ _BOOT = Path("/proc/sys/kernel/random/boot_id")
 
 @dataclass(frozen=True)
 class MachinePlaces:
-    """Places that the grading process needs, also below /tmp, where it otherwise has its own."""
+    """Places that the grading process needs, even below /tmp, where it otherwise sees only its own files."""
 
     read: tuple[Path, ...] = ()
     write: tuple[Path, ...] = ()
@@ -37,7 +37,7 @@ class MachinePlaces:
 class Isolation:
     """How one check is isolated.
 
-    plan: for the grading process. environment: added to its environment. missing: a quiet line on what this
+    plan: for the grading process. environment: added to its environment. missing: a line about what this
     machine lacks, or None. identity: of the sandbox's programs; None without a sandbox.
     """
 
@@ -97,7 +97,7 @@ def isolated_build(
 ) -> Iterator[IsolationPlan | None]:
     """No network, no processes but its own, no files but those it needs; None if that is not available.
 
-    writable: folders that the plan's user may write after they get them. more: what else it reads.
+    writable: folders that are given to the plan's user. more: what else the build reads.
     """
     known = isolation.ISOLATION
     if unless_known(_KNOWN_BUILDS, known.program(), known.build_obstacle) is not None:

@@ -80,7 +80,7 @@ def drop_all_rights() -> None:
         if _LIBC.prctl(PR_CAPBSET_DROP, right, 0, 0, 0) != 0:
             if ctypes.get_errno() != errno.EINVAL:
                 _fail()
-            return  # the kernel knows no more rights
+            return  # the kernel has no rights with higher numbers
 
 
 class _Filter(ctypes.Structure):

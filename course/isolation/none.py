@@ -43,7 +43,7 @@ def start(plan: IsolationPlan | None, command: Sequence[str], **options: Any) ->
 
 
 def end(process: subprocess.Popen[bytes]) -> None:
-    """Kill what is left of its session, unless its end was noted already."""
+    """Kill the rest of the process's session, unless its end was already noted."""
     # Until the leader is reaped, nobody else can have its number.
     if process.returncode is None:
         with contextlib.suppress(ProcessLookupError):
@@ -132,7 +132,7 @@ def _strike(spared: Collection[int]) -> set[int]:
                 if _state(pid) != "Z":
                     os.kill(pid, signal.SIGKILL)
                     struck.add(pid)
-            waiting += _children(pid)  # after that, it makes no more children
+            waiting += _children(pid)  # once killed, it starts no more children
     return struck
 
 

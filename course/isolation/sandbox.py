@@ -41,7 +41,7 @@ class SandboxedProgram:
         if self._code is None:
             try:
                 self._code = int(self._sandbox.ask(as_message("reap", pid=self.pid))["code"])
-            except Spoilt:  # unknown; and `require_ours` discards this run anyway
+            except Spoilt:  # the code is unknown, but `require_ours` discards this run anyway
                 self._code = -signal.SIGKILL
         return self._code
 
@@ -55,7 +55,7 @@ class Sandbox:
     """A starter of programs (see `isolation_plan.Starter`), while the namespaces are held."""
 
     def __init__(self, link: socket.socket, places: Sequence[str] = ()) -> None:
-        """places: folders that programs need, anywhere."""
+        """places: folders that programs need, wherever they are."""
         self._link = link
         self._in_memory = tuple(place for place in places if Path(place).is_relative_to(MEMORY))
         self._one_at_a_time = threading.Lock()
@@ -79,7 +79,7 @@ class Sandbox:
         try:
             started = self.ask(start_message(order), (terminal, *descriptors))
         except OSError as error:
-            # No process can start in namespaces whose first process is dead, or which have too many.
+            # No process can start in namespaces whose first process is dead, or that have too many processes.
             self.look()
             if self.over:
                 raise SandboxOver from error

@@ -2,8 +2,8 @@
 
 Programs have no rights already. The filter refuses what needs no rights: user namespaces, in which a
 program would be root again; looking into other processes; the parts of the kernel that were attacked most;
-and memory that counts for no process. Of networks, it allows local sockets, TCP, UDP, and questions about
-the program's own network. Refused calls fail with EPERM, as in most containers. Calls that libraries can do
+and memory that counts for no process. It allows local sockets, TCP, UDP, and questions about the program's
+own network. Refused calls fail with EPERM, as in most containers. Calls that libraries can do
 without fail as if the kernel did not know them. Calls that set priorities seem to succeed but change
 nothing: a program with a low priority could always claim that the machine was too busy, and Fast DDS prints
 errors if they fail.
@@ -21,7 +21,7 @@ from dataclasses import dataclass
 # All namespaces: mount, cgroup, uts, ipc, user, pid, net.
 _NEW_NAMESPACES = 0x7E02_0000
 _UNIX, _INET, _INET6, _NETLINK = 1, 2, 10, 16
-_KIND = 0xF  # of a socket's type, beside flags
+_KIND = 0xF  # these bits of a socket's type; the others are flags
 _STREAM, _DATAGRAM = 1, 2
 _PROTOCOLS = (0, 6, 17)  # the type's default, TCP, UDP; not MPTCP, SCTP, and others
 _ROUTES = 0  # of netlink's protocols: which networks there are, not who uses them (sock_diag)

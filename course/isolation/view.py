@@ -43,7 +43,7 @@ _OF_A_PREFIX = (*_BELOW, "pyvenv.cfg", "*-conda-linux-gnu", "setup.*", "local_se
 _SHARED = frozenset("ament_index ros2course colcon foonathan_memory pkgconfig aclocal man locale".split())
 _SHARED_BEGINNINGS = ("cmake", "colcon_", "fast")
 _PYTHON_FOLDERS = ("lib*/python3*/site-packages", "lib*/python3*/dist-packages")
-# Where a course may be installed beside the distribution's packages.
+# Where a course may be installed among the distribution's packages.
 _OF_THE_SYSTEM = (Path("/usr/share"), *(path for name in _PYTHON_FOLDERS for path in Path("/usr").glob(name)))
 _STEM = re.compile("[-.]")
 _LIBRARIES = ("LD_LIBRARY_PATH", "PKG_CONFIG_PATH")
@@ -133,7 +133,7 @@ def linked(seen: View, cache: Path) -> View:
 
 
 def _links(folder: str, packages: Sequence[str], cache: Path) -> Path | None:
-    """None where they cannot be made, as on another file system."""
+    """The folder with the links; None if they cannot be made, as on another file system."""
     with contextlib.suppress(OSError):
         links = cache / digest([folder, *map(_stamp, packages)])
         if not links.exists():
@@ -146,7 +146,7 @@ def _links(folder: str, packages: Sequence[str], cache: Path) -> Path | None:
 
 
 def _stamp(path: str) -> str:
-    """What changes when pip replaces the package."""
+    """A text that changes when pip replaces the package."""
     status = os.lstat(path)
     return f"{path} {status.st_ino} {status.st_mtime_ns}"
 
@@ -195,7 +195,7 @@ def _python_folders(prefix: Path) -> list[Path]:
 
 
 def _courses_of_the_system() -> list[Path]:
-    """Somebody may have installed a course among the distribution's packages."""
+    """Courses that somebody installed among the distribution's packages."""
     folders = (folder for folder in _OF_THE_SYSTEM if folder.is_dir())
     return [path for folder in folders for path in folder.iterdir() if _holds_course(path)]
 
@@ -241,7 +241,7 @@ def _is_package(entry: os.DirEntry[str], registered: Container[str]) -> bool:
 
 
 def _outermost(paths: Iterable[Path], empty: Iterable[Path]) -> list[Path]:
-    """Without paths that a folder around them shows anyway, unless that folder is empty."""
+    """The paths, without those that a folder around them shows anyway, unless that folder is empty."""
     full, hollow = {*SYSTEM}, {*empty}
     kept: list[Path] = []
     for path in sorted(set(paths), key=lambda path: (len(path.parts), path)):

@@ -27,11 +27,11 @@ def most_of(limits: ResourceLimits, limit: str) -> float:
 
 
 class Watchdog:
-    """Looks when asked. root: the pid of a process that belongs to the submission, like its descendants and
-    all processes in a namespace in which it is the first.
+    """Looks when asked. root: the pid of a process of the submission. Its descendants belong to it, too, and
+    so do all processes in a namespace in which it is the first.
 
-    groups: its control groups. scratch: returns how many bytes it has written, and how many it may write.
-    cpu: seconds of computing at the last look.
+    groups: the submission's control groups. scratch: returns how many bytes it has written, and how many it
+    may write. cpu: seconds of computing at the last look.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class Watchdog:
 
     def _by_groups(self) -> str | None:
         self.cpu = identity.cpu_seconds(self._groups)
-        # First, because so many processes use up the memory, too.
+        # Checked first, because too many processes also use up the memory.
         if identity.refused_processes(self._groups):
             return PROCESSES
         if identity.memory_kills(self._groups):
@@ -74,14 +74,14 @@ class Watchdog:
         if threads >= self._limits.processes:  # the kernel refuses anything far beyond
             return PROCESSES
         if memory > self._limits.memory:
-            # Shared memory counts for each of them: so many are too many, whatever they need.
+            # Shared memory is counted once per process, so with many processes the sum says nothing.
             return PROCESSES if threads >= self._limits.processes * _MANY else MEMORY
         return CPU if seconds > self._limits.cpu else None
 
 
 @contextlib.contextmanager
 def watching(watchdog: Watchdog, on_breach: Callable[[str], None]) -> Iterator[Callable[[], None]]:
-    """Look in a separate thread; call `on_breach` once. Yields a function that looks now, from any thread."""
+    """Look in a separate thread; call `on_breach` once. Yields a function that looks now, in any thread."""
     over, one_at_a_time = threading.Event(), threading.Lock()
 
     def look() -> None:
@@ -100,16 +100,16 @@ def watching(watchdog: Watchdog, on_breach: Callable[[str], None]) -> Iterator[C
     try:
         yield look
     finally:
-        look()  # whatever ended a program, or kept one from starting, may be the limit
+        look()  # a limit may be why a program ended or did not start
         over.set()
         thread.join()
 
 
 def filesystem(folder: Path, further: Sequence[Path] = ()) -> Callable[[], tuple[int, int]]:
-    """For the submission's own file system: full means too much.
+    """For a submission with its own file system: it has written too much when that is full.
 
-    Each file counts as at least a page, because empty files use the kernel's memory. further: other file
-    systems, whose number of files counts.
+    Each file counts as at least one page, because even empty files use the kernel's memory. further: other
+    file systems, of which only the number of files counts.
     """
 
     def used() -> tuple[int, int]:
@@ -130,7 +130,7 @@ def _files(folder: Path) -> int:
 
 
 def _tree(root: int) -> Iterable[psutil.Process]:
-    """All processes below that one, and others in its namespace: programs are put in from outside."""
+    """All processes below that one, and others in its namespace, where programs are put from outside."""
     found: dict[int, psutil.Process] = {}
     with contextlib.suppress(psutil.Error):
         top = psutil.Process(root)

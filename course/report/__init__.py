@@ -1,4 +1,4 @@
-"""Renderers: data in, something to read out. Nothing here decides, stores or exits.
+"""Renderers: they turn data into something to read. Nothing here decides, stores or exits.
 
 Everything that may come from a submission goes through `sanitize` before it reaches a terminal.
 """

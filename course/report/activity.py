@@ -1,6 +1,6 @@
-"""How far a command is: a moving line, or a count with its pace; plain lines off a terminal.
+"""A command's progress: a moving line, or a count with its rate; plain lines if there is no terminal.
 
-Written to standard error, so that standard output contains only the result.
+It goes to standard error, so that standard output contains only the result.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ FRAMES_PER_SECOND = 6
 
 
 class _Line:
-    """The moving line: a turning bar, what is being done, and since when."""
+    """The moving line: a spinner, what is being done, and for how long."""
 
     def __init__(self, message: str) -> None:
         self._message = message
@@ -39,7 +39,7 @@ class _Line:
 
 @contextmanager
 def activity(console: Console, message: str, *, quiet: bool = False) -> Iterator[Callable[[str], None]]:
-    """Yields a function that takes what is being done now; `quiet` shows nothing off a terminal."""
+    """Yields a function to call with what is being done now. `quiet`: show nothing without a terminal."""
     if console.is_terminal and not console.is_dumb_terminal:
         with _moving(console, message) as say:
             yield say
@@ -79,13 +79,13 @@ def _plain(console: Console) -> Callable[[str], None]:
 
 
 class Show(Protocol):
-    """done: the text of what is done now. doing: of what goes on, for a terminal."""
+    """done: text about what was just finished. doing: about what is still going on, for a terminal."""
 
     def __call__(self, tally: Tally, done: str | None, doing: str = "") -> None: ...
 
 
 class Tally:
-    """What has been done up to now, and how fast. before: how much of it an earlier run had done."""
+    """How much has been done up to now, and how fast. before: how much of it an earlier run had done."""
 
     def __init__(self, total: int, before: int = 0) -> None:
         self.total = total
@@ -95,7 +95,7 @@ class Tally:
         self._ends: Counter[str] = Counter()
 
     def count(self, end: str) -> None:
-        """One more is done, and ended like this."""
+        """Count one more that is done. end: how it ended."""
         self.done += 1
         self._ends[end] += 1
 
@@ -115,7 +115,7 @@ class Tally:
 
 @contextmanager
 def progress(console: Console) -> Iterator[Show]:
-    """Yields what shows a tally: a bar on a terminal; elsewhere a plain line for each text."""
+    """Yields a function that shows a tally: as a bar on a terminal, else as a plain line for each text."""
     if not console.is_terminal or console.is_dumb_terminal:
         yield lambda tally, done, doing="": put(console, f"{done}  ({tally.line()})") if done else None
         return

@@ -16,7 +16,7 @@ from course.report.console import put, put_prose
 
 @dataclass(frozen=True)
 class SubmissionRow:
-    """One submission as it was found. Texts are safe to show. remarks: what is to be said of it."""
+    """One submission as it was found. Texts are safe to show. remarks: what to say about it."""
 
     person: str
     name: str
@@ -71,7 +71,7 @@ def line_of(person: str, result: Result) -> str:
 def render_end(
     console: Console, verdicts: Sequence[tuple[str, int]], files: Sequence[tuple[str, str]]
 ) -> None:
-    """How many ended how, and where to read on. files: path and what it is."""
+    """How many gradings ended with each verdict, and where to read more. files: path and what it is."""
     put(console, ", ".join(f"{count} {verdict}" for verdict, count in verdicts) or "Nothing was graded.")
     put(console)
     width = max((len(name) for name, _ in files), default=0)
@@ -81,9 +81,9 @@ def render_end(
 
 @dataclass(frozen=True)
 class MovedRow:
-    """One grading. name: whose it is. reasons: one line for each check that moved.
+    """One grading. name: whose it is. reasons: one line for each check whose result changed.
 
-    before, after: points. most_before, most_after: what could be had.
+    before, after: points. most_before, most_after: the maximum.
     """
 
     name: str
@@ -100,7 +100,7 @@ class MovedRow:
 
 
 def render_moves(console: Console, rows: Sequence[MovedRow], judged: int) -> None:
-    """Each grading whose points moved, with its reasons below it, and a last line."""
+    """Each grading that changed, with the reasons below it, and a last line."""
     width = max((len(sanitize.one_line(row.name)) for row in rows), default=0)
     for row in rows:
         who = sanitize.one_line(row.name).ljust(width)
@@ -123,7 +123,7 @@ def _marks(row: MovedRow) -> str:
 
 
 def render_lacking(console: Console, lines: Sequence[tuple[str, str, str]], command: str) -> None:
-    """Gradings that stay as they were: person, exercise and why. command: what grades them again."""
+    """Gradings that stay as they were: person, exercise and reason. command: it grades them again."""
     if not lines:
         return
     put(console)

@@ -1,4 +1,4 @@
-"""The consoles that everything is printed on, and the few layout helpers that renderers share.
+"""The consoles on which everything is printed, and the few layout helpers that renderers share.
 
 Markup, emoji codes and automatic highlighting are off: text is shown as it is.
 """
@@ -15,7 +15,7 @@ from rich.console import Console
 from rich.text import Text
 from rich.theme import Theme
 
-# Longer lines are hard to read, whatever the terminal's width.
+# Longer lines are hard to read, however wide the terminal is.
 WIDEST = 100
 # Colors of the terminal's own sixteen, and no backgrounds: both light and dark terminals exist.
 STYLES = {"markdown.code": "cyan", "markdown.table.border": "dim", "markdown.table.header": "bold"}
@@ -37,11 +37,11 @@ def error_console() -> Console:
 
 @contextmanager
 def paged(console: Console) -> Iterator[None]:
-    """Everything printed inside goes through the environment's PAGER; off a terminal, straight out."""
+    """Send everything printed inside to the environment's PAGER; without a terminal, print it directly."""
     if not console.is_terminal:
         yield
         return
-    # `less` shows colors as they are only when told to.
+    # `less` shows colors only when told to.
     styles = "r" in os.environ.get("LESS", "").lower()
     with console.pager(styles=styles):
         yield
@@ -53,13 +53,13 @@ def is_plain(console: Console) -> bool:
 
 
 def put(console: Console, text: str | Text = "", style: str = "") -> None:
-    """One line, neither wrapped nor cut: what must stay whole to be copied or clicked."""
+    """Print one line, neither wrapped nor cut: for text that people copy or click."""
     line = Text(text, style) if isinstance(text, str) else text
     console.print(line, soft_wrap=True)
 
 
 def put_prose(console: Console, text: str | Text, *, first: str = "", rest: str | None = None) -> None:
-    """Wrapped text; `first` goes before its first line, `rest` (default: spaces) before the others."""
+    """Print wrapped text; `first` goes before its first line, `rest` (default: spaces) before the others."""
     prose = Text(text) if isinstance(text, str) else text
     hanging = " " * len(first) if rest is None else rest
     room = max(console.width - max(len(first), len(hanging)), 20)
@@ -77,7 +77,7 @@ def with_code(console: Console, text: str, style: str = "") -> Text:
 
 
 def put_steps(console: Console, steps: Iterable[tuple[str, str]]) -> None:
-    """What to type next: pairs of a command and what it is for."""
+    """Print what to type next: pairs of a command and what it is for."""
     rows = list(steps)
     width = max((len(command) for command, _ in rows), default=0)
     put(console, "Type next:", "bold")

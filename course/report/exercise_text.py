@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def _put_markdown(console: Console, text: str) -> None:
-    from course.report.markdown import put_markdown  # `list` needs none of it, and must not pay for it
+    from course.report.markdown import put_markdown  # slow to import, and `list` does not need it
 
     put_markdown(console, text)
 
@@ -47,7 +47,7 @@ def render_exercise(console: Console, exercise: Exercise, home: Path, state: str
 
 
 def render_new_files(console: Console, home: Path, files: Sequence[Path]) -> None:
-    """Which files were laid into the course home just now, after `render_exercise`; nothing for none."""
+    """The files that were just copied into the course home; call it after `render_exercise`."""
     if not files:
         return
     put(console, "New files, just added:", "bold")
@@ -57,9 +57,9 @@ def render_new_files(console: Console, home: Path, files: Sequence[Path]) -> Non
 
 
 def render_new_home(console: Console, home: Path, *, was_there: bool, course: Path | None = None) -> None:
-    """That a course home was made, and what it is for; or that it was there already.
+    """Say that a course home was made, and what it is for; or that it was there already.
 
-    course: what it belongs to from now on, if that is to be said.
+    course: the course that it belongs to from now on, if that should be shown.
     """
     if was_there:
         put(console, f"This is a course home already: {sanitize.one_line(str(home))}")
@@ -74,7 +74,7 @@ def render_new_home(console: Console, home: Path, *, was_there: bool, course: Pa
 
 
 def put_requires(console: Console, needed: Sequence[str]) -> None:
-    """Which exercises come before this one and are not passed yet; nothing when there are none."""
+    """The exercises that this one builds on and that are not passed yet; nothing if there are none."""
     if needed:
         put_prose(console, f"It builds on {', '.join(needed)}, which you have not passed yet.")
         put(console)
@@ -89,7 +89,7 @@ def render_hint(console: Console, exercise_id: str, number: int, total: int, tex
 
 
 def render_after(console: Console, text: str) -> None:
-    """What a lesson says after a pass."""
+    """The lesson's text that follows a pass."""
     put(console)
     _put_markdown(console, text)
 
@@ -114,7 +114,7 @@ class Reset(Protocol):
 
 
 def render_reset(console: Console, report: Reset) -> None:
-    """Where the backup is, and which files are new, gone or left as they were."""
+    """Where the backup is, and which files were restored, removed or left as they were."""
     if report.backup is None:
         put(console, "There were no files of yours to save.")
     else:
@@ -143,7 +143,7 @@ def _rule(console: Console, title: str, remark: str = "") -> Text:
 
 
 def _without_title(text: str, title: str) -> str:
-    """The text without a first heading that only repeats the title above it."""
+    """The text without its first heading, if that only repeats the title above it."""
     first, _, rest = text.lstrip().partition("\n")
     repeats = first.startswith("# ") and title.casefold() in first.casefold()
     return rest.lstrip("\n") if repeats else text
@@ -157,7 +157,7 @@ LETTERS = ascii_lowercase
 
 
 def render_question(console: Console, question: Question, *, number: int, total: int) -> None:
-    """The question that is asked now: `number` of `total`, from 1. Its choices get letters."""
+    """The current question: `number` of `total`, from 1. Its choices get letters."""
     put(console)
     put(console, f"Question {number} of {total}", "bold")
     _put_markdown(console, question.ask)
@@ -177,7 +177,7 @@ def render_output(console: Console, predicted: str, lines: Sequence[str]) -> Non
 
 
 def render_questions(console: Console, questions: Iterable[Question]) -> None:
-    """All questions to read, under the names that they have in the answers file."""
+    """All questions, under their names from the answers file."""
     put(console, "The questions:", "bold")
     for question in questions:
         put(console)
@@ -212,9 +212,9 @@ class ExerciseRow:
 
 
 def render_list(console: Console, rows: Iterable[ExerciseRow], chapters: Iterable[str] = ()) -> None:
-    """Chapters with their exercises, one line each, and the sum at the end.
+    """Chapters with their exercises, one line each, and the total at the end.
 
-    chapters: all of them, in their order, also those without exercises; those of the rows if left out.
+    chapters: all of them, in their order, even those without exercises; by default, those of the rows.
     """
     every = list(rows)
     width = max((len(row.exercise) for row in every), default=0)
@@ -256,7 +256,7 @@ LONGEST_LINE = 2000
 
 
 def render_diff(console: Console, files: Iterable[tuple[str, str]]) -> bool:
-    """Unified diffs (file, text); says which files are the same. Returns whether anything differs."""
+    """Print unified diffs (file, text) and which files are the same. Return whether anything differs."""
     differs = False
     for file, diff in files:
         if not diff.strip():
@@ -277,7 +277,7 @@ def _diff_line(line: str) -> Text:
 def render_made(
     console: Console, what: str, root: Path, new: Iterable[Path], changed: Iterable[Path]
 ) -> None:
-    """The new files (`+`) and those that got more (`~`), as they lie in the course."""
+    """The new files (`+`) and the changed ones (`~`), relative to the course."""
     put(console, f"{what} in {sanitize.one_line(str(root))}:", "bold")
     for mark, files in (("+", new), ("~", changed)):
         for file in sorted(files):

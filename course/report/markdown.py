@@ -1,8 +1,8 @@
 """Markdown for the terminal: lessons, exercises and hints.
 
-Differs from rich's own in what a learner needs: code can be copied (no filling up to the right
-edge, no wrapping at the top level), and without color everything still shows what it is:
-headings are underlined, code in a sentence keeps its backquotes.
+It differs from rich's own Markdown in what a learner needs: code can be copied (no padding to the right
+edge, no wrapping at the top level), and the text stays clear without color: headings are underlined, and
+code in a sentence keeps its backquotes.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ CODE_INDENT = 4
 
 
 class PlainHeading(Heading):
-    """A heading at the left edge, underlined where bold cannot be relied on."""
+    """A heading at the left edge, underlined if there may be no bold type."""
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         strong = "bold" if is_plain(console) else "bold magenta"
@@ -33,7 +33,7 @@ class PlainHeading(Heading):
 
 
 class CopyableCode(CodeBlock):
-    """A code block: indented, colored where there is color, never filled up with spaces."""
+    """A code block: indented, colored if there is color, and never padded with spaces."""
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         code = str(self.text).rstrip()
@@ -44,7 +44,7 @@ class CopyableCode(CodeBlock):
 
 
 class Item(ListItem):
-    """A list item with a bullet that every encoding can write."""
+    """A list item with a bullet that exists in every encoding."""
 
     def render_bullet(self, console: Console, options: ConsoleOptions) -> RenderResult:
         lines = console.render_lines(self.elements, options.update(width=options.max_width - 4), pad=False)
@@ -55,7 +55,7 @@ class Item(ListItem):
 
 
 class Quote(BlockQuote):
-    """A quotation with a bar that every encoding can write."""
+    """A quotation with a bar that exists in every encoding."""
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         narrower = options.update(width=options.max_width - 4)
@@ -100,7 +100,7 @@ def _keep_backquotes(tokens: Iterable[Token]) -> None:
 
 
 def _coloured(code: str, lexer: str) -> Text:
-    # Only here: pygments' lexers and styles take longer to load than the rest of a lesson.
+    # Imported only here: pygments' lexers and styles take longer to load than the rest of a lesson.
     from rich.syntax import Syntax
 
     text = Syntax(code, lexer, theme="ansi_light", background_color="default").highlight(code)

@@ -22,7 +22,7 @@ def render_problem(console: Console, what: str, next_step: str = "") -> None:
 
 
 def render_bug(console: Console, what: str, log: Path | None) -> None:
-    """A bug of the course: one line about it, and where all of it was written down."""
+    """A bug in the course: one line about it, and where the details are."""
     put_prose(
         console, Text.assemble(("A fault of the course, not yours: ", "bold red"), sanitize.one_line(what))
     )
@@ -39,12 +39,12 @@ def render_our_fault(console: Console, log: Path | None) -> None:
 
 
 def render_notice(console: Console, text: str) -> None:
-    """A quiet sentence that is not the command's result."""
+    """A dim sentence that is not the command's result."""
     put_prose(console, Text(sanitize.paragraph(text), "dim"))
 
 
 def _sentence(text: str) -> str:
-    """One voice for all: a capital and a period, but no period after what is to be typed or chosen."""
+    """The same form for all: a capital and a period, but no period after something to type or choose."""
     clean = sanitize.paragraph(text)
     first = clean.split(" ")[0]
     if first == "sudo":  # a command, to be copied
@@ -55,7 +55,7 @@ def _sentence(text: str) -> str:
 
 
 class State(str, Enum):
-    """OK, or LESS: works without it, not as well; or MISSING: needed."""
+    """OK; LESS: it is missing, and things work less well; MISSING: it is needed."""
 
     OK = "ok"
     LESS = "less"
@@ -67,7 +67,7 @@ MARKS = {State.OK: ("ok", "green"), State.LESS: ("--", "yellow"), State.MISSING:
 
 @dataclass(frozen=True)
 class MachineFinding:
-    """One thing looked at: what was found and, unless it is well, what to do."""
+    """One thing that was examined: what was found and, if something is wrong, what to do."""
 
     name: str
     state: State
@@ -76,7 +76,7 @@ class MachineFinding:
 
 
 def render_findings(console: Console, findings: Sequence[MachineFinding]) -> None:
-    """A table of findings, the step to take under each that is not well, and a last line."""
+    """A table of findings, with the step to take below each problem, and a last line."""
     width = max((len(finding.name) for finding in findings), default=0)
     for finding in findings:
         mark, style = MARKS[finding.state]

@@ -1,7 +1,7 @@
 """Makes text from a submission harmless on a terminal, and short enough to read.
 
-Escape sequences are removed (a log line may be colored; that is not evidence). Other control
-characters are shown as what they are. Overlong lines and lists are cut with a count of what is missing.
+Escape sequences are removed (a log line may be colored; that is not evidence). Other control characters
+are made visible. Overlong lines and lists are cut, with a count of what is missing.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ LINE_LIMIT = 240
 DETAIL_LIMIT = 40
 
 # CSI (colors, cursor), strings up to BEL or ST (titles, links, clipboard), then any other
-# two-byte escape. The string forms also end at a line's end, so that an unfinished one
-# swallows no more than its line.
+# two-byte escape. The strings also end at the end of a line, so that an unfinished one
+# removes no more than its line.
 _ESCAPES = re.compile(
     r"(?:\x1b\[|\x9b)[0-?]*[ -/]*[@-~]?"
     r"|(?:\x1b[\]PX^_]|[\x90\x98\x9d-\x9f])[^\x07\x1b\x9c\n]*(?:\x07|\x1b\\|\x9c)?"
     r"|\x1b[ -/]*[0-~]?"
 )
-# Control characters. Line and paragraph separators. Marks that turn the reading direction
-# around, with which one text can be made to look like another. Halves of surrogate pairs,
-# which no terminal's encoding can take.
+# Control characters. Line and paragraph separators. Marks that change the reading direction,
+# which can make one text look like another. Halves of surrogate pairs, which no terminal's
+# encoding can write.
 _CONTROLS = re.compile(
     r"[\x00-\x08\x0b-\x1f\x7f-\x9f]|[\u2028\u2029]|[\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]|[\ud800-\udfff]"
 )
@@ -45,9 +45,9 @@ def paragraph(text: str, limit: int = 1000) -> str:
 
 
 def details(lines: Iterable[str], *, limit: int = LINE_LIMIT, most: int = DETAIL_LIMIT) -> list[str]:
-    """Lines of evidence: cleaned and cut each, and the middle left out of a very long list.
+    """Lines of evidence, each cleaned and cut, without the middle of a very long list.
 
-    The first and the last lines stay, since a log tells most at its ends.
+    The first and the last lines stay, because a log says most at its ends.
     """
     every = [piece for line in lines for piece in line.replace("\r\n", "\n").rstrip("\n").split("\n")]
     shown = [one_line(line, limit).rstrip() for line in _ends(every, most)]

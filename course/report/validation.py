@@ -1,4 +1,4 @@
-"""What is shown of a course that is proven: a table in the terminal, JUnit XML, GitHub's workflow commands.
+"""How `validate` shows its results: a table in the terminal, JUnit XML, GitHub's workflow commands.
 
 Texts are cleaned when they are shown.
 """
@@ -23,7 +23,7 @@ from course.report.gradebook.cleaning import Cleaner
 
 @dataclass(frozen=True)
 class Note:
-    """Something that was found. file: as it is shown, relative where that is shorter. line: from 1."""
+    """Something that was found. file: as it is shown, relative if that is shorter. line: from 1."""
 
     file: str
     line: int | None
@@ -34,7 +34,7 @@ class Note:
 
 @dataclass(frozen=True)
 class Count:
-    """Of the proofs of one kind: how many held, how many are done, how many there are."""
+    """Proofs of one kind: how many succeeded (`held`), how many are done, and how many there are."""
 
     held: int = 0
     done: int = 0
@@ -43,7 +43,7 @@ class Count:
 
 @dataclass(frozen=True)
 class ProofRow:
-    """One exercise. covered: how many of its checks a known mistake failed. missing: what is missing here."""
+    """One exercise. covered: how many of its checks failed for a known mistake. missing: on this machine."""
 
     exercise: str
     solution: Count
@@ -77,8 +77,8 @@ _TRY = "try  "
 
 
 def render_table(console: Console, rows: Sequence[ProofRow], *, again: int = 0) -> None:
-    """again: how many gradings were done again."""
-    # At 80 columns even the longest ids leave room for all.
+    """again: how many gradings were repeated."""
+    # With 80 columns, even the longest ids leave room for everything.
     table = Table(box=None, pad_edge=False, collapse_padding=True, header_style="bold")
     for title in _COLUMNS:
         table.add_column(title, justify="left" if title == "exercise" else "right", no_wrap=True)
@@ -95,7 +95,7 @@ def render_table(console: Console, rows: Sequence[ProofRow], *, again: int = 0) 
 
 
 def render_notes(console: Console, notes: Sequence[Note]) -> None:
-    """All that was found, by file and line."""
+    """Everything that was found, by file and line."""
     for file, found in groupby(sorted(notes, key=_place), key=lambda note: note.file):
         put(console)
         put(console, sanitize.one_line(file), "bold")
@@ -108,7 +108,7 @@ def render_notes(console: Console, notes: Sequence[Note]) -> None:
 
 
 def render_end(console: Console, found: int, rows: Sequence[ProofRow], *, stopped: bool = False) -> None:
-    """In one line how it ended, and what could not be told."""
+    """How it ended, in one line, and what could not be proven on this machine."""
     counts = [count for row in rows for count in row.counts]
     done, total = sum(count.done for count in counts), sum(count.total for count in counts)
     for lack in dict.fromkeys(row.missing for row in rows if row.missing):
@@ -172,9 +172,9 @@ FILES = "files"
 
 
 def as_junit(name: str, began: datetime, cases: Sequence[ProofCase], notes: Sequence[Note]) -> Iterator[str]:
-    """A suite for each exercise, a case for each proof; what the files say wrong is a suite of its own.
+    """A suite for each exercise with a case for each proof, and one suite for errors in files.
 
-    notes: those that no case has.
+    notes: those that belong to no case.
     """
     ordered = sorted(cases, key=lambda case: case.exercise)
     suites = [junit.Suite(FILES, tuple(_of_files(notes)))]
@@ -184,7 +184,7 @@ def as_junit(name: str, began: datetime, cases: Sequence[ProofCase], notes: Sequ
 
 
 def annotated(notes: Sequence[Note]) -> list[str]:
-    """At most as many as GitHub shows, those with a line first. The file is relative to the repository."""
+    """As many as GitHub shows, those with a line first. Files are relative to the repository."""
     ordered = sorted(notes, key=lambda note: note.line is None)
     return [_command(note) for note in ordered[: github.MOST]]
 

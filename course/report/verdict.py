@@ -1,7 +1,7 @@
 """A verdict, as a learner reads it after `check`.
 
-Works without color and at 80 columns. Every text of a check may hold what a submission
-wrote, so all of it is made safe here.
+It works without color and with 80 columns. Every text of a check may contain output of a
+submission, so all texts are made safe here.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def render_result(
 
 
 def render_so_far(console: Console, result: Result) -> None:
-    """What is certain while the cause of a failure is still looked for: the total, and what failed."""
+    """What is certain while the cause of a failure is still unknown: the total, and what failed."""
     put(console, headline(result, None))
     for check in result.checks:
         if check.outcome is Outcome.FAILED and check.feedback:
@@ -62,7 +62,7 @@ def render_so_far(console: Console, result: Result) -> None:
 
 
 def render_remarks(console: Console, result: Result) -> None:
-    """What there is to say beside the checks: a fault of ours, and what to know about this machine."""
+    """What to say in addition to the checks: a fault of ours, and facts about this machine."""
     if result.fault:
         put_feedback(console, result.fault)
     for note in result.notes:
@@ -77,7 +77,7 @@ def render_checks(console: Console, checks: Iterable[CheckResult], previous: Res
 
 
 def put_feedback(console: Console, feedback: Feedback) -> None:
-    """Why something did not pass: the cause, expected against seen, where, what to do, evidence."""
+    """Why something did not pass: the cause, expected and seen, where, what to do, evidence."""
     put_prose(console, with_code(console, sanitize.paragraph(feedback.summary)), first=INDENT)
     for label, text in comparison(feedback):
         _put_labelled(console, label, with_code(console, text))
@@ -119,7 +119,7 @@ def _put_check(console: Console, check: CheckResult, before: Outcome | None) -> 
 
 
 def earned_of(check: CheckResult) -> str:
-    """`2`, `0 of 2`, `bonus 0.5`; empty where the check does not apply."""
+    """`2`, `0 of 2`, `bonus 0.5`; empty if the check does not apply."""
     word = "bonus " if check.bonus else ""
     if check.outcome is Outcome.PASSED and check.share == 1:
         return f"{word}{number(check.points)}"

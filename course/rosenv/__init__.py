@@ -1,4 +1,4 @@
-"""Which ROS 2 is here, and what a process needs to use it. No module of this room imports rclpy."""
+"""Which ROS 2 is on this machine, and what a process needs to use it. No module in here imports rclpy."""
 
 from course.files import cache_dir
 from course.rosenv.environment import node_environment, plain_environment

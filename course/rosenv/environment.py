@@ -1,4 +1,4 @@
-"""The complete environment for a process that uses ROS: nothing of the caller's but what is listed here."""
+"""The complete environment for a process that uses ROS: of the caller's, only what is listed here."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ def node_environment(
 ) -> dict[str, str]:
     """All variables for a child process that builds or runs ROS packages.
 
-    `overlays` are install prefixes of single packages (colcon's isolated layout); where two have the same
+    `overlays` are install prefixes of single packages (colcon's isolated layout); if two contain the same
     thing, the last one wins. Workspaces that happen to be sourced in `environ` are left out, and so are
-    ROS_DOMAIN_ID and the like: the one who starts the process sets them.
+    ROS_DOMAIN_ID and the like: whatever starts the process sets them.
     """
     environ = os.environ if environ is None else environ
     under, outer_path = _under(ros, environ)
@@ -49,7 +49,7 @@ def node_environment(
 
 
 def plain_environment(ros: Ros, environ: Mapping[str, str] | None = None) -> dict[str, str]:
-    """All variables for a child process that must not know ROS: as in a freshly opened terminal."""
+    """All variables for a child process that must not find ROS, as in a freshly opened terminal."""
     environ = os.environ if environ is None else environ
     # An environment of pip packages may be active in the caller's shell, without its ROS being sourced.
     known = (*every_prefix(environ), *((ros.prefix,) if ros.origin == "pip" else ()))
@@ -65,7 +65,7 @@ def _under(ros: Ros, environ: Mapping[str, str]) -> tuple[Variables, list[str]]:
         names = {*LISTS} - {"PATH"}
         lists = {name: tuple(without(split(environ.get(name)), sourced.dropped)) for name in names}
         return Variables(lists, ros_values(ros.distro)), without(path, sourced.dropped)
-    # Another ROS may be sourced, or this one with workspaces on top: their programs are not to be found.
+    # Another ROS may be sourced, or this one with workspaces on top: their programs must not be found.
     path = without(path, every_prefix(environ))
     return (_wheels(ros, environ) if ros.origin == "pip" else _captured(ros, environ)), path
 
@@ -92,22 +92,22 @@ def _basics(environ: Mapping[str, str]) -> dict[str, str]:
 
 
 def _profile(ros: Ros, environ: Mapping[str, str]) -> Path:
-    # The copy beside the wheels is the one that setup.bash names, and the one a sandbox shows.
+    # The copy next to the wheels is the one that setup.bash names and that is visible in a sandbox.
     copy = place_of(ros, environ).profile if ros.origin == "pip" else PROFILE
     return copy if copy.exists() else PROFILE
 
 
 _PLAIN_PATH = "/usr/local/bin:/usr/bin:/bin"
-_PATIENCE = 60  # seconds; sourcing takes well under one, on a cold and busy disk a few
+_PATIENCE = 60  # seconds; sourcing takes well under one, or a few on a cold and busy disk
 
 
 def captured_variables(ros: Ros, environ: Mapping[str, str]) -> dict[str, str]:
-    """The variables of paths that setup.bash sets; PATH contains only what it adds."""
+    """The path variables that setup.bash sets; PATH contains only what it adds."""
     remembered = cache_dir(environ) / "rosenv" / f"{digest([str(ros.prefix)])}.json"
     if (variables := _recall(remembered, ros)) is not None:
         return variables
     variables = _source(setup_script(ros), environ)
-    # Not being able to remember costs a moment the next time, no more.
+    # If this cannot be stored, the next time takes a moment longer.
     with suppress(OSError):
         write_atomic(remembered, json.dumps({"identity": ros.identity, "variables": variables}))
     return variables
@@ -119,7 +119,7 @@ def _recall(file: Path, ros: Ros) -> dict[str, str] | None:
         if content["identity"] == ros.identity:
             return {str(name): str(value) for name, value in content["variables"].items()}
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        pass  # never made, or damaged: made again
+        pass  # missing or damaged: it is made again
     return None
 
 

@@ -21,7 +21,7 @@ _SET_UP = (
 
 
 def find_ros(environ: Mapping[str, str] | None = None, host: Host | None = None) -> Ros:
-    """The ROS 2 to use here; MissingHere, with the way out, if there is none or it does not fit."""
+    """The ROS 2 to use here. Raises MissingHere, with advice, if there is none or it does not fit."""
     environ = os.environ if environ is None else environ
     host = host or Host.here()
     ros = _sourced(environ, host) or _installed(environ, host) or _pip(host)
@@ -35,7 +35,7 @@ def _sourced(environ: Mapping[str, str], host: Host) -> Ros | None:
     if sourced is None or not distro:
         return None
     if _holds_wheels(sourced.rclpy):
-        # Our own setup.bash was sourced, or that of another copy of the course: nobody chose that ROS.
+        # Our own setup.bash was sourced, or one from another copy of the course: nobody chose that ROS.
         return _pip(host)
     packages = _rclpy_folder(sourced.rclpy, host)
     if packages is None:
@@ -53,7 +53,7 @@ def _installed(environ: Mapping[str, str], host: Host) -> Ros | None:
         return None
     if _fits(packages, host):
         return _at(prefix, "installed", packages, (prefix,), environ)
-    # The course was set up with pip before this ROS came: what works goes on working.
+    # The course was set up with pip before this ROS was installed, and must keep working.
     if wheels := _pip(host):
         note = f"{prefix} is not used: it is for {_version(packages)}, this is Python {host.python_version}."
         return replace(wheels, notes=(note,))
@@ -96,13 +96,13 @@ def _at(
 
 
 def _rclpy_folder(prefix: Path, host: Host) -> Path | None:
-    """The folder of the prefix that rclpy is imported from, by preference one for this Python."""
+    """The folder of the prefix from which rclpy is imported, preferably one for this Python."""
     folders = [folder for folder in python_folders(prefix) if (folder / "rclpy").exists()]
     return next((folder for folder in folders if _fits(folder, host)), folders[0] if folders else None)
 
 
 def _version(packages: Path) -> str:
-    """For .../lib/python3.12/site-packages: "python3.12"."""
+    """`python3.12` for `.../lib/python3.12/site-packages`."""
     return packages.parent.name
 
 
@@ -111,7 +111,7 @@ def _fits(packages: Path, host: Host) -> bool:
 
 
 def _interpreter(prefix: Path, name: str, environ: Mapping[str, str]) -> Path:
-    """The Python for nodes: the ROS's own, as conda has it, else the system's, else one on the PATH."""
+    """The Python for nodes: ROS's own (conda has one), else the system's, else one on the PATH."""
     folders = [str(prefix / "bin"), "/usr/bin", *split(environ.get("PATH"))]
     candidates = (Path(folder) / name for folder in folders)
     found = next((path for path in candidates if os.access(path, os.X_OK) and path.is_file()), None)

@@ -1,4 +1,4 @@
-"""Facts about this machine: its Python, whether pip can bring ROS 2 to it, its C++ libraries."""
+"""Facts about this machine: its Python, whether pip can install ROS 2 on it, its C++ libraries."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from course.errors import MissingHere
 class Host:
     """The machine and the interpreter; `prefix` and `site_packages` are where pip puts the ROS wheels.
 
-    `libc` is for example "glibc 2.36", and empty where there is no glibc (musl).
+    `libc` is for example "glibc 2.36"; it is empty if there is no glibc (musl).
     """
 
     executable: Path
@@ -53,9 +53,9 @@ class Host:
 
 
 def _pip_places() -> tuple[Path, Path]:
-    """Prefix and site-packages, with links resolved: the same place must have one name in every cache key."""
+    """Prefix and site-packages, with links resolved: a folder must have the same name in every cache key."""
     if sys.prefix != sys.base_prefix:
-        # A virtual environment, the usual case: no need to load the whole of sysconfig's variables.
+        # A virtual environment, the usual case: no need to load all of sysconfig's variables.
         prefix = Path(sys.prefix).resolve()
         return prefix, prefix / "lib" / f"python{sys.version_info[0]}.{sys.version_info[1]}" / "site-packages"
     return Path(sysconfig.get_path("data")).resolve(), Path(sysconfig.get_path("purelib")).resolve()
@@ -65,7 +65,7 @@ def _libc() -> str:
     try:
         return os.confstr("CS_GNU_LIBC_VERSION") or ""
     except (AttributeError, ValueError, OSError):
-        return ""  # another C library does not know the question
+        return ""  # another C library cannot answer this
 
 
 OLDEST, NEWEST = (3, 10), (3, 14)
@@ -81,7 +81,7 @@ _PYTHON = (
 
 
 def why_no_wheels(host: Host) -> MissingHere | None:
-    """Why pip cannot bring ROS 2 to this machine, with the way out; None when it can."""
+    """Why pip cannot install ROS 2 on this machine, with advice; None if it can."""
     return _bad_machine(host) or _bad_libc(host) or _bad_python(host)
 
 
@@ -116,27 +116,27 @@ def _bad_python(host: Host) -> MissingHere | None:
 
 SYSTEM = (Path("/usr"), Path("/usr/local"))
 _CMAKE_FOLDERS = ("share/*/cmake", "share/cmake/*", "lib/cmake/*", "lib/*/cmake/*")
-# What CMake calls them, or how the names of their parts begin; what people do; the Debian package.
+# The library's name in CMake (or how its parts' names begin), its usual name, and its Debian package.
 _LIBRARIES = {"Eigen3": ("Eigen 3", "libeigen3-dev"), "Qt5": ("Qt 5", "qtbase5-dev")}
 
 
 def lacks_library(name: str, system: Iterable[Path] = SYSTEM) -> bool:
-    """Whether CMake would not find the library of this name below these prefixes."""
-    # Where Qt is there, one of its parts that is not is a name that somebody misspelt.
+    """Whether CMake would not find the library with this name below these prefixes."""
+    # If Qt itself is installed, a missing part of it is a misspelled name.
     main = "Qt5Core" if name.startswith("Qt5") else name
     places = [f"{folder}/{main}Config.cmake" for folder in _CMAKE_FOLDERS]
     return not any(any(root.glob(place)) for place in places for root in system)
 
 
 def missing_library(name: str) -> MissingHere:
-    """What to say where it is not there; `name` is Eigen3, or one of Qt 5's parts."""
+    """The error for a missing library; `name` is Eigen3, or one of Qt 5's parts."""
     called, package = next(said for start, said in _LIBRARIES.items() if name.startswith(start))
     what = f"The C++ library {called} is not installed on this machine."
     return MissingHere(what, f"sudo apt install {package}")
 
 
 def require_libraries(names: Iterable[str], system: Iterable[Path] = SYSTEM) -> None:
-    """Raise MissingHere, with the command that installs it, for the first one that is not there."""
+    """Raise MissingHere for the first library that is missing, with the command that installs it."""
     for name in names:
         if lacks_library(name, system):
             raise missing_library(name)

@@ -1,7 +1,7 @@
-"""Which of the folders that are sourced belong to a ROS 2.
+"""Which of the sourced folders belong to a ROS 2.
 
-A learner's own install/ is a workspace on top of a sourced ROS. What is graded is built by the course; an old
-build of the learner's must not stand in for something that is missing, nor change the identity of the ROS.
+A learner's own install/ is a workspace on top of a sourced ROS. The course itself builds what it grades, so
+the learner's old build must not replace something that is missing, or change the identity of the ROS.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ _PATH_VARIABLES = ("AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH")
 
 @dataclass(frozen=True)
 class Sourced:
-    """`rclpy` is the prefix that contains rclpy, `kept` all of that ROS, `dropped` those on top of it."""
+    """`rclpy` is the prefix that contains rclpy, `kept` are all of that ROS, `dropped` those on top of it."""
 
     rclpy: Path
     kept: tuple[Path, ...]
@@ -39,23 +39,23 @@ def has_rclpy(prefix: Path) -> bool:
 
 
 def every_prefix(environ: Mapping[str, str]) -> tuple[Path, ...]:
-    """Everything that is sourced, as folders to be left out."""
+    """All sourced folders, for `without`."""
     return tuple(Path(path) for name in _PATH_VARIABLES for path in split(environ.get(name)))
 
 
 def without(paths: list[str], dropped: tuple[Path, ...]) -> list[str]:
-    """`paths` without those that lie in a dropped prefix, or are the workspace around it."""
+    """`paths` without those that are in a dropped prefix, or are the workspace around it."""
     workspaces = {str(prefix.parent) for prefix in dropped if _is_isolated(prefix)}
     inside = tuple(f"{prefix}/" for prefix in dropped)
     return [path for path in paths if path not in workspaces and not f"{path}/".startswith(inside)]
 
 
 def split(value: str | None) -> list[str]:
-    """The entries of a variable of paths, without empty ones (the current folder, to some programs)."""
+    """The entries of a path variable, without empty ones (the current folder, for some programs)."""
     return [path for path in (value or "").split(":") if path]
 
 
 def _is_isolated(prefix: Path) -> bool:
-    """Whether this prefix contains one package of a colcon workspace, beside others."""
+    """Whether this prefix contains a single package of a colcon workspace, and others have their own."""
     marker = prefix.parent / ".colcon_install_layout"
     return marker.exists() and marker.read_text(encoding="utf-8").strip() == "isolated"

@@ -1,4 +1,4 @@
-"""Makes a ROS ready for use, once; quick when there is nothing to do."""
+"""Makes a ROS ready for use, once; quick if there is nothing to do."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ from course.rosenv.underlay import (
 
 
 def prepare(ros: Ros, environ: Mapping[str, str] | None = None) -> None:
-    """Correct the wheels' paths and write their setup files; an installed ROS needs nothing.
+    """Correct the wheels' paths and write their setup files; an installed ROS does not need this.
 
-    Done again when pip changed a wheel. Safe to be killed, and to be called by two processes at once.
+    Repeated after pip changed a wheel. Can be killed at any time, and called by two processes at once.
     """
     if ros.origin != "pip":
         return
@@ -51,24 +51,24 @@ def prepare(ros: Ros, environ: Mapping[str, str] | None = None) -> None:
 
 
 def compiled_of_underlay(ros: Ros) -> tuple[UnderlayPackage, ...]:
-    """The packages of our own that must be compiled; none where ROS is installed."""
+    """Our own packages that must be compiled; none for an installed ROS."""
     root = source_root() if ros.origin == "pip" else None
     return tuple(package for package in packages_in(root) if package.compiled) if root else ()
 
 
 def missing_of_underlay(ros: Ros, environ: Mapping[str, str] | None = None) -> tuple[UnderlayPackage, ...]:
-    """Those of them that were not compiled yet."""
+    """Our own packages that must still be compiled."""
     prefix = place_of(ros, os.environ if environ is None else environ).underlay
     return tuple(package for package in compiled_of_underlay(ros) if not is_built(prefix, package.name))
 
 
 def underlay_builds(ros: Ros, environ: Mapping[str, str] | None = None) -> Path:
-    """Where packages of our own are to be built; they belong to this ROS, and stay there."""
+    """Where to build our own packages; the builds belong to this ROS, and stay there."""
     return place_of(ros, os.environ if environ is None else environ).underlay_builds
 
 
 def add_to_underlay(ros: Ros, built: Path, environ: Mapping[str, str] | None = None) -> None:
-    """Put a package of our own in place whose install prefix is `built`."""
+    """Add one of our own packages, whose install prefix is `built`, to the underlay."""
     place = place_of(ros, os.environ if environ is None else environ)
     try:
         with locked(place.lock):
@@ -78,7 +78,7 @@ def add_to_underlay(ros: Ros, built: Path, environ: Mapping[str, str] | None = N
 
 
 def is_prepared(ros: Ros, place: SetupFiles) -> bool:
-    """Whether all was done for just these wheels, and nobody removed what a learner sources."""
+    """Whether everything was done for exactly these wheels, and nobody removed what a learner sources."""
     return is_stamped(ros, place) and body_of(place).exists() and place.underlay.exists()
 
 
@@ -92,10 +92,10 @@ def _prepare(ros: Ros, place: SetupFiles, cache: Path) -> None:
 
 
 def _numpy_include(ros: Ros) -> Path:
-    """What numpy.get_include() says, without the tenth of a second that importing numpy takes."""
+    """The folder that numpy.get_include() returns, without the 0.1 s that importing numpy takes."""
     root = ros.python_packages / "numpy"
     if not root.exists() and (found := importlib.util.find_spec("numpy")) and found.origin:
-        root = Path(found.origin).parent  # in the Python that this environment is made on top of
+        root = Path(found.origin).parent  # in the Python on which this environment is based
     new, old = root / "_core/include", root / "core/include"  # since and before numpy 2
     return old if old.exists() and not new.exists() else new
 
@@ -109,8 +109,8 @@ def _storage_error(ros: Ros, error: OSError) -> StorageError:
     )
 
 
-# Elements of a CMake list inside quotes. They match the paths of the build machine and our own earlier ones
-# alike. So a second time changes nothing, and an environment that was moved is put right again.
+# Elements of a CMake list inside quotes. They match both the paths of the build machine and our own earlier
+# ones, so a second run changes nothing, and an environment that was moved is corrected again.
 _PYTHON_INCLUDE = re.compile(r'(?<=[";])/[^";]*/include/python3\.\d+(?=[";])')
 _NUMPY_INCLUDE = re.compile(r'(?<=[";])/[^";]*/numpy/(?:_core|core)/include(?=[";])')
 _TINYXML = re.compile(r';/[^";]*/libtinyxml2\.so(?=[";])|(?<=")/[^";]*/libtinyxml2\.so;?')
@@ -119,8 +119,8 @@ _TINYXML = re.compile(r';/[^";]*/libtinyxml2\.so(?=[";])|(?<=")/[^";]*/libtinyxm
 def relocate(prefix: Path, python_include: Path, numpy_include: Path) -> tuple[Path, ...]:
     """Correct every file below `prefix` that needs it; returns those that changed.
 
-    Each file is replaced in one step, so this may be killed at any moment and run again. OSError where a file
-    that needs it cannot be written.
+    Each file is replaced in one step, so this may be killed at any moment and run again. Raises OSError if a
+    file that needs it cannot be written.
     """
     return tuple(
         file for file, text in _corrected(prefix, python_include, numpy_include) if write_atomic(file, text)
@@ -138,13 +138,13 @@ def _corrected(prefix: Path, python_include: Path, numpy_include: Path) -> Itera
 
 
 def with_includes(text: str, python_include: Path, numpy_include: Path) -> str:
-    """The text of a CMake export with the include folders of Python and numpy of this machine."""
+    """The text of a CMake export with this machine's include folders of Python and numpy."""
     text = _PYTHON_INCLUDE.sub(lambda _: _quoted(python_include), text)
     return _NUMPY_INCLUDE.sub(lambda _: _quoted(numpy_include), text)
 
 
 def without_tinyxml(text: str) -> str:
-    """The text of a CMake export without libtinyxml2.so, which the wheel bundles for itself."""
+    """The text of a CMake export without libtinyxml2.so, which the wheel bundles for its own use."""
     return _TINYXML.sub("", text)
 
 

@@ -1,4 +1,4 @@
-"""Which ROS 2 the course uses: the one value that travels from room to room."""
+"""Which ROS 2 the course uses: the value that is passed between the engine's packages."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ Origin = Literal["sourced", "installed", "pip"]
 
 @dataclass(frozen=True)
 class Ros:
-    """A ROS 2 that nodes can be built for and run with.
+    """A ROS 2 for which nodes can be built and run.
 
     `origin` says how it was found: "sourced" in the environment, "installed" below /opt/ros, or "pip" wheels.
-    `prefix` is the folder with share/ament_index in which rclpy lies, `python` the interpreter for its nodes.
+    `prefix` is the folder whose share/ament_index lists rclpy, `python` the interpreter for its nodes.
     `identity` is a short hexadecimal text that changes whenever the ROS packages, their place or the Python
-    change: whatever was built or cached for another identity must not be used.
-    `underlay` does the same for our own packages on top of pip wheels. Both are as they were found.
-    `notes` are sentences that `doctor` shows: all works, but someone should know.
+    change: do not use anything that was built or cached for another identity.
+    `underlay` does the same for our own packages on top of pip wheels. Both date from when it was found.
+    `notes` are sentences for `doctor`: everything works, but someone should know about them.
     """
 
     origin: Origin
@@ -49,18 +49,18 @@ _PYTHON_FOLDERS = (
 
 
 def python_folders(prefix: Path) -> tuple[Path, ...]:
-    """The folders of `prefix` that Python packages are imported from, as far as they exist."""
+    """The existing folders of `prefix` from which Python packages are imported."""
     return tuple(folder for pattern in _PYTHON_FOLDERS for folder in sorted(prefix.glob(pattern)))
 
 
-# Besides ROS itself: what takes part in building a package, and so shapes the result.
+# ROS itself, and other packages that affect what a build produces.
 _WHEELS = ("ros_", "numpy-", "setuptools-", "empy-", "lark-", "catkin_pkg-", "colcon_")
 
 
 def identity_of_wheels(prefix: Path, site_packages: Path, underlay: str = "") -> str:
-    """Fingerprint of the wheels: names with versions, and when pip put each there (a reinstall counts).
+    """Fingerprint of the wheels: names with versions, and when pip installed each (a reinstall counts).
 
-    underlay: stands for the packages of our own that are compiled on top of them.
+    underlay: a fingerprint of our own packages, which are compiled on top of them.
     """
     with os.scandir(site_packages) as entries:
         wheels = sorted(
@@ -85,5 +85,5 @@ def _packages(prefix: Path) -> Iterable[str]:
 
 
 def digest(lines: Iterable[str]) -> str:
-    """Sixteen hexadecimal digits that stand for these lines."""
+    """A hash of these lines: 16 hexadecimal digits."""
     return hashlib.sha256("\n".join(lines).encode(errors="surrogateescape")).hexdigest()[:16]

@@ -1,4 +1,4 @@
-"""The setup.bash that a learner sources for the pip wheels, which bring none, and what colcon looks for."""
+"""The setup.bash for pip wheels, which come without one, and the files that colcon looks for."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _FORMAT = "3"
 
 @dataclass(frozen=True)
 class SetupFiles:
-    """Where our files for a prefix lie: `scripts` has setup.bash, `data` all the rest."""
+    """Where our files for a prefix are: `scripts` contains setup.bash, `data` everything else."""
 
     scripts: Path
     data: Path
@@ -36,7 +36,7 @@ class SetupFiles:
 
     @property
     def underlay_builds(self) -> Path:
-        """Where those of them are built that must be."""
+        """Where those of our packages are built that must be compiled."""
         return self.data / "underlay-builds"
 
     @property
@@ -49,7 +49,7 @@ class SetupFiles:
 
 
 def place_of(ros: Ros, environ: Mapping[str, str]) -> SetupFiles:
-    """In the prefix, where that was done or can be done; else in the cache."""
+    """In the prefix, if the files were written there or can be; else in the cache."""
     inside = SetupFiles(ros.prefix, ros.prefix / "share/ros2course")
     cached = cache_dir(environ) / "rosenv" / digest([str(ros.prefix)])
     outside = SetupFiles(cached, cached)
@@ -60,7 +60,7 @@ def place_of(ros: Ros, environ: Mapping[str, str]) -> SetupFiles:
 
 
 def places_of(ros: Ros, environ: Mapping[str, str] | None = None) -> tuple[Path, ...]:
-    """All folders that programs of this ROS read, beside what their environment variables name."""
+    """All folders that programs of this ROS read, apart from those in their environment variables."""
     if ros.origin != "pip":
         return (ros.prefix,)
     place, root = place_of(ros, os.environ if environ is None else environ), source_root()
@@ -68,7 +68,7 @@ def places_of(ros: Ros, environ: Mapping[str, str] | None = None) -> tuple[Path,
 
 
 def is_stamped(ros: Ros, place: SetupFiles) -> bool:
-    """Whether everything was written there for just these wheels."""
+    """Whether everything was written there for exactly these wheels."""
     try:
         return place.stamp.read_text(encoding="utf-8") == _stamp(ros)
     except (OSError, UnicodeDecodeError):
@@ -76,21 +76,21 @@ def is_stamped(ros: Ros, place: SetupFiles) -> bool:
 
 
 def write_stamp(ros: Ros, place: SetupFiles) -> None:
-    """Say that everything is done; write this last."""
+    """Record that everything is done. Call this last."""
     write_atomic(place.stamp, _stamp(ros))
 
 
 def setup_script(ros: Ros, environ: Mapping[str, str] | None = None) -> Path:
-    """What a learner sources in bash to use this ROS; for pip wheels it is there after `prepare`."""
+    """What a learner sources in bash to use this ROS; for pip wheels, it exists after `prepare`."""
     if ros.origin == "pip":
         return place_of(ros, os.environ if environ is None else environ).scripts / "setup.bash"
-    # A ROS that was built from source package by package has it one folder higher.
+    # For a ROS built from source with isolated packages, it is one folder higher.
     own, above = ros.prefix / "setup.bash", ros.prefix.parent / "setup.bash"
     return above if above.exists() and not own.exists() else own
 
 
 def write_setup_files(ros: Ros, place: SetupFiles) -> None:
-    """Write setup.* and local_setup.* for bash, sh and zsh, and the discovery profile they name."""
+    """Write setup.* and local_setup.* for bash, sh and zsh, and the discovery profile that they name."""
     write_atomic(place.profile, PROFILE.read_text(encoding="utf-8"))
     body = body_of(place)
     write_atomic(body, script(wheel_variables(ros, place.underlay), discovery_values(place.profile)))
@@ -101,18 +101,18 @@ def write_setup_files(ros: Ros, place: SetupFiles) -> None:
 
 
 def body_of(place: SetupFiles) -> Path:
-    """The script that all the others call."""
+    """The script that all the others source."""
     return place.scripts / "local_setup.sh"
 
 
 def script(variables: Variables, discovery: Mapping[str, str]) -> str:
-    """The text to source: for any POSIX shell, also under `set -eu`, and without effect a second time."""
+    """The text to source: works in any POSIX shell, even under `set -eu`; a second time changes nothing."""
     return "\n".join([_HEAD, *_prepends(variables), *_exports({**variables.values, **discovery}), _TAIL])
 
 
 def _prepends(variables: Variables) -> Iterator[str]:
     for name, paths in variables.lists.items():
-        # Each goes to the front, so the last one first.
+        # Each one is put in front, so begin with the last.
         yield from (f"_ros2course_prepend {name} {shlex.quote(path)}" for path in reversed(paths))
 
 
@@ -121,7 +121,7 @@ def _exports(values: Mapping[str, str]) -> Iterator[str]:
 
 
 def _completion(shell: str) -> str:
-    """What lets the Tab key complete `ros2 ...`, in shells that somebody types in."""
+    """A line that lets the Tab key complete `ros2 ...` in interactive shells."""
     root = source_root()
     script = root / f"src/ros2cli/completion/ros2-argcomplete.{shell}" if root else None
     if script is None or not script.exists():
@@ -137,7 +137,7 @@ def _stamp(ros: Ros) -> str:
     return f"{_FORMAT} {ros.prefix} {ros.identity} {ros.underlay}\n"
 
 
-# A path that is there already stays where it is: what was sourced on top of it must stay on top.
+# A path that is already in the list keeps its place: what was sourced on top of it must stay on top.
 _HEAD = """\
 # Uses ROS 2 from these pip packages. Source it: it changes the environment of the shell it is read by.
 # Written by ros2course, and written again when the packages change.
@@ -164,9 +164,9 @@ INSTALLED = "/opt/ros/jazzy/setup.bash"
 
 
 def on_this_machine(text: str, environ: Mapping[str, str] | None = None) -> str:
-    """`text` with the setup.bash of the ROS 2 in use in the place of the one below /opt/ros.
+    """`text` with the setup.bash below /opt/ros replaced by that of the ROS 2 in use.
 
-    Unchanged where there is no ROS 2 at all.
+    Unchanged if there is no ROS 2 at all.
     """
     if INSTALLED not in text:
         return text

@@ -1,8 +1,8 @@
-"""Our own ROS packages for pip wheels: where they lie, and the prefix that offers them.
+"""Our own ROS packages for pip wheels: where they are, and the prefix that offers them.
 
-`underlay/src` is a colcon workspace. What is plain Python in it is used from its source folder; what must be
-compiled is built at first need. Both are reached through one prefix of links, which is what a learner's
-shell, a build and a node see: `write_prefix` makes it, `add_build` puts what was compiled into it.
+`underlay/src` is a colcon workspace. Plain Python packages are used from their source folders; the others are
+compiled when they are first needed. A learner's shell, a build and a node reach both through one prefix that
+consists of links: `write_prefix` makes it, and `add_build` adds what was compiled.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ INTERFACE_FOLDERS = ("msg", "srv", "action")
 
 @dataclass(frozen=True)
 class UnderlayPackage:
-    """One package: `compiled` says that there is more to it than Python, which is to be built first."""
+    """One package. `compiled`: it contains more than Python, and must be built first."""
 
     name: str
     folder: Path
@@ -33,12 +33,12 @@ class UnderlayPackage:
 
     @property
     def modules(self) -> tuple[Path, ...]:
-        """The folders of its Python packages that are used as they stand."""
+        """The folders of its Python packages that are used directly."""
         return tuple(sorted(file.parent for file in self.folder.glob("*/__init__.py")))
 
     @property
     def interfaces(self) -> tuple[str, ...]:
-        """What it defines, as the ament index lists it: `msg/Bool.msg`, `srv/AddTwoInts.srv`."""
+        """The interfaces that it defines, as in the ament index: `msg/Bool.msg`, `srv/AddTwoInts.srv`."""
         found = (file for kind in INTERFACE_FOLDERS for file in self.folder.glob(f"{kind}/*.{kind}"))
         return tuple(sorted(file.relative_to(self.folder).as_posix() for file in found))
 
@@ -50,18 +50,18 @@ class UnderlayPackage:
 
     @property
     def programs(self) -> tuple[str, ...]:
-        """What its build puts into `lib/<package>`, as its CMakeLists.txt names it."""
+        """The programs that its build puts into `lib/<package>`, according to its CMakeLists.txt."""
         return tuple(_PROGRAM.findall((self.folder / "CMakeLists.txt").read_text(encoding="utf-8")))
 
     @property
     def scripts_folder(self) -> str:
-        """Where they are installed, relative to a prefix: `bin`, or `lib/<package>`."""
+        """Where the scripts are installed, relative to a prefix: `bin`, or `lib/<package>`."""
         setting = (self.folder / "setup.cfg").read_text(encoding="utf-8")
         return "bin" if "install_scripts=$base/bin" in setting else f"lib/{self.name}"
 
 
 def source_root() -> Path | None:
-    """The underlay's workspace: beside the engine in a checkout, else inside it; None if it was left out."""
+    """The underlay's workspace: next to the engine in a checkout, else inside it; None if it was left out."""
     for root in (_COURSE.parent / "underlay", _COURSE / "_course" / "underlay"):
         if (root / "src").is_dir():
             return root
@@ -77,12 +77,12 @@ def packages_in(root: Path) -> tuple[UnderlayPackage, ...]:
 
 
 def fingerprint(packages: Iterable[UnderlayPackage]) -> str:
-    """Changes when a package comes, goes, or is to be laid out or compiled differently."""
+    """A text that changes if a package is added, removed, or must be arranged or compiled differently."""
     return digest(line for package in packages for line in _lines(package))
 
 
 def _lines(package: UnderlayPackage) -> list[str]:
-    # A module that is used as it stands may change at any time: only where it lies counts.
+    # A module that is used directly may change at any time: only its place counts.
     if not package.compiled:
         fixed = [package.folder / name for name in ("package.xml", "setup.py", "setup.cfg")]
         return [*map(str, package.modules), *map(_content, fixed)]
@@ -102,11 +102,11 @@ _INDEX = "share/ament_index/resource_index"
 def write_prefix(
     prefix: Path, packages: Iterable[UnderlayPackage], ros: Ros, *, setup: Path, cache: Path
 ) -> None:
-    """Make the prefix again. `setup` is the script that puts it in place together with the wheels.
+    """Make the prefix again. `setup` is the script that sources it together with the wheels.
 
-    Call it under a lock. What was compiled into an earlier one has to be added again; `cache` is where the
-    course keeps such things. The prefix is a link to a folder beside it, so that a process
-    that uses the earlier one at this moment never finds it half-made.
+    Call this under a lock. Compiled packages of an earlier prefix must be added again; `cache` is where the
+    course keeps things that it can make again. The prefix is a link to a folder next to it, so a process
+    that is using the earlier one never finds it half-made.
     """
     prefix.parent.mkdir(parents=True, exist_ok=True)
     folder = Path(tempfile.mkdtemp(prefix=f"{prefix.name}.", dir=prefix.parent))
@@ -135,7 +135,7 @@ def _fill(
 
 
 def site_packages(prefix: Path, ros: Ros) -> Path:
-    """The folder of the prefix that Python imports from; it is called as that of the wheels."""
+    """The folder of the prefix from which Python imports; it has the same name as that of the wheels."""
     return prefix / "lib" / ros.python_packages.parent.name / "site-packages"
 
 
@@ -143,7 +143,7 @@ def _register(folder: Path, package: UnderlayPackage) -> None:
     link(folder / "share" / package.name / "package.xml", package.folder / "package.xml")
     write_atomic(folder / _INDEX / "packages" / package.name, "")
     for kind in (*INTERFACE_FOLDERS, "launch"):
-        # In a package that is all Python, `launch` is a module.
+        # In a pure Python package, `launch` is a module.
         if package.compiled and (package.folder / kind).is_dir():
             link(folder / "share" / package.name / kind, package.folder / kind)
     if package.interfaces:
@@ -158,7 +158,7 @@ def _offer_scripts(folder: Path, package: UnderlayPackage, ros: Ros) -> None:
 
 
 def _stand_in(folder: Path, package: UnderlayPackage, ros: Ros, builder: Builder, prefix: Path) -> None:
-    """Lay what replaces the package until it is built; a build replaces the links to it."""
+    """Make a replacement for the package until it is built; a build replaces the links to it."""
     name, own = package.name, folder / STANDINS / package.name
     found = Path("share", name, "cmake")
     config = cmake_standin(name, own / "cmake", prefix / found, builder)
@@ -178,27 +178,27 @@ def _stand_in(folder: Path, package: UnderlayPackage, ros: Ros, builder: Builder
 # Folders that packages share; whatever else is in an install prefix belongs to its package alone.
 _PROGRAMS = ("bin", "include", "lib", "lib/python3*", "lib/python3*/site-packages")
 _SHARED = (*_PROGRAMS, "share", "share/*", "share/ament_index/*", "share/ament_index/resource_index/*")
-# What lies right here serves `built` alone: colcon's setup files, and its notes.
+# Files directly in these folders are only for `built`: colcon's setup files, and its records.
 _ALONE = (Path(), Path("share/colcon-core"))
 
 
 def add_build(prefix: Path, built: Path) -> None:
     """Link everything of the install prefix `built` into `prefix`.
 
-    What others wait for comes last, so that a process that finds the package finds all of it.
+    The parts by which processes find a package come last, so that they find all of it.
     """
     for part in sorted(_parts(built, Path()), key=_is_awaited):
         link(prefix / part, built / part)
 
 
 def is_built(prefix: Path, package: str) -> bool:
-    """Whether `package` is there itself, and not its replacement."""
+    """Whether the prefix contains `package` itself, and not its replacement."""
     found = (prefix / "share" / package / "cmake").resolve()
     return found.is_dir() and not found.is_relative_to((prefix / STANDINS).resolve())
 
 
 def _parts(built: Path, folder: Path) -> Iterator[Path]:
-    """What is to be linked as a whole, relative to `built`."""
+    """Files and folders to link as a whole, relative to `built`."""
     for entry in sorted((built / folder).iterdir()):
         part = folder / entry.name
         if entry.is_dir() and not entry.is_symlink() and _is_shared(part):
@@ -221,26 +221,26 @@ _ROOT = Path(__file__).parents[2]
 
 @dataclass(frozen=True)
 class Builder:
-    """How a stand-in calls the course: `python` runs it, `cache` is the folder for what it can make again."""
+    """How a stand-in calls the course: `python` runs it, and `cache` is its cache folder."""
 
     python: Path
     cache: Path
 
     def words(self, package: str) -> list[str]:
-        """The command that builds `package`, in any folder and whatever else is on PYTHONPATH."""
+        """The command that builds `package`; it works in any folder and with any PYTHONPATH."""
         code = f"import sys; sys.path.insert(0, {str(_ROOT)!r}); from course.cli.main import run; run()"
         return [str(self.python), "-I", "-c", code, "build-underlay", package]
 
     @property
     def variables(self) -> dict[str, str]:
-        """What the command needs in its environment: a build may have given it another HOME."""
+        """The variables that the command needs, because a build may have changed its HOME."""
         return {"ROS2COURSE_CACHE": str(self.cache), "_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1"}
 
 
 def console_script(python: Path, module: str, function: str) -> str:
-    """A console script. Its first lines are for the shell: a path may be too long there, or hold spaces.
+    """A console script. Its first lines are for the shell: a `#!` line allows no long paths, and no spaces.
 
-    Ctrl+C while it loads ends it without a traceback; from then on it is the function's own matter.
+    Ctrl+C while it loads ends it without a traceback; after that, the function handles it.
     """
     return f"""\
 #!/bin/sh
@@ -264,9 +264,9 @@ if __name__ == "__main__":
 
 
 def cmake_standin(package: str, own: Path, real: Path, builder: Builder) -> str:
-    """A <package>Config.cmake for the folder `own`: has the package built, goes on with the one in `real`.
+    """A <package>Config.cmake for the folder `own`: builds the package, then includes the one in `real`.
 
-    Until then `real` is a link to `own`.
+    Until then, `real` is a link to `own`.
     """
     set_variables = [f"{name}={value}" for name, value in builder.variables.items()]
     command = _cmake_words(["-E", "env", *set_variables, *builder.words(package)])
@@ -287,7 +287,7 @@ include([==[{real}/{package}Config.cmake]==])
 
 
 def python_standin(package: str, real: Path, builder: Builder) -> str:
-    """A Python package that has the one in `real` built, and becomes it."""
+    """A Python package that has the one in `real` built, and then takes its place."""
     return f'''\
 """{package} is built when it is first imported; after that this file is not found any more."""
 
@@ -309,7 +309,7 @@ exec(compile(_real.read_bytes(), __file__, "exec"))
 
 
 def program_standin(package: str, own: Path, real: Path, builder: Builder) -> str:
-    """A program for the folder `own` that has the package built, and becomes the one in `real`."""
+    """A program for the folder `own` that has the package built, and then executes the one in `real`."""
     variables = " ".join(shlex.quote(f"{name}={value}") for name, value in builder.variables.items())
     return f"""\
 #!/bin/sh

@@ -1,4 +1,4 @@
-"""The variables that a process needs to use ROS: for the wheels, one list serves children and setup.bash."""
+"""The variables that a process needs to use ROS; our children and setup.bash use the same list for wheels."""
 
 from __future__ import annotations
 
@@ -15,31 +15,31 @@ PROFILE = Path(__file__).with_name("fastdds_profile.xml")
 def discovery_values(profile: Path) -> dict[str, str]:
     """Variables for Fast DDS; `profile` is the file with our discovery settings.
 
-    Shared memory is left out: it loses messages between processes that see different /dev/shm, as a sandbox
-    and the outside do.
+    Shared memory is left out: it loses messages between processes that see different /dev/shm, such as one
+    in a sandbox and one outside.
     """
     return {"FASTDDS_BUILTIN_TRANSPORTS": "UDPv4", "FASTRTPS_DEFAULT_PROFILES_FILE": str(profile)}
 
 
 DISTRO = "jazzy"
 
-# The variables of paths that make up a ROS environment. Whatever else a setup script sets is left out.
+# The path variables that make up a ROS environment. Everything else that a setup script sets is left out.
 PREFIXES = ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH")
 LISTS = (*PREFIXES, "LD_LIBRARY_PATH", "PATH", "PKG_CONFIG_PATH", "PYTHONPATH")
 
 
 @dataclass(frozen=True)
 class Variables:
-    """`lists` are variables of paths, to be put in front of what is there; `values` replace what is there."""
+    """`lists` are path variables, to put in front of existing entries; `values` replace existing ones."""
 
     lists: Mapping[str, tuple[str, ...]]
     values: Mapping[str, str]
 
 
 def wheel_variables(ros: Ros, underlay: Path) -> Variables:
-    """The variables of the wheels' prefix and of the one that offers our own packages, on top of it."""
+    """The variables for the wheels' prefix and, on top of it, the prefix that offers our own packages."""
     prefix, packages = str(ros.prefix), ros.python_packages
-    # Those of the wheels themselves are only needed by a Python that is not of their environment.
+    # The wheels' own site-packages are needed only by a Python outside their environment.
     foreign = (str(packages),) if _serves_system_python(packages) else ()
     lists = {
         "AMENT_PREFIX_PATH": (str(underlay), prefix),
@@ -54,7 +54,7 @@ def wheel_variables(ros: Ros, underlay: Path) -> Variables:
 
 
 def ros_values(distro: str) -> dict[str, str]:
-    """What every ROS 2 sets, and the mark that spares a Python with ROS wheels from starting twice."""
+    """What every ROS 2 sets, and a variable that keeps a Python with ROS wheels from starting twice."""
     return {
         "ROS_DISTRO": distro,
         "ROS_VERSION": "2",
@@ -64,10 +64,10 @@ def ros_values(distro: str) -> dict[str, str]:
 
 
 def _bundled_libraries(packages: Path) -> tuple[str, ...]:
-    # The wheels' own start-up lists these in an order that varies from run to run; ours must not.
+    # The wheels' own startup code lists these in an order that varies from run to run; ours must not.
     return tuple(str(folder) for folder in sorted(packages.glob("ros_*.libs")))
 
 
 def _serves_system_python(packages: Path) -> bool:
-    """Whether /usr/bin/python3, which scripts may ask for, is of the version these packages are made for."""
+    """Whether /usr/bin/python3, which scripts may use, has the version that these packages are made for."""
     return Path("/usr/bin/python3").resolve().name == packages.parent.name

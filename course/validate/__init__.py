@@ -1,4 +1,4 @@
-"""Proves a course: what is written about it, and what grading it really does."""
+"""Proves a course: checks its files, and grades its own solutions, starters and mistakes."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Finding:
-    """Something wrong with the course. file: absolute. line: from 1, where known.
+    """Something wrong with the course. file: absolute. line: from 1, if known.
 
-    what: one sentence. exercise: its id, where it is about one.
+    what: one sentence. exercise: the id of the exercise that it is about, if any.
     """
 
     file: Path

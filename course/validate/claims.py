@@ -1,4 +1,4 @@
-"""What a course claims of each proof, and whether its result bears that out."""
+"""What a course claims about each proof, and whether the proof's result agrees."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from course.validate.proofs import Proof, ProofKind, ProofResult, starter_builds
 
 
 class Claims:
-    """Of these exercises. Raises ContentError when their mistakes cannot be read."""
+    """The claims about these exercises. Raises ContentError if their mistakes cannot be read."""
 
     def __init__(self, exercises: Iterable[Exercise]) -> None:
         self._exercises = {exercise.id: exercise for exercise in exercises}
         every = (mistake for exercise in self._exercises.values() for mistake in exercise.mistakes())
         self._mistakes = {(mistake.exercise, mistake.id): mistake for mistake in every}
-        # Which proofs failed at a place in a grader.
+        # The proofs that failed, by the exercise and the place in its grader.
         self._faulty: defaultdict[tuple[str, Location], set[tuple[Proof, int, int]]] = defaultdict(set)
 
     def faults(self, proven: ProofResult) -> list[str]:
-        """What is otherwise than claimed, in words; see `judge`. Nothing where this machine cannot tell."""
+        """What differs from the claims, in words. Nothing if this machine lacks what the proof needs."""
         proof, result = proven.proof, proven.result
         if is_missing(proven):
             return []
@@ -35,7 +35,7 @@ class Claims:
         return earns_all(result)
 
     def only_follows(self, proven: ProofResult, solution: Result) -> bool:
-        """Whether a mistake's faults only repeat that the solution itself does not pass the same checks."""
+        """Whether a mistake's faults are only in checks that the solution itself does not pass either."""
         mistake = self._mistakes[proven.proof.exercise, proven.proof.name]
         differs = failed_by(proven.result) ^ {mistake.caught_by, *mistake.also_fails}
         check = next((one for one in proven.result.checks if one.id == mistake.caught_by), None)
@@ -45,11 +45,11 @@ class Claims:
         return not any(_errors(proven.result)) and differs <= wrong
 
     def deserves_another(self, proven: ProofResult) -> bool:
-        """Whether something is wrong that the machine, or a fault of the engine, may be to blame for.
+        """Whether something is wrong that may be due to the machine or to a fault of the engine.
 
-        Ask again before the proof is repeated: others may have failed at the same line of the grader.
+        Call it again before you repeat the proof: others may have failed at the same line of the grader.
         """
-        # On a busy machine, a mistake may slip through, too.
+        # On a busy machine, a check may also miss a mistake.
         busy = proven.result.timing.lag > MOST_LAG and proven.attempt < ATTEMPTS
         if fault := fault_of_grader(proven.result):
             failed_here = self._faulty[proven.proof.exercise, fault.where[0]]
@@ -61,7 +61,7 @@ class Claims:
 
 
 def fault_of_grader(result: Result) -> Feedback | None:
-    """What went wrong in the grader's own code, with its line in `where`."""
+    """An error in the grader's own code, with its line in `where`."""
     told = (result.fault, *(check.feedback for check in result.checks if check.outcome is Outcome.ERROR))
     return next((feedback for feedback in told if feedback and feedback.where), None)
 
@@ -82,7 +82,7 @@ def does_not_pass(result: Result, *, builds: bool = False) -> list[str]:
 
 
 def is_caught(result: Result, mistake: Mistake) -> list[str]:
-    """A known mistake: caught by the check that is named, in the words that are named, and by no other."""
+    """A known mistake: only the claimed checks fail, and the one that catches it says the claimed words."""
     return [*_slips(result, mistake)]
 
 
@@ -91,7 +91,7 @@ def failed_by(result: Result) -> frozenset[str]:
 
 
 def words_of(feedback: Feedback | None) -> str:
-    """Everything that a learner reads of it."""
+    """All of it that a learner reads."""
     if feedback is None:
         return ""
     parts = (feedback.summary, feedback.expected, feedback.seen, feedback.advice)
@@ -133,7 +133,7 @@ def _slips(result: Result, mistake: Mistake) -> Iterator[str]:
             if word not in said:
                 yield f'`{mistake.caught_by}` does not say "{word}", but: {_one_line(said)}'
     yield from _others(mistake, by_id, failed)
-    # What fails bonus checks alone passes; our error is told above.
+    # If only bonus checks fail, the exercise passes. Our own errors are reported above.
     wanted = Verdict.PASSED if all(by_id[name].bonus for name in failed) else Verdict.NOT_PASSED
     if mistake.caught_by in failed and result.verdict not in (wanted, Verdict.OUR_ERROR):
         yield f'its verdict is "{result.verdict.value}"'

@@ -1,4 +1,4 @@
-"""What the proofs came to: how many held, and what was found."""
+"""The results of the proofs: how many held, and what was found."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _STEADY = "let the check depend on nothing that changes by itself: timing, order
 
 
 class ProofResults:
-    """All that was proven up to now. proofs: all that there are; each may be proven in several turns."""
+    """Everything that was proven up to now. proofs: all of them; each may be proven in several turns."""
 
     def __init__(self, exercises: Sequence[Exercise], proofs: Sequence[Proof], turns: int = 1) -> None:
         self._exercises = {exercise.id: exercise for exercise in exercises}
@@ -38,13 +38,13 @@ class ProofResults:
         self._places = SourcePlaces()
 
     def add(self, proven: ProofResult) -> bool | None:
-        """Whether it held; None when this machine lacks something to tell."""
+        """Store it. Return whether it held; None if this machine lacks what it needs."""
         self._proven[proven.proof].append(proven)
         return None if is_missing(proven) else not self._claims.faults(proven)
 
     @property
     def again(self) -> int:
-        """How many gradings were done again, since the machine was too busy or for an error of ours."""
+        """How many gradings were repeated because of a busy machine or an error of ours."""
         return sum(one.attempt - 1 for each in self._proven.values() for one in each)
 
     @property
@@ -71,13 +71,13 @@ class ProofResults:
         return self._proven[proof]
 
     def why_not(self, proof: Proof) -> str | None:
-        """Why it was not judged; None when it was."""
+        """Why it was not judged; None if it was."""
         each = self._proven[proof]
         lack = next((_lack(one.result) for one in each if is_missing(one)), None)
         return lack if each else "It was stopped before."
 
     def rows(self) -> list[ProofRow]:
-        """One for each exercise. points: None as long as they are not known. seconds: of all its gradings."""
+        """One for each exercise. points: None until they are known. seconds: of all its gradings."""
         return [self._row(exercise) for exercise in self._exercises]
 
     def _findings(self, proof: Proof) -> Iterator[Finding]:
@@ -101,7 +101,7 @@ class ProofResults:
             yield self._finding(proof, f"{_called(proof)}: {'; '.join(said)}", step)
 
     def _followers(self, exercise: str) -> list[Proof]:
-        """The mistakes that are not judged as claimed because the solution does not pass either."""
+        """Mistakes whose results differ from the claims only because the solution does not pass either."""
         own = [proof for proof in self._proofs if proof.exercise == exercise]
         solved = (self._proven[proof] for proof in own if proof.kind is ProofKind.SOLUTION)
         solution = next((one.result for each in solved for one in each if self._claims.faults(one)), None)
@@ -192,7 +192,7 @@ Place = tuple[Path, int | None]
 
 
 class SourcePlaces:
-    """Reads each file once."""
+    """Where proofs come from in the course's files. Reads each file once."""
 
     def __init__(self) -> None:
         self._lessons = cache(read_lesson)
@@ -200,7 +200,7 @@ class SourcePlaces:
         self._alternatives = cache(lambda solution: tuple(read_alternatives(solution)))
 
     def of(self, exercise: Exercise, proof: Proof) -> Place:
-        """The mistake, the alternative, or for the solution and the starter the exercise itself."""
+        """The place of the mistake or alternative; for the solution and the starter, that of the exercise."""
         if proof.kind is ProofKind.MISTAKE:
             return self._of_mistake(exercise, proof.name)
         if proof.kind is ProofKind.ALTERNATIVE:

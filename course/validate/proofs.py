@@ -1,6 +1,6 @@
-"""What is to be proven of a course: each proof is one grading of what the course itself supplies.
+"""What must be proven about a course: each proof is one grading of something that the course itself supplies.
 
-A proof goes to a worker and comes back as plain data, a line of JSON each.
+A proof goes to a worker, and its result comes back, as plain data: one line of JSON each.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from course.validate.static.graders import read_graders
 class ProofKind(str, Enum):
     """What is graded, in the order of `ProofRow`.
 
-    The first two must earn all points, the third must not pass, the fourth be caught.
+    The first two must earn all points, the third must not pass, and the fourth must be caught.
     """
 
     SOLUTION = "solution"
@@ -43,10 +43,10 @@ class Proof:
 
 
 def proofs(exercises: Iterable[Exercise]) -> tuple[Proof, ...]:
-    """All proofs, in the order in which they are best run: what takes long first.
+    """All proofs, in the best order to run them: long ones first.
 
-    Solutions come before all: they build what the others use, too, and are watched to their end.
-    Raises ContentError when mistakes or alternatives cannot be read.
+    Solutions come before everything else, because the others use their builds, too.
+    Raises ContentError if mistakes or alternatives cannot be read.
     """
     weights = {exercise.id: _weight(exercise) for exercise in exercises}
     every = [proof for exercise in exercises for proof in _proofs_of(exercise)]
@@ -57,7 +57,7 @@ _ORDER = {ProofKind.SOLUTION: 0, ProofKind.ALTERNATIVE: 1, ProofKind.MISTAKE: 2,
 
 
 def _proofs_of(exercise: Exercise) -> Iterator[Proof]:
-    # No tree of files solves what is about the learner's own machine.
+    # An exercise about the learner's own machine has no solution in files.
     if not exercise.local_only:
         yield Proof(exercise.id, ProofKind.SOLUTION)
     for other in exercise.alternatives():
@@ -75,21 +75,21 @@ def _weight(exercise: Exercise) -> int:
 
 
 def gradable(exercises: Iterable[Exercise]) -> tuple[Exercise, ...]:
-    """Those whose grader can be loaded. The others are told of by `texts`: nothing of them can be proven."""
+    """Those whose grader can be loaded. Nothing can be proven about the others; static rules report them."""
     graders = {exercise.grader for exercise in exercises if exercise.grader.is_file()}
     broken = {grader for grader in graders if read_graders(grader).fault}
     return tuple(exercise for exercise in exercises if exercise.grader not in broken)
 
 
 def starter_builds(exercise: Exercise) -> bool:
-    """Whether a learner begins with packages; else with an empty workspace."""
+    """Whether a learner begins with packages, instead of an empty workspace."""
     return exercise.starter.is_dir() and bool(exercise.packages)
 
 
 class ProofTask(Struct, frozen=True):
-    """turn: which time it is run, from 1. attempt: of this turn, from 1. course: its root.
+    """turn: from 1, up to the number of times that each proof is run. attempt: in this turn, from 1.
 
-    folder: for what is laid out and recorded meanwhile. evidence: keep the recording in this file.
+    course: its root. folder: for temporary files. evidence: a file in which to keep the recording.
     """
 
     proof: Proof
@@ -101,9 +101,9 @@ class ProofTask(Struct, frozen=True):
 
 
 class ProofResult(Struct, frozen=True):
-    """What came of a task. laid: False when what should be graded could not be put together.
+    """The result of a task. laid: False if the files to grade could not be put together.
 
-    seconds: from taking it up to its end.
+    seconds: from the beginning to the end of the task.
     """
 
     proof: Proof

@@ -36,7 +36,7 @@ def main() -> int:
 
 
 class Prover:
-    """Keeps what several proofs need: the course, its mistakes, the ROS, and processes of ours."""
+    """Keeps what several proofs need: the course, its mistakes, the ROS, and our helper processes."""
 
     def __init__(self) -> None:
         self._course: Course | None = None
@@ -48,7 +48,7 @@ class Prover:
         self._helpers.close()
 
     def run(self, task: ProofTask) -> ProofResult:
-        """Whatever goes wrong is a result like any other."""
+        """Grade it. Errors become results, too."""
         began = time.monotonic()
         folder = Path(tempfile.mkdtemp(dir=task.folder))
         try:
@@ -74,7 +74,7 @@ class Prover:
             return laid, _without_verdict(task, Verdict.NOT_AVAILABLE, _told(error))
         except CourseError as error:
             return laid, _without_verdict(task, Verdict.OUR_ERROR, _told(error))
-        except Exception as error:  # noqa: BLE001 - an author's code may do anything: it is told as it is
+        except Exception as error:  # noqa: BLE001 - an author's code may raise anything, which is reported
             return laid, _without_verdict(task, Verdict.OUR_ERROR, our_error(error))
 
     def _opened(self, root: str) -> Course:
@@ -86,7 +86,7 @@ class Prover:
         ros = self._found_ros() if runs_programs(exercise) else None
 
         def looks_for_cause(result: Result) -> bool:
-            """Only where a mistake claims words that are not said without it."""
+            """Only if a mistake claims words that the feedback does not contain without the cause."""
             said = "\n".join(words_of(check.feedback) for check in result.checks)
             return any(words not in said for words in says)
 
@@ -117,7 +117,7 @@ def lay(
     home: Path,
     mistakes_of: Callable[[Exercise], Iterable[Mistake]] = Exercise.mistakes,
 ) -> None:
-    """What the proof grades, into the empty folder `home`. Raises CourseError when that is not possible."""
+    """Put the files that the proof grades into the empty folder `home`. Raises CourseError if that fails."""
     if proof.kind is ProofKind.SOLUTION:
         trial.lay_solution(course, exercise, home)
     elif proof.kind is ProofKind.STARTER:

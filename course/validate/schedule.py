@@ -1,4 +1,4 @@
-"""Runs proofs on this machine's worker processes, and never takes a busy machine for a wrong grader."""
+"""Runs proofs in worker processes, and does not blame graders for failures on a busy machine."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ def run(
     turns: int = 1,
     evidence: Mapping[Proof, Path] | None = None,
 ) -> Generator[ProofResult, None, None]:
-    """Each proof once in each turn, with its last attempt, as they come.
+    """The result of each proof in each turn, from its last attempt, as soon as it is known.
 
     root: of the course. evidence: files in which to keep recordings.
-    Whatever ends the iteration ends the gradings, in order.
+    When the iteration ends, for whatever reason, the gradings are ended in order.
     """
     with storing("there is no room for what is graded"):
         folder = Path(tempfile.mkdtemp(prefix="ros2course-validate-"))
@@ -46,7 +46,7 @@ def run(
 
 
 class _Schedule:
-    """First all, several at once; then what was doubtful."""
+    """First all proofs, several at once; then those whose results were doubtful."""
 
     def __init__(self, claims: Claims, tasks: Sequence[ProofTask]) -> None:
         self._claims = claims
@@ -55,14 +55,14 @@ class _Schedule:
         self._doubtful: list[tuple[ProofTask, ProofResult]] = []
 
     def proven(self, jobs: int) -> Iterator[ProofResult]:
-        # A second look with less beside it, and a third with nothing.
+        # The second attempt runs with fewer others at the same time, and the third one alone.
         for at_once in (jobs, max(1, jobs // ATTEMPTS), 1):
-            # To start a worker costs as much as a proof: none is started for a single one.
+            # Starting a worker costs as much as a proof, so each worker gets at least two.
             yield from self._round(min(at_once, -(-len(self._waiting) // 2)))
             yield from self._certain()
 
     def _certain(self) -> Iterator[ProofResult]:
-        """What is certain after a round that was doubtful within it. The others wait for the next one."""
+        """Results that were doubtful in a round and are certain after it. The others wait for the next."""
         doubtful, self._doubtful = self._doubtful, []
         for task, proven in doubtful:
             if self._claims.deserves_another(proven):

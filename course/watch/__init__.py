@@ -1,6 +1,6 @@
-"""`watch`: checks the exercise at every save, in a terminal that shows what came of it.
+"""`watch`: checks the exercise at every save, and shows the result in the terminal.
 
-`loop` brings the parts together. `session` decides what happens and knows no terminal, no processes and no
-files. `saves` tells of saves, and `checks` runs one check at a time in a process of its own. `screen` and
-`terminal` show it all.
+`loop` connects the parts. `session` decides what happens, and uses no terminal and no processes. `saves`
+reports saves, and `checks` runs one check at a time in a separate process. `screen` and `terminal` show
+everything.
 """

@@ -1,6 +1,6 @@
 """The process that checks for `watch`: `python -m course.watch.check_worker DESCRIPTOR`; see `course.child`.
 
-It has loaded everything before it gets its first task. Told to end, it ends a check in order, as Ctrl+C does.
+It loads everything before its first task. When it is told to end, it ends the check in order, as for Ctrl+C.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ def main() -> int:
 
 
 def checked(task: CheckTask, tell: Tell, fork_server: ForkServer) -> Message:
-    """The check's result; whatever goes wrong is told of, too. KeyboardInterrupt passes through."""
+    """The check's result, or a message about what went wrong. KeyboardInterrupt passes through."""
     try:
         return Checked(task.number, _result(task, tell, fork_server))
     except CourseError as error:
         return Stuck(task.number, error.what, error.next_step or "")
-    except Exception as error:  # noqa: BLE001 - shown and kept; the next save is checked all the same
+    except Exception as error:  # noqa: BLE001 - shown and stored; the next save is checked anyway
         from course.grading.outcomes import our_error
 
         return Checked(task.number, Result(task.exercise, Verdict.OUR_ERROR, fault=our_error(error)))

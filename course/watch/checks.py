@@ -1,7 +1,7 @@
 """One check at a time, in a process that is ready before it is needed.
 
-A check that is called off ends in order, with everything that it started; what is wanted next begins when
-it has. Its successor's process is loading meanwhile.
+A check that is called off ends in order, with everything that it started; only then does the next one begin.
+Meanwhile, the next process is loading.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _LOG_LINES = 15
 
 
 class Checks:
-    """hear: gets what is said of the check that was started last. `serve` does the work."""
+    """hear: called with messages about the check that was started last. `serve` does the work."""
 
     def __init__(self, course: Path, home: Path, hear: Callable[[Message], None], *, namespaces: bool = True):
         self._course = course
@@ -41,7 +41,7 @@ class Checks:
         self._spare: CheckProcess | None = None
 
     def start(self, exercise: Exercise) -> int:
-        """See `messages.Checking`."""
+        """See `updates.Checking`."""
         self.stop()
         if self._busy is not None and self._spare is None:
             self._spare = CheckProcess()
@@ -53,13 +53,13 @@ class Checks:
         return self._number
 
     def stop(self) -> None:
-        """See `messages.Checking`."""
+        """See `updates.Checking`."""
         self._wanted = None
         if self._busy is not None and not self._busy.is_called_off:
             self._busy.call_off()
 
     async def serve(self) -> None:
-        """Run what is started, until cancelled. Nothing that was started is left then."""
+        """Run the checks that are started, until cancelled. Ends everything that was started."""
         worker = CheckProcess()
         try:
             while True:
@@ -80,7 +80,7 @@ class Checks:
         return task
 
     async def _checked(self, worker: CheckProcess, task: CheckTask) -> bool:
-        """Whether the worker can be used again."""
+        """Run the check. Return whether the worker can be used again."""
         self._busy = worker
         last: Message | None = None
         try:
@@ -99,7 +99,7 @@ class Checks:
 
 
 class CheckProcess:
-    """The process. What it prints as errors is kept in case it crashes."""
+    """The process. Its error output is kept in case it crashes."""
 
     def __init__(self) -> None:
         self.is_called_off = False
@@ -110,9 +110,9 @@ class CheckProcess:
             stack.pop_all()
 
     async def check(self, task: CheckTask) -> AsyncIterator[Message]:
-        """What it says, the last being the result; none is where it fell over, or was called off."""
+        """Its messages, of which the last is the result. There is none if it crashed or was called off."""
         self._child.tell(task)
-        with contextlib.suppress(DamagedData):  # far too long, or no message
+        with contextlib.suppress(DamagedData):  # a line that is far too long, or not a message
             while (lines := await self._read()) is not None:
                 for line in lines:
                     message: Message = codec.from_json(line, Message, "this line")
@@ -130,13 +130,13 @@ class CheckProcess:
         return self._child.read()
 
     def call_off(self) -> None:
-        """Tell it to end what it does, and itself."""
+        """Tell it to end its check, and itself."""
         self.is_called_off = True
         self._child.process.terminate()
 
     async def end(self) -> None:
-        """Have it end in order; by force after some time. It goes on doing so if who waits is cancelled."""
-        # `wait_for` of Python 3.11 forgets that it was cancelled if what it waits for comes at that moment.
+        """End it in order, or by force after some time. This continues even if the caller is cancelled."""
+        # Python 3.11's `wait_for` loses a cancellation if its result arrives at the same moment.
         self._ending = self._ending or asyncio.ensure_future(self._end())
         await asyncio.shield(self._ending)
 
@@ -153,11 +153,11 @@ class CheckProcess:
     async def _is_over(self) -> None:
         over = False
         while not over:
-            with contextlib.suppress(DamagedData):  # what nobody hears any more
+            with contextlib.suppress(DamagedData):  # nobody reads these lines any more
                 over = await self._read() is None
 
     def fallen(self, task: CheckTask) -> Result:
-        """The result where it ended without one."""
+        """The result if it ended without one."""
         self._log.seek(0)
         fault = Feedback(
             "The process that checks ended without a verdict.",

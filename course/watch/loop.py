@@ -1,4 +1,4 @@
-"""Brings saves, keys, signals and checks together, and shows what comes of them."""
+"""Connects saves, keys, signals and checks, and shows the results."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from course.watch.session import Session
 from course.watch.terminal import Terminal
 from course.watch.updates import Begun, Event, Key, Learner, Saved, SignalCame, Tick
 
-# While a check runs its seconds are counted.
+# While a check runs, its seconds are counted.
 _SECOND = 1.0
 _ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 _OTHERS = (signal.SIGWINCH, signal.SIGTSTP, signal.SIGCONT)
@@ -29,10 +29,10 @@ _OTHERS = (signal.SIGWINCH, signal.SIGTSTP, signal.SIGCONT)
 def watch(
     learner: Learner, begun: Begun, course: Path, typed: Callable[[str], str], *, namespaces: bool
 ) -> int:
-    """Until the learner ends it. Returns the number of the signal that did, 0 for a key.
+    """Watch until the learner ends it. Returns the number of the signal that ended it; 0 for a key.
 
-    The terminal is as before afterwards, and no check goes on. Raises UsageError when the course home is
-    gone, MissingHere where this machine cannot tell of saves, and what storing a result raises.
+    Afterwards, the terminal is as before, and no check is running. Raises UsageError if the course home is
+    gone, MissingHere if this machine cannot report saves, and any error from storing a result.
     """
     return asyncio.run(_Watch(learner, begun, course, typed, namespaces=namespaces).run())
 
@@ -56,7 +56,7 @@ class _Watch:
             self._session = Session(self._learner, checks, self._begun, lambda: self._following, self._ask)
             self._terminal.on_keys(self._read_keys)
             try:
-                # Listening first: no save after the first screen goes unheard.
+                # Listening comes first, so that no save after the first screen is missed.
                 return await _first_of(
                     self._listen(home), self._until_ended(), checks.serve(), self._count(home)
                 )
@@ -109,7 +109,7 @@ class _Watch:
 
     @contextlib.contextmanager
     def _signals(self) -> Iterator[None]:
-        """Signals are noted and handled between two events, never while the terminal changes hands."""
+        """Queue signals: they are handled between two events, never while the terminal is handed over."""
         self._hear((*_ENDINGS, *_OTHERS))
         try:
             yield
@@ -134,7 +134,7 @@ class _Watch:
         self._show(anew=True)
 
     def _pause(self) -> None:
-        """Pause as any program does after Ctrl+Z, with the terminal restored. A check continues."""
+        """Pause with the terminal restored, like any program after Ctrl+Z. A check continues."""
         with self._terminal.lent():
             self._ignore([signal.SIGTSTP])
             signal.raise_signal(signal.SIGTSTP)

@@ -1,4 +1,4 @@
-"""Tells of saves in a course home: of files that a check may look at, and of no others."""
+"""Reports saves in a course home, but only of files that a check may look at."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from course.content.layout import answers_file
 from course.errors import MissingHere
 from course.home import CourseHome, is_home
 
-# Changes that follow one another sooner than this are one save, in milliseconds: an editor writes a file
-# in several steps.
+# Changes within this time, in milliseconds, count as one save, because an editor writes a file in several
+# steps.
 QUIET = 50
-# While saves never stop, they are told of after this time, in milliseconds.
+# If saves never stop, they are reported after this time, in milliseconds.
 LONGEST = 500
 # What `colcon build` makes in a workspace.
 _BUILT = frozenset({"build", "install", "log"})
@@ -25,9 +25,9 @@ _LEFT_BY_TOOLS = DefaultFilter()
 
 
 async def saves(home: CourseHome) -> AsyncIterator[tuple[str, ...]]:
-    """What was written or removed in the home, relative to it, each time it has been quiet for a moment.
+    """The files that were written or removed, relative to the home, after each moment without changes.
 
-    Ends when the home is gone. Raises MissingHere when this machine cannot tell of changes.
+    Ends when the home is gone. Raises MissingHere if this machine cannot report changes.
     """
 
     def is_of_interest(change: Change, path: str) -> bool:
@@ -51,9 +51,9 @@ async def saves(home: CourseHome) -> AsyncIterator[tuple[str, ...]]:
 
 
 def concerning(exercise: Exercise, files: Iterable[str]) -> tuple[str, ...]:
-    """Those of the files of a course home that can change what comes out for the exercise.
+    """Those of a course home's files that can change the exercise's result.
 
-    Hidden files and what `colcon build` made count only where the exercise looks at them.
+    Hidden files and those that `colcon build` made count only if the exercise looks at them.
     """
     patterns = (*exercise.files, *exercise.looks_at, answers_file(exercise.id))
     return tuple(file for file in files if _concerns(PurePosixPath(file), patterns))
@@ -69,7 +69,7 @@ def _concerns(file: PurePosixPath, patterns: Iterable[str]) -> bool:
 
 
 def _fits(file: PurePosixPath, pattern: PurePosixPath) -> bool:
-    """Match the pattern as a shell does: `*` does not match a hidden name."""
+    """Matches the pattern as a shell does: `*` does not match a hidden name."""
     if len(file.parts) != len(pattern.parts):
         return False
     return all(

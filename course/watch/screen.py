@@ -1,6 +1,6 @@
-"""One screenful of `watch`, as lines: what is checked, the text in the middle, what goes on, the keys.
+"""One screenful of `watch`, as lines: the exercise, the text in the middle, the current activity, the keys.
 
-Lines are cut to the terminal's width, so that the screen holds exactly what is counted here.
+Lines are cut to the terminal's width, so that the screen shows exactly the lines that are counted here.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ from course.watch.updates import (
     TaskText,
 )
 
-# What is to be done comes before what is done.
+# What the learner must still do comes before what is done.
 _ORDER = (Outcome.FAILED, Outcome.ERROR, Outcome.SKIPPED, Outcome.PASSED, Outcome.NOT_APPLICABLE)
 
 Typed = Callable[[str], str]
@@ -50,7 +50,7 @@ Typed = Callable[[str], str]
 
 @singledispatch
 def render(body: Body, console: Console, typed: Typed) -> None:
-    """Print it on the console. typed: one of our commands as it can be typed here."""
+    """Print it on the console. typed: turns one of our commands into the form to type on this machine."""
     raise TypeError(f"nothing tells how to show {body!r}")
 
 
@@ -133,7 +133,7 @@ def _put_change(console: Console, change: ResultChange) -> None:
 
 
 def gain(change: ResultChange) -> str:
-    """The points that were won or lost: `3 points more`."""
+    """The points that were gained or lost: `3 points more`."""
     points = abs(change.points)
     unit = "point" if points == 1 else "points"
     if not points:
@@ -141,23 +141,23 @@ def gain(change: ResultChange) -> str:
     return f"{number(points)} {unit} {'more' if change.points > 0 else 'fewer'}"
 
 
-# Of a body; whatever a check has to say, the screen stays quick.
+# Of a body, so that the screen stays quick even if a check says a lot.
 MOST_LINES = 1000
 _KEYS = "n next  h hint  t task  r result  l list  c check  space more  q quit"
-_AROUND = 4  # lines that are not the body: the title, two rules with what goes on between, the keys
+_AROUND = 4  # lines that are not the body: the title, two rules and the activity between them, the keys
 _NARROWEST = 20
 
 
 @dataclass(frozen=True)
 class Frame:
-    """Lines with colors. following: the first line of the body's next screenful; 0 after the last."""
+    """Lines with colors. following: the first line of the body's next screenful; 0 if there is none."""
 
     lines: tuple[str, ...]
     following: int
 
 
 class Screen:
-    """Draws; remembers the body that was drawn last, since that takes longest."""
+    """Draws screens. It remembers the last body, because drawing that takes longest."""
 
     def __init__(self, typed: Typed) -> None:
         self._typed = typed
@@ -240,11 +240,11 @@ def _coded(console: Console, line: Text, width: int) -> str:
 
 
 class _Full(Exception):
-    """More than anybody reads in `watch` has been written."""
+    """There are more lines than anybody reads in `watch`."""
 
 
 class _Paper(io.StringIO):
-    """What a console writes on as if it were a terminal, with its colors."""
+    """A file that a console takes for a terminal, so that it writes colors."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""What happens when a file is saved, a key is pressed, a check speaks. Knows no terminal and no processes."""
+"""What happens after a save, a key, or a message from a check. Uses no terminal and no processes."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from course.watch.updates import (
 
 
 class OwnFiles:
-    """Remembers how they were when they were written; once they look different, somebody saved them."""
+    """Remembers the files that we wrote; if one looks different later, somebody saved it."""
 
     def __init__(self, home: Path) -> None:
         self._home = home
@@ -36,14 +36,14 @@ class OwnFiles:
         self._folders: set[str] = set()
 
     def wrote(self, files: Iterable[str]) -> None:
-        """files: relative to the home, as are the others here. Those that are not there are left out."""
+        """Call after writing `files`, which are relative to the home. Missing ones are ignored."""
         for file in files:
             if (stamp := self._stamp(file)) is not None:
                 self._known[file] = stamp
                 self._folders.update(str(folder) for folder in Path(file).parents)
 
     def without(self, files: Iterable[str]) -> tuple[str, ...]:
-        """Those that somebody else wrote."""
+        """The files that somebody else wrote."""
         return tuple(file for file in files if not self._is_own(file))
 
     def _is_own(self, file: str) -> bool:
@@ -64,10 +64,10 @@ _ANEW = "; checking again"
 
 
 class Session:
-    """One sitting in front of `watch`. look: what is to be seen now. over: whether it was ended by a key.
+    """One run of `watch`. look: what the screen shows now. over: whether a key ended it.
 
-    page: asked for the first line of the next screenful, when the learner wants to read on. ask: asks the
-    questions of a quiz; False when the learner went back.
+    page: returns the first line of the next screenful, for a learner who wants to read on. ask: asks the
+    questions of a quiz, and returns False if the learner went back.
     """
 
     def __init__(
@@ -90,7 +90,7 @@ class Session:
         self.look: Look = self._opened(begun)
 
     def hear(self, event: updates.Event) -> None:
-        """Whatever happened but signals and the time."""
+        """Handle any event except signals and ticks."""
         if isinstance(event, Saved):
             self._saved(event.files)
         elif isinstance(event, Key):
@@ -99,7 +99,7 @@ class Session:
             self._told(event)
 
     def leave(self) -> None:
-        """The end, by whatever: what runs is being called off."""
+        """Call off a running check, because `watch` ends for whatever reason."""
         self._checking.stop()
         if self.look.doing:
             self.look = replace(self.look, doing="stopping the check", since=self._clock())
@@ -122,7 +122,7 @@ class Session:
 
     def _told(self, message: Message) -> None:
         if message.number != self._number or not self.look.doing:
-            return  # of a check that was called off
+            return  # from a check that was called off
         if isinstance(message, Said):
             self.look = replace(self.look, doing=message.text)
         elif isinstance(message, updates.SoFar):
@@ -165,7 +165,7 @@ class Session:
             action()
 
     def _go_on(self) -> None:
-        """Like `next`: go to an exercise that is not passed, so that none is skipped."""
+        """Like `next`: go to the next exercise, but only if this one is passed, so that none is skipped."""
         exercise = self.look.exercise
         if not self._learner.is_passed(exercise):
             self.look = replace(self.look, remark=f"{exercise.id} is not passed yet; n goes on when it is.")
@@ -178,7 +178,7 @@ class Session:
             self.look = self._opened(begun)
 
     def _turn_text(self) -> None:
-        """Show the task, or the lesson if the task is shown already."""
+        """Show the task or, if the task is already shown, the lesson."""
         exercise = self.look.exercise
         if isinstance(self.look.body, updates.TaskText):
             self._show(self._learner.lesson(exercise))
@@ -195,7 +195,7 @@ class Session:
     def _check_now(self) -> None:
         exercise = self.look.exercise
         wanted = self._ask(exercise) if exercise.questions else True
-        self._own.wrote([answers_file(exercise.id)])  # what was answered just now is not a save
+        self._own.wrote([answers_file(exercise.id)])  # these new answers are not a save
         if wanted:
             self._check("")
 
@@ -209,7 +209,7 @@ class Session:
         self.look = replace(self.look, body=body, remark="", first=None)
 
     def _opened(self, begun: Begun) -> Look:
-        """Show the task of an exercise, or first the part of the lesson that is still unread."""
+        """The first screen of an exercise: its part of the lesson, if that is still unread, else its task."""
         self._number = 0
         exercise = begun.exercise
         self._own.wrote(str(file.relative_to(self._learner.home)) for file in begun.new)

@@ -1,7 +1,7 @@
-"""The terminal while `watch` has it: keys as they are pressed, a screen of its own; given back as it was.
+"""The terminal while `watch` uses it: keys arrive one by one, on a separate screen; restored at the end.
 
-Writing never waits: a terminal that takes nothing (a line that hangs) gets the newest screenful when it
-listens again.
+Writing never waits: a terminal that accepts nothing (a hanging connection) gets the newest screenful when it
+accepts data again.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from rich.segment import ControlType
 
 from course.errors import UsageError
 
-# How long the last words to a terminal that takes nothing may take, in seconds.
+# How long to wait, in seconds, for a terminal that does not accept the last output.
 _PATIENCE = 1.0
 _MOST_KEYS = 1024
-# What arrow keys and other special ones send; nothing that was typed.
+# What arrow keys and other special keys send.
 _SEQUENCE = re.compile(r"\x1b(?:\[[0-?]*[ -/]*[@-~]|O.|.)?", re.DOTALL)
 _HOME, _END_OF_LINE = str(Control.home()), str(Control((ControlType.ERASE_IN_LINE, 0)))
 _ENTER = str(Control.alt_screen(True)) + str(Control.show_cursor(False)) + str(Control.clear())
-# Some terminals have no second screen: nothing stays on their only one.
+# Some terminals have no second screen, so clear the only one.
 _LEAVE = str(Control.clear()) + _HOME + str(Control.show_cursor(True)) + str(Control.alt_screen(False))
 
 
 def require_terminal() -> None:
-    """Raises UsageError where there is no terminal that can be drawn on."""
+    """Raises UsageError if there is no terminal that `watch` can draw on."""
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         what = "`watch` shows a screen and reads keys, and this is not a terminal."
         raise UsageError(what, "Run it in a terminal; elsewhere: ros2course check")
@@ -44,7 +44,7 @@ def require_terminal() -> None:
 
 
 class Terminal:
-    """Between entering and leaving its context, `watch` has the terminal."""
+    """A context manager: inside its context, `watch` has the terminal."""
 
     def __init__(self) -> None:
         self._keys = sys.stdin.fileno()
@@ -65,7 +65,7 @@ class Terminal:
             os.close(self._own)
 
     def take(self) -> None:
-        """Make it ours; again after a pause."""
+        """Make it ours, at the beginning and after a pause."""
         _set(self._keys, _as_pressed(self._attributes))
         self._last = None
         self._next = None
@@ -73,7 +73,7 @@ class Terminal:
         self._write()
 
     def give_back(self) -> None:
-        """As it was before. A terminal that is gone is not an error."""
+        """Restore it. A terminal that is gone is not an error."""
         self._stop_waiting()
         with contextlib.suppress(OSError):
             self._write_all(self._unwritten + _LEAVE.encode())
@@ -83,7 +83,7 @@ class Terminal:
 
     @contextlib.contextmanager
     def lent(self) -> Iterator[None]:
-        """Somebody else may use it meanwhile, as it was before."""
+        """Restore it during the context, so that something else can use it."""
         self.give_back()
         try:
             yield
@@ -91,7 +91,7 @@ class Terminal:
             self.take()
 
     def size(self) -> tuple[int, int]:
-        """Columns and lines. The last column stays free: terminals differ in what follows it."""
+        """Columns and lines. The last column stays free: terminals differ in what they do after it."""
         with contextlib.suppress(OSError):
             size = os.get_terminal_size(self._screen)
             if size.columns and size.lines:
@@ -99,7 +99,7 @@ class Terminal:
         return 79, 24
 
     def show(self, lines: Sequence[str], *, anew: bool = False) -> None:
-        """Put these lines on the screen. `anew`: even if they are there already, as far as we know."""
+        """Put these lines on the screen. `anew`: even if they should already be there."""
         body = "\r\n".join(f"{line}{_END_OF_LINE}" for line in lines)
         frame = f"{_HOME}{body}".encode(errors="replace")
         if frame != self._last or anew:
@@ -107,7 +107,7 @@ class Terminal:
             self._write()
 
     def pressed(self) -> str | None:
-        """The keys that were pressed; "" for special ones. None when the terminal is gone."""
+        """The keys that were pressed; "" for special ones. None if the terminal is gone."""
         try:
             data = os.read(self._keys, _MOST_KEYS)
         except OSError as error:
@@ -131,7 +131,7 @@ class Terminal:
             except BlockingIOError:
                 asyncio.get_running_loop().add_writer(self._writable, self._write)
                 return
-            except OSError:  # it is gone; its keys tell so, too
+            except OSError:  # it is gone; reading keys will notice that, too
                 self._unwritten, self._next = b"", None
 
     def _write_all(self, data: bytes) -> None:
@@ -152,14 +152,14 @@ def _opened_anew(descriptor: int) -> int | None:
     """Open the same terminal without blocking. The shell shares the first descriptor, which must block."""
     try:
         return os.open(os.ttyname(descriptor), os.O_WRONLY | os.O_NOCTTY | os.O_NONBLOCK | os.O_CLOEXEC)
-    except OSError:  # not to be found by its name, as in some containers
+    except OSError:  # it has no usable name, as in some containers
         return None
 
 
 def _as_pressed(attributes: list[object]) -> list[object]:
-    """Keys come one by one and are not shown; Ctrl+C and Ctrl+Z are signals, as always.
+    """Keys arrive one by one and are not shown; Ctrl+C and Ctrl+Z are signals, as always.
 
-    Ctrl+S, which many press to save, and in the wrong window at times, does not stop the screen.
+    Ctrl+S does not stop the screen: many people press it to save, sometimes in the wrong window.
     """
     changed = list(attributes)
     flow, flags, characters = changed[tty.IFLAG], changed[tty.LFLAG], changed[tty.CC]
@@ -172,7 +172,7 @@ def _as_pressed(attributes: list[object]) -> list[object]:
 
 
 def _set(descriptor: int, attributes: list[object]) -> None:
-    """Set it without waiting for pending output, which may be stopped."""
+    """Set the attributes without waiting for pending output, which may be stopped."""
     while True:
         try:
             termios.tcsetattr(descriptor, termios.TCSANOW, attributes)  # type: ignore[arg-type]

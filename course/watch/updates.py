@@ -1,4 +1,4 @@
-"""What the parts of `watch` tell one another: what happened, what changed, and what is to be seen."""
+"""What the parts of `watch` tell one another: what happened, what changed, and what to show."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from course.report.exercise_text import ExerciseRow
 
 @dataclass(frozen=True)
 class ResultChange:
-    """fixed: titles of checks that pass now and did not; broken: the other way round.
+    """fixed: titles of checks that pass now and did not before. broken: those that no longer pass.
 
-    points: how many more there are, or fewer.
+    points: the difference; negative if there are fewer.
     """
 
     fixed: tuple[str, ...]
@@ -32,7 +32,7 @@ class ResultChange:
 
 
 def what_changed(before: Result | None, now: Result) -> ResultChange | None:
-    """None when there is nothing to compare with. Checks that only one of the two has are left out."""
+    """None if there is nothing to compare with. Checks that only one of the two has are left out."""
     if before is None or before.exercise != now.exercise:
         return None
     passed = {check.id: check.outcome is Outcome.PASSED for check in before.checks}
@@ -53,7 +53,7 @@ def _titles(checks: Iterable[CheckResult]) -> tuple[str, ...]:
 
 
 class CheckTask(Struct, frozen=True):
-    """What is checked, in which home. course: its folder. number: tells one check from the next."""
+    """What to check, and in which home. course: its folder. number: different for each check."""
 
     number: int
     course: str
@@ -70,14 +70,14 @@ class Said(Struct, frozen=True, tag_field="kind", tag="said"):
 
 
 class SoFar(Struct, frozen=True, tag_field="kind", tag="so far"):
-    """What the check came to, while the cause of a failure is still looked for."""
+    """The check's result, while the cause of a failure is still unknown."""
 
     number: int
     result: Result
 
 
 class Checked(Struct, frozen=True, tag_field="kind", tag="checked"):
-    """The check came to a result."""
+    """The check's final result."""
 
     number: int
     result: Result
@@ -103,7 +103,7 @@ class Saved:
 
 @dataclass(frozen=True)
 class Key:
-    """A key that was pressed, as the character it writes."""
+    """A key that was pressed, as the character that it types."""
 
     name: str
 
@@ -117,7 +117,7 @@ class SignalCame:
 
 @dataclass(frozen=True)
 class Tick:
-    """Time has gone by."""
+    """A second has passed."""
 
 
 Event = Said | SoFar | Checked | Stuck | Saved | Key | SignalCame | Tick
@@ -128,7 +128,7 @@ Event = Said | SoFar | Checked | Stuck | Saved | Key | SignalCame | Tick
 
 @dataclass(frozen=True)
 class LessonText:
-    """What is read before an exercise: its part of the lesson, and any chapter before without exercises."""
+    """What to read before an exercise: its part of the lesson, and earlier chapters without exercises."""
 
     exercise: Exercise
     lessons: tuple[Lesson, ...]
@@ -136,9 +136,9 @@ class LessonText:
 
 @dataclass(frozen=True)
 class TaskText:
-    """An exercise's task. new: its files that were laid just now. needed: what it builds on, not passed.
+    """An exercise's task. new: files that were just copied. needed: what it builds on that is not passed.
 
-    questions: as this learner is asked them.
+    questions: in the form in which this learner is asked.
     """
 
     exercise: Exercise
@@ -151,7 +151,7 @@ class TaskText:
 
 @dataclass(frozen=True)
 class ResultText:
-    """A result, and what changed since the one before. log: where a fault of ours was written down."""
+    """A result, and what changed since the one before. log: the file with details of a fault of ours."""
 
     exercise: Exercise
     result: Result
@@ -170,7 +170,7 @@ class ProblemText:
 
 @dataclass(frozen=True)
 class HintText:
-    """Hint `number` of `total`, from 1; number 0 where there are none."""
+    """Hint `number` of `total`, from 1; 0 if there are no hints."""
 
     exercise: Exercise
     number: int
@@ -196,9 +196,9 @@ Body = LessonText | TaskText | ResultText | ProblemText | HintText | Listing | A
 
 @dataclass(frozen=True)
 class Look:
-    """What is to be seen. doing: what the check does, since when; empty while none runs.
+    """What to show. doing: what the check is doing; empty if none is running. since: when that began.
 
-    remark: what happened last. first: the first line of the body that is shown; None leaves it to the screen.
+    remark: what happened last. first: the body's first line to show; None leaves it to the screen.
     """
 
     exercise: Exercise
@@ -216,7 +216,7 @@ class Look:
 
 @dataclass(frozen=True)
 class Begun:
-    """An exercise that is ready to be worked on; new: the files that were laid for it."""
+    """An exercise that is ready to be worked on. new: the files that were copied for it."""
 
     exercise: Exercise
     new: tuple[Path, ...] = ()
@@ -224,20 +224,20 @@ class Begun:
 
 
 class Learner(Protocol):
-    """The learner's place in the course: what commands do beside showing something."""
+    """The learner's progress in the course: what commands do, apart from showing something."""
 
     @property
     def home(self) -> Path: ...
 
     def next(self) -> Begun | None:
-        """Begin what comes next, as `next` does; None when everything is passed."""
+        """Begin the next exercise, as `next` does; None if everything is passed."""
 
     def lesson(self, exercise: Exercise) -> LessonText: ...
 
     def task(self, begun: Begun) -> TaskText: ...
 
     def hint(self, exercise: Exercise) -> HintText:
-        """One further each time, as `hint` does."""
+        """The next hint each time, as `hint` does."""
 
     def listing(self) -> Listing: ...
 
@@ -246,17 +246,17 @@ class Learner(Protocol):
     def last_result(self, exercise: Exercise) -> Result | None: ...
 
     def remember(self, exercise: Exercise, result: Result) -> Path | None:
-        """Store it, as `check` does. Returns where a fault of ours was written down."""
+        """Store it, as `check` does. Returns the file with details of a fault of ours."""
 
     def ask(self, exercise: Exercise) -> None:
-        """Ask the questions of a quiz on the terminal, which is free for that."""
+        """Ask the questions of a quiz on the terminal, which nothing else uses meanwhile."""
 
 
 class Checking(Protocol):
     """Runs one check at a time."""
 
     def start(self, exercise: Exercise) -> int:
-        """Begin one; one that runs is called off. Returns the number that its messages carry."""
+        """Start a check, and call off a running one. Returns the number in its messages."""
 
     def stop(self) -> None:
-        """Call off the one that runs, if any."""
+        """Call off the running check, if any."""

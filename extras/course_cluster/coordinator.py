@@ -112,7 +112,7 @@ class Roster:
 
     def _hear(self, address: str, future: Future) -> None:
         if future.cancelled():
-            return  # it will be asked again, if it is still there
+            return  # it is asked again if it is still there
         host, problem = _answer(future)
         if problem is None:
             self._fit[address] = host
@@ -207,9 +207,9 @@ class Cluster:
             self._fit_before = now or self._fit_before
 
     def _send_again(self, alone: bool) -> None:
-        """None of those who could grade is left. Dask gives what waits to a worker when it comes, and our
+        """Send all tasks again, because no worker that could grade is left.
 
-        workers say only later that they can grade: it would wait for ever.
+        Dask assigns waiting tasks only when a worker appears, and ours say later that they can grade.
         """
         waiting = [sent.task for sent in self._sent.values()]
         self._client.cancel([*self._sent])
@@ -266,7 +266,7 @@ class Cluster:
                 yield graded
 
     def _graded(self, future: Future, sent: Sent, alone: bool) -> Graded | None:
-        """None if it has to be waited for again."""
+        """The grading; None if it is not final, so that we must wait for it again."""
         if future.cancelled():  # not by us: somebody restarted the workers, or the scheduler is gone
             self._roster.look()
             self._send(sent.task, alone)
@@ -293,7 +293,7 @@ def _done(client: Client, futures: list[Future]) -> list[Future]:
     try:
         with client.as_current():
             wait(futures, timeout=_LOOK, return_when="FIRST_COMPLETED")
-    except (*TIMED_OUT, CancelledError, AsyncCancelledError):  # Dask raises the one or the other
+    except (*TIMED_OUT, CancelledError, AsyncCancelledError):  # Dask raises one or the other
         pass
     return [future for future in futures if future.done()]
 

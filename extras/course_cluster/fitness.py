@@ -120,7 +120,7 @@ def _digest(folders: Iterable[Path]) -> str:
 
 
 def _files(folder: Path) -> Iterator[Path]:
-    """Sorted. The course inside an installed engine is not part of the engine."""
+    """All files, sorted. A course inside an installed engine is not part of the engine."""
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name != "_course" and not _is_left_over(name))
         yield from (Path(place, name) for name in sorted(names) if not _is_left_over(name))

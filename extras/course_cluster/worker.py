@@ -48,7 +48,7 @@ def look(asked: Mapping[str, Any]) -> tuple[str, tuple[str, str] | None]:
 def grade(line: bytes, home: bytes, alone: bool) -> Answer:
     """A Dask task. line: the course's task, whose paths are the coordinator's.
 
-    home: as `parcel.pack` made it. alone: with no other grading beside it on this machine.
+    home: as `parcel.pack` made it. alone: with no other grading on this machine at the same time.
     """
     worker = get_worker()
     key, scratch = worker.get_current_task(), Path(worker.local_directory)
@@ -63,7 +63,7 @@ def _plugin(worker: Worker) -> GradingPlugin:
     return plugin
 
 
-class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not looked at
+class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not checked
     """Each of the worker's threads has a grading process, which ends with the thread."""
 
     def __init__(self) -> None:
@@ -113,7 +113,7 @@ class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not
                 self._running[key] = process
         graded = process.do(here) if key in self._running else _called_off(task)
         if key not in self._running:
-            process.close()  # it was interrupted, and must not be given another task
+            process.close()  # it was interrupted, and must not get another task
         return codec.to_json(graded), evidence_of(recording)
 
     def _process(self) -> Process[GradingTask, Graded]:
@@ -148,7 +148,7 @@ def turn(gate: Path, *, alone: bool) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _folder(scratch: Path) -> Iterator[Path]:
-    """In the worker's own folder, which Dask removes if the worker is killed."""
+    """A temporary folder in the worker's own one, which Dask removes if the worker is killed."""
     try:
         folder = Path(tempfile.mkdtemp(prefix="grading-", dir=scratch))
     except OSError as error:

@@ -16,12 +16,12 @@ _MOST = frozenset({"tolerance", "within", "at_most", "most", "rel", "abs", "rel_
 _LEAST = frozenset({"at_least", "least"})
 _ORDERS = (ast.Lt, ast.LtE, ast.Gt, ast.GtE)
 _ENGINE = "course."
-# Smaller numbers allow for rounding, and no mistake comes that close.
+# Smaller numbers only allow for rounding errors; no mistake comes that close.
 _ROUNDING = 1e-3
 
 
 def of_comparison(source: Source, node: ast.Compare) -> Iterator[Change]:
-    """Numbers in `<` and similar, doubled and halved: the text does not say which is milder."""
+    """Numbers in `<` and similar, doubled and halved, because the code does not say which is milder."""
     if not any(isinstance(operator, _ORDERS) for operator in node.ops):
         return
     for operand in (node.left, *node.comparators):

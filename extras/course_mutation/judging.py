@@ -74,7 +74,7 @@ class Judge:
     def _judged(
         self, text: bytes, suffix: str, proofs: Sequence[_Proven], *, to_the_end: bool = False
     ) -> list[tuple[_Proven, Result, list[str]]]:
-        """Each with its complaints, up to the first that has any."""
+        """Each proof with its complaints, up to the first proof that has any."""
         judged: list[tuple[_Proven, Result, list[str]]] = []
 
         def recordings() -> Iterator[Recording]:
@@ -101,7 +101,7 @@ def _loaded(proven: Evidence, mistakes: dict[str, Mistake]) -> _Proven:
 
 
 def _order(proven: _Proven, checks: Sequence[str]) -> int:
-    """First the ones most likely to notice: the mistakes that these checks should catch."""
+    """A sort key: first those most likely to notice, which are mistakes that these checks should catch."""
     if proven.mistake is None:
         return 2 if proven.proof.kind is ProofKind.SOLUTION else 3
     if proven.mistake.caught_by in checks:

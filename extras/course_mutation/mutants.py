@@ -51,7 +51,7 @@ def _mutant(exercise: Exercise, source: Source, judging: Judging, change: Change
 
 
 def _shown(text: bytes, start: int, end: int) -> str:
-    """This part with the rest of its lines."""
+    """This part of the text, with the rest of its lines."""
     begin, after = text.rfind(b"\n", 0, start) + 1, text.find(b"\n", end)
     before, changed = _tidy(text[begin:start]), _tidy(text[start:end])
     rest = _tidy(text[end : after if after >= 0 else len(text)])

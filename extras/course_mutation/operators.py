@@ -117,7 +117,7 @@ def _compared(source: Source, left: ast.expr, right: ast.expr, operator: Operato
 
 
 def _joined_otherwise(source: Source, node: ast.BoolOp) -> Change:
-    """In parentheses, because `or` binds less strongly than the original operator."""
+    """The parts joined with the other operator, in parentheses, because `or` binds less strongly."""
     pattern, other = _JOINS[type(node.op)]
     parts = [source.text[source.start(node) : source.end(node.values[0])]]
     for value, following in pairwise(node.values):
@@ -137,6 +137,6 @@ def _without_not(source: Source, node: ast.UnaryOp) -> Change:
 
 
 def _in_formatted(node: ast.AST) -> set[ast.AST]:
-    """Before Python 3.12, code in an f-string does not know its place."""
+    """Nodes in f-strings: before Python 3.12, their places in the text are wrong."""
     formatted = (one for one in ast.walk(node) if isinstance(one, ast.JoinedStr))
     return {inner for one in formatted for inner in ast.walk(one)}

@@ -1,8 +1,8 @@
 """Recordings of an exercise's proofs: kept from earlier runs, or made now by running the proofs.
 
-They are in the cache, one file each (MCAP), with their result beside it (JSON). Both are named by everything
-that they depend on (see `keys`), so an outdated recording is not found. Only recordings that confirmed the
-course's claims are kept.
+They are in the cache, one file each (MCAP), with their results next to them (JSON). Their names are digests
+of everything that they depend on (see `Keys`), so an outdated recording is not found. Only recordings that
+confirmed the course's claims are kept.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Recorded:
 
 @dataclass(frozen=True)
 class Found:
-    """problems: why a proof has no recording, to be fixed first. made: how many were made now."""
+    """problems: why a proof has no recording; fix these first. made: how many were made now."""
 
     recorded: tuple[Recorded, ...]
     problems: tuple[str, ...]
@@ -76,7 +76,7 @@ def _folder(course: Course, exercise: Exercise) -> Path:
 
 
 def _is_kept(file: Path) -> bool:
-    """Whether both are there and readable."""
+    """Whether the recording and its result exist and are readable."""
     try:
         load(file)
         from_json(file.with_suffix(".json").read_text(encoding="utf-8"))
@@ -158,13 +158,13 @@ def _of_exercise(exercise: Exercise) -> Iterator[str]:
     for name in exercise.grader_packages:
         for manifest in sorted(exercise.solution.parent.glob(f"*/*workspace/src/{name}/package.xml")):
             yield _tree(manifest.parent)
-    if exercise.play is not None:  # its module also says what a learner did who did everything right
+    if exercise.play is not None:  # its module also contains what a learner does in the right solution
         yield _tree(exercise.play)
         yield _tree(exercise.grader)
 
 
 def _homes(course: Course, exercise: Exercise) -> Iterator[str]:
-    """What trial homes are made of, apart from alternatives and mistakes."""
+    """The files of which trial homes are made, except alternatives and mistakes."""
     for name in exercise.requires:
         yield from _homes(course, course.exercise(name))
     yield _tree(exercise.solution, without="alternatives")

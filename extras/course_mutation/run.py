@@ -48,8 +48,8 @@ def mutate(
     """Weaken the graders of these exercises, one thing at a time, and judge their proofs' recordings by each.
 
     This leaves out exercises without a grader (only questions), and those about the learner's own machine,
-    which no tree of files solves. jobs: processes at once; by default the number of cores, and three times
-    as many if something is run. Errors of one exercise go into its `problems`. Raises MissingHere if this
+    which have no solution in files. jobs: processes at once; by default the number of cores, and three times
+    as many to run programs. Errors of one exercise go into its `problems`. Raises MissingHere if this
     machine lacks something.
     """
     found = [
@@ -112,7 +112,7 @@ class _Exercise:
 
 
 def known_elsewhere(every: Sequence[OfExercise]) -> Iterator[OfExercise]:
-    """Code that several exercises use is proven if one of them notices."""
+    """The results, where a mutant of shared code counts as noticed if any exercise notices it."""
     noticed: dict[tuple[object, Change], str] = {}
     for one in every:
         for judged_ in one.judged:
@@ -130,7 +130,7 @@ def _also(one: Judged, noticed: dict[tuple[object, Change], str]) -> Judged:
 
 
 _WORKER = "course_mutation.worker"
-# Nearly all need a tenth of a second.
+# Nearly all mutants need 0.1 s.
 SECONDS = 10.0
 _LOG = 2000
 
@@ -187,7 +187,7 @@ def _answers(case: Case) -> Iterator[bytes]:
 
 
 def _end(worker: Child) -> None:
-    """End it and the mutants' processes, so that none of them writes a file any more."""
+    """End the worker and the mutants' processes, so that none of them writes a file any more."""
     if worker.process.poll() is None:
         os.killpg(worker.process.pid, signal.SIGKILL)  # it leads its own process group
     while worker.read() is not None:  # all of them hold the other end

@@ -112,7 +112,7 @@ def words(functions: Sequence[Defined]) -> set[ast.AST]:
     for node in _every(functions):
         found.update(_plainly(node))
     before = -1
-    while before != len(found):  # code that is used only for texts only makes texts
+    while before != len(found):  # code that is used only for texts is also found
         before = len(found)
         for function in functions:
             found.update(_of_variables(function, found))

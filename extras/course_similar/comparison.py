@@ -41,7 +41,7 @@ class Match:
 
 @dataclass(frozen=True)
 class Side:
-    """share: how much of this side's own code the other side contains (0 to 1). lines: in lines."""
+    """share: how much of this side's own code the other side contains (0 to 1). lines: the same in lines."""
 
     name: str
     share: float

@@ -110,7 +110,7 @@ def _remark(name: str, finding: Remark) -> str:
     return f"{name}: {finding.what}{f' ({finding.where})' if finding.where else ''}"
 
 
-# Fingerprints are a sample. From this fraction of the wanted share on, a pair's words are counted.
+# Fingerprints are a sample, so a pair's words are counted from this fraction of the wanted share on.
 _LENIENT = 0.5
 _LONGEST_PASSAGE = 200  # lines
 
@@ -188,7 +188,7 @@ def _pair(alike: _Alike, most: int) -> Pair:
 
 
 def _passage(work: Work, begin: int, length: int) -> Passage:
-    """Read the lines only now, so that memory does not have to hold all texts of a class."""
+    """Reads the lines only now, so that the texts of a whole class need not fit into memory."""
     file = work.sources[work.files[begin]]
     first, last = work.lines[begin], work.lines[begin + length - 1]
     last = min(last, first + _LONGEST_PASSAGE - 1)
@@ -232,12 +232,12 @@ def _laid_out(tree: Tree, found: Found) -> list[File]:
 
 
 def _as_it_is(source: Upload) -> list[File]:
-    """No part of the course was recognized in it, but its programs can still be compared."""
+    """All files of a submission in which nothing of the course was recognized: they can still be compared."""
     entries = read_tree(source.parts).entries
     return [File(path, entry.path) for path, entry in entries.items() if not entry.folder]
 
 
-# Shorter than what counts as similar, so that own code around a line of the starter still counts.
+# Shorter than what counts as similar, so that a person's own code around a starter's line still counts.
 GIVEN = 16  # words in a row
 _ALTERNATIVES = "alternatives"
 _LANGUAGES = frozenset({"python", "cpp", "yaml", "xml"})

@@ -124,7 +124,7 @@ _STRING = '""'
 
 
 def _word(kind: _TokenType, raw: str, data: bool) -> str:
-    """ "" for anything that does not count."""
+    """The word for a token; "" for anything that does not count."""
     first, second = (*kind, "", "")[:2]
     if first in ("Comment", "Text", "Error") or kind[2:3] == ("Doc",):
         return ""
@@ -138,7 +138,7 @@ def _word(kind: _TokenType, raw: str, data: bool) -> str:
 LARGEST = 128 * 1024  # bytes of one file
 MOST_FILES = 1000
 MOST_WORDS = 60_000  # of one submission; the whole course's solutions have about a third of that
-LONGEST = 10.0  # seconds of this thread's own time for one submission; usual are milliseconds
+LONGEST = 10.0  # seconds of this thread's own time for one submission; usually it takes milliseconds
 
 # Made by tools, or the same in every right submission, such as the answers to a quiz.
 _LEFT_OUT = frozenset({"build", "install", "log", "resource", "answers", "__pycache__"})

@@ -19,8 +19,8 @@ SAME = 24  # this many equal words in a row, about three lines, count as similar
 _TRIED = 8
 _GAP = "\0"
 
-# Fingerprints are made by a library, of texts of digits and letters: 30 of them make one, and of each 64
-# neighbors one is kept. With three for each word, any 31 words in common give a fingerprint in common.
+# A library makes fingerprints of texts of digits and letters: each 30 of these give one, and one of each 64
+# neighbors is kept. With three characters for each word, 31 common words always give a common fingerprint.
 SHORTEST = 31  # words; fewer have no fingerprint
 _DIGITS = tuple("".join(three) for three in product(digits + ascii_lowercase, repeat=3))
 _FINGERPRINT = re.compile(r"\b[0-9a-f]{8}\b")
@@ -147,7 +147,7 @@ def runs(one: Work, other: Work) -> Iterator[Run]:
 
 
 def _in_common(one: str, at: int, other: str, place: int) -> int:
-    """How many characters are the same from there, up to a gap; at least SAME."""
+    """How many characters are the same from these places on, up to a gap; at least SAME."""
     end = one.find(_GAP, at)
     most = min(end if end >= 0 else len(one), at + len(other) - place) - at
     same, step = SAME, SAME
@@ -162,5 +162,5 @@ def _in_common(one: str, at: int, other: str, place: int) -> int:
 
 
 def lines_of(work: Work, parts: Iterable[range]) -> int:
-    """How many different lines the parts of the text touch."""
+    """How many different lines contain words of these parts."""
     return len({(work.files[at], work.lines[at]) for part in parts for at in part})

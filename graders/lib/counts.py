@@ -20,8 +20,8 @@ from course.api import (
 
 _SHOWN = 3
 _NUMBERS = 5
-_LATE = 8  # a thread may have to wait before it logs, while others count on
-_DIGITS = 18  # Python refuses numbers of thousands of digits
+_LATE = 8  # a thread may have to wait before it logs, while others continue to count
+_DIGITS = 18  # Python refuses to convert numbers with thousands of digits
 
 
 def await_counted(arena: Arena, node: Process | None, text: str, count: int, *, seconds: float) -> None:
@@ -68,7 +68,7 @@ def expect_counting(
 ) -> None:
     """Expect 0, 1, 2 and so on as the numbers in these lines: group 1 of `pattern`.
 
-    terminal: what the node wrote there. It decides, too: /rosout may lose messages of a node that floods.
+    terminal: the node's output. It is enough if this counts: /rosout may lose messages of a node that floods.
     first: the expected first line. begin, step: advice if the first number, or a later one, is wrong.
     cause: why a later one is wrong, if the code proves it.
     """

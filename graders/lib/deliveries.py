@@ -1,7 +1,7 @@
 """Expectations of a node that logs the messages that it receives.
 
 The scenario sends one message after the other and waits for each to be logged. So what the
-node logs between two sendings belongs to the first of them, however many lines it takes.
+node logs between two messages belongs to the first of them, however many lines it logs.
 """
 
 from __future__ import annotations

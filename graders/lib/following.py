@@ -1,4 +1,4 @@
-"""How soon one stream follows the commands on another; also draws both in plain text."""
+"""How soon one stream follows the commands on another one. Also draws both as text."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ _COMMANDED, _SEEN = "o", "#"
 class Answer:
     """A command, and how the stream answered it.
 
-    sent: when (s). latency: seconds until a row that equals it; None when none did before the next command.
-    last: the last row that came before the next one.
+    sent: its time (s). latency: seconds until a row equal to it; None if there was none before the next
+    command. last: the last row before the next command.
     """
 
     sent: float
@@ -64,9 +64,9 @@ def _moved_alike(before: Row, after: Row, near: float) -> bool:
 
 
 def sketch(commanded: Stream, seen: Stream, joint: int) -> tuple[str, ...]:
-    """One joint (from 0) over time; empty where there is too little to draw.
+    """One joint (from 0) over time; empty if there is too little to draw.
 
-    A line for each stretch of values, the greatest on top. What was seen covers what was commanded.
+    Each line is a range of values, the greatest at the top. Seen values are drawn over commanded ones.
     """
     points = {mark: _points(stream, joint) for mark, stream in ((_COMMANDED, commanded), (_SEEN, seen))}
     every = [point for some in points.values() for point in some]

@@ -82,7 +82,7 @@ def compare(file: InterfaceFile | None, wanted: tuple[Section, ...], package: st
 def _difference(
     what: str, expected: Section, seen: Section, fields: tuple[Field, ...]
 ) -> tuple[str, Field | None, str]:
-    """For two that differ: the summary, the field to look at, and the advice."""
+    """For two sections that differ: the summary, the field to look at, and the advice."""
     missing = [name for _, name in expected if name not in [name for _, name in seen]]
     extra = [field for field in fields if field.name not in [name for _, name in expected]]
     if missing and extra:
@@ -110,7 +110,7 @@ def _pairs(fields: tuple[Field, ...], package: str) -> Section:
 
 
 def _short(section: Section, package: str) -> Section:
-    """Types of the package itself may be written with or without its name, and with `msg/`."""
+    """The section without `msg/` in types and without the package's own name, which are both optional."""
     plain = ((kind.replace("/msg/", "/"), name) for kind, name in section)
     return tuple((kind.removeprefix(f"{package}/"), name) for kind, name in plain)
 

@@ -59,7 +59,7 @@ def expect_no_findings(
 ) -> None:
     """Expect no findings of these rules; the feedback lists each finding with its file and line.
 
-    what: the beginning of the feedback's sentence, such as what a finding means.
+    what: the beginning of the feedback's summary; it says what a finding means.
     """
     found = findings(recording, *rules, name=name)
     if not found:

@@ -19,7 +19,7 @@ COMMAND, COMMAND_TYPE = "/rover/cmd_vel", "geometry_msgs/msg/Twist"
 STOP, STOP_TYPE = "/rover/stop", "std_srvs/srv/SetBool"
 SENSOR, CONTROLLER = "range_sensor", "controller"
 STOP_AT = FULL_SPEED = 0.5
-CLOSE = 1e-3  # m or m/s; a distance travels as a float32
+CLOSE = 1e-3  # m or m/s; messages contain distances as float32
 
 
 def safe_speed(distance: float, stop_at: float = STOP_AT, full_speed: float = FULL_SPEED) -> float:

@@ -12,8 +12,8 @@ from pathlib import PurePosixPath
 
 from course.api import Location, Recording, expect_ran
 
-# A second bash, as new as the first one, that shows each step. A PS4 in the environment would not do:
-# bash ignores it when it runs as the administrator.
+# A new bash, with a fresh environment like the first one's, that prints each step. PS4 cannot be set in the
+# environment, because bash ignores it there when it runs as root.
 TRACE = (
     'env -i HOME="$HOME" TERM="$TERM" PATH=/usr/local/bin:/usr/bin:/bin bash --norc -ic '
     "'PS4=\"@\\${BASH_SOURCE[0]}:\\$LINENO@ \"; set -x; . ~/.bashrc' 2>&1 </dev/null"

@@ -1,4 +1,4 @@
-// floor both|say|hear SECONDS: as node.cpp, on rcl's own functions and with nothing that is not needed.
+// floor both|say|hear SECONDS: does the same as node.cpp with rcl's own functions, and nothing unnecessary.
 
 #include <chrono>
 #include <cstdint>

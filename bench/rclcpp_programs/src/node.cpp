@@ -1,4 +1,4 @@
-// node both|say|hear SECONDS: messages in bursts, each begun when the hearer has thanked for the one before.
+// node both|say|hear SECONDS: sends bursts of messages, each after the hearer has confirmed the one before.
 
 #include <chrono>
 #include <cstdio>

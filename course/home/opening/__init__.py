@@ -1,7 +1,7 @@
-"""Opens archives of strangers: bounded, into a folder of their own, and nothing half-made is left.
+"""Opens archives from strangers: within limits, each into a new folder, and completely or not at all.
 
-Nothing that an archive says of itself is believed: bytes are counted as they come out, and names,
-kinds and modes are ours. Links are made last, and only those that stay inside.
+Nothing that an archive says about itself is trusted: bytes are counted as they come out, and names, kinds
+and modes are checked or replaced. Links are made last, and only those that stay inside.
 """
 
 from course.home.opening.findings import (

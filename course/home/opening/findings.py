@@ -1,4 +1,4 @@
-"""What keeps a submission from being taken as it is: unsafe names, too much, broken archives."""
+"""Why a submission is refused or changed: unsafe names, too much data, broken archives."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-LONGEST_NAME = 255  # bytes; what Linux takes
-LONGEST_PATH = 1024  # bytes; leaves room for the folder that all of it goes into
+LONGEST_NAME = 255  # bytes; the most that Linux allows
+LONGEST_PATH = 1024  # bytes; leaves room for the path of the folder that everything goes into
 DEEPEST = 32
 
 _DRIVE = re.compile(r"[A-Za-z]:")
 
 
 class Unsafe(Exception):
-    """A name that leads elsewhere, or that no disk takes; its text says which, to end a sentence with."""
+    """A name that leads elsewhere, or that no disk accepts; the text says which, as part of a sentence."""
 
 
 def safe_path(name: str) -> str:
-    """The relative path that `name` stands for, in characters that can be printed. Raises Unsafe."""
+    """The relative path that `name` means, in printable characters. Raises Unsafe."""
     if name.startswith("/") or _DRIVE.match(name):
         raise Unsafe("an absolute path")
     parts = [part for part in name.split("/") if part not in ("", ".")]
@@ -43,8 +43,8 @@ def safe_path(name: str) -> str:
 def safe_name(name: str) -> str:
     """One file's name with an underscore for each character that cannot be printed. Raises Unsafe.
 
-    These are control characters and escapes, line ends, marks that turn the reading direction, and
-    bytes that are no UTF-8 (which Python keeps as halves of surrogate pairs).
+    These are control characters and escapes, line ends, marks that change the reading direction, and
+    bytes that are not UTF-8 (which Python keeps as halves of surrogate pairs).
     """
     safe = name if name.isprintable() else "".join(c if c.isprintable() else "_" for c in name)
     if len(safe.encode()) > LONGEST_NAME:
@@ -53,7 +53,7 @@ def safe_name(name: str) -> str:
 
 
 def visible(text: str, limit: int = 120) -> str:
-    """`text` on one line, with what cannot be printed spelt out, and its middle left out if it is long."""
+    """`text` on one line, with unprintable characters escaped, and without its middle if it is long."""
     if len(text) > limit:
         text = f"{text[: limit // 2]}...{text[-(limit // 2) :]}"
     return "".join(char if char.isprintable() else char.encode("unicode_escape").decode() for char in text)
@@ -66,7 +66,7 @@ _NAMED = 3
 class Remark:
     """Something about a submission that a person should know: one sentence, and the next step.
 
-    where: the files it is about, at most three by name.
+    where: the files that it is about; at most three are named.
     """
 
     what: str
@@ -75,7 +75,7 @@ class Remark:
 
 
 class Refused(Exception):
-    """A submission, or an archive, that is not taken at all."""
+    """A submission, or an archive, that is not accepted at all."""
 
     def __init__(self, what: str, advice: str | None = None, where: str | None = None) -> None:
         super().__init__(what)
@@ -83,7 +83,7 @@ class Refused(Exception):
 
 
 class Notes:
-    """Collects what was left out or changed: one finding for each reason, however many files it is about."""
+    """Collects what was left out or changed: one finding for each reason, however many files it affects."""
 
     def __init__(self) -> None:
         self._count: Counter[tuple[str, str | None]] = Counter()
@@ -104,15 +104,15 @@ class Notes:
 
 
 SOURCES_ONLY = "Hand in the source files only: no build/, install/, log/, virtual environment or recordings."
-_HEADERS = 4096  # bytes that a file may take in a tar beside its content
+_HEADERS = 4096  # bytes that a file may take in a tar in addition to its content
 
 
 @dataclass(frozen=True)
 class Limits:
     """bytes: of all files together. files: files, folders and links. file: bytes of one file.
 
-    ratio: how many times its packed size an archive may become, once it is larger than `free` bytes.
-    seconds: of computing, that opening one archive may take; a busy machine makes it no longer.
+    ratio: how many times its packed size an archive may unpack to, once that is more than `free` bytes.
+    seconds: of CPU time that opening one archive may take, so other programs on the machine do not count.
     """
 
     bytes: int = 500_000_000
@@ -127,9 +127,9 @@ USUAL = Limits()
 
 
 class Meter:
-    """Counts what comes out. Raises Refused as soon as it is too much.
+    """Counts the files and bytes that come out of an archive. Raises Refused as soon as there are too many.
 
-    packed: the size of the archive that it comes out of, in bytes; None for plain files.
+    packed: the size of the archive, in bytes; None for plain files.
     """
 
     def __init__(self, limits: Limits, packed: int | None = None) -> None:
@@ -140,14 +140,14 @@ class Meter:
         self._end = time.thread_time() + limits.seconds
 
     def entry(self) -> None:
-        """One more file, folder or link."""
+        """Count one more file, folder or link."""
         self.files += 1
         if self.files > self.limits.files:
             raise Refused(f"It contains more than {self.limits.files:,} files.", SOURCES_ONLY)
         self.on_time()
 
     def data(self, count: int, of_file: int, name: str) -> None:
-        """`count` more bytes, the file's `of_file` in all."""
+        """Count `count` more bytes; with them, the file has `of_file` bytes."""
         self.bytes += count
         if of_file > self.limits.file:
             raise Refused(
@@ -157,7 +157,7 @@ class Meter:
         self.on_time()
 
     def passing(self, count: int) -> None:
-        """So many bytes of the archive have come out, headers and what is left out among them."""
+        """Report that `count` bytes have come out, including headers and entries that are left out."""
         self._total(count - self.files * _HEADERS)
         self.on_time()
 
@@ -186,11 +186,11 @@ BROKEN = (
     lzma.LZMAError,
     struct.error,
     EOFError,
-    NotImplementedError,  # a version or compression of zip that zipfile does not know
+    NotImplementedError,  # a zip version or compression that zipfile does not know
     RecursionError,  # headers of headers of headers
     ArithmeticError,
     LookupError,
-    ValueError,  # numbers that are none, names that are no text
+    ValueError,  # invalid numbers, names that are not text
     TypeError,
 )
 BROKEN_UPLOAD = "Ask for it again; perhaps the upload broke off."
@@ -198,9 +198,9 @@ BROKEN_UPLOAD = "Ask for it again; perhaps the upload broke off."
 
 @contextlib.contextmanager
 def reading() -> Iterator[None]:
-    """Around nothing but calls of the standard library's readers: their errors become Refused.
+    """Turn errors of the standard library's readers into Refused; put only calls of these inside.
 
-    An OSError with a number is the machine's (a disk that is full or gone), and passes through.
+    An OSError with a number comes from the machine (a full or missing disk), and is raised as it is.
     """
     try:
         yield

@@ -1,7 +1,7 @@
 """Zip and tar archives: their members, in order, and the traps of each kind.
 
-Only the list of members is the standard library's; what is written where is decided by `unpack`, so that no
-version's way of extracting matters.
+The standard library only lists and reads the members. `unpack` decides what is written where, so it does not
+matter how the library of this Python version would extract them.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ Kind = Literal["file", "folder", "link", "hard link", "other"]
 
 @dataclass(frozen=True)
 class Member:
-    """name, target: as the archive has them, so not to be trusted.
+    """name, target: as they are in the archive, so do not trust them.
 
-    open: reads a file's content; to be called before the next member is asked for.
-    target: where a link leads. packed: bytes in the archive, where it is known.
+    open: opens a file's content; call it before you ask for the next member.
+    target: where a link leads. packed: bytes in the archive; 0 if unknown.
     """
 
     name: str
@@ -55,7 +55,7 @@ _HEADERS_OF_ONE = 1 << 19
 
 @contextlib.contextmanager
 def tar_members(archive: Path, meter: Meter) -> Iterator[Iterator[Member]]:
-    """The members in order; each is read, or not, before the next is asked for. Raises Refused."""
+    """The members in order; read each one, if at all, before you ask for the next. Raises Refused."""
     with archive.open("rb") as file:
         start = file.read(6)
     opener = next((opener for magic, opener in OPENERS.items() if start.startswith(magic)), None)
@@ -74,7 +74,7 @@ def _members(stream: _Forward) -> Iterator[Member]:
             break
         stream.begin_content()
         yield _member(tar, info)
-    if stream.last.strip(b"\0"):  # tarfile takes anything for the end; a whole archive ends with zeros
+    if stream.last.strip(b"\0"):  # tarfile accepts anything as the end; a complete archive ends with zeros
         raise Refused("The archive is broken.", BROKEN_UPLOAD)
     with reading():
         stream.drain()
@@ -98,7 +98,7 @@ def _kind(info: tarfile.TarInfo) -> Kind:
 
 
 class _Forward:
-    """Reads forward only, counting all that passes; steps back by one byte, which tarfile does."""
+    """Reads forward only, and counts all bytes. Can step back by one byte, because tarfile does that."""
 
     def __init__(self, raw: IO[bytes], meter: Meter) -> None:
         self.last = b""  # what was read last
@@ -127,7 +127,7 @@ class _Forward:
                 raise EOFError
 
     def drain(self) -> None:
-        """To the end, where gzip, bzip2 and xz keep the sums that tell whether all of it was right."""
+        """Read to the end, where gzip, bzip2 and xz compare their checksums."""
         while self._read(_STEP):
             pass
 
@@ -151,15 +151,15 @@ class _Forward:
 _ENCRYPTED, _UTF8 = 0x1, 0x800
 _UNIX = 3
 _LONGEST_TARGET = 4096
-# An entry of the list of contents is 46 bytes, its name, and some extras.
+# An entry in the list of contents has 46 bytes, its name, and some extras.
 _LIST_BYTES_PER_FILE = 256
-# Other methods have no bound on what a few bytes become at once.
+# With other methods, a few bytes can expand to any size in one step.
 _METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
 
 
 @contextlib.contextmanager
 def zip_members(archive: Path, limits: Limits) -> Iterator[list[Member]]:
-    """The members, readable in any order while the block lasts. Raises Refused."""
+    """The members, which can be read in any order within the `with` block. Raises Refused."""
     with _Bounded(archive, max(65536, limits.files * _LIST_BYTES_PER_FILE)) as stream:
         with reading():
             opened = zipfile.ZipFile(stream)
@@ -170,9 +170,9 @@ def zip_members(archive: Path, limits: Limits) -> Iterator[list[Member]]:
 
 
 class _Bounded(io.BufferedReader):
-    """A file of which no more than `most` bytes are read at once.
+    """A file from which no more than `most` bytes are read at once.
 
-    zipfile reads the list of contents in one go, and makes an object of each entry.
+    zipfile reads the whole list of contents at once, and makes an object for each entry.
     """
 
     def __init__(self, file: Path, most: int) -> None:
@@ -223,9 +223,9 @@ def _target(opened: zipfile.ZipFile, info: zipfile.ZipInfo) -> str:
 
 
 def _name(info: zipfile.ZipInfo) -> str:
-    """With slashes instead of the backslashes of some Windows programs, and decoded as UTF-8."""
+    """The name, decoded as UTF-8, with slashes in place of the backslashes of some Windows programs."""
     name = info.orig_filename.split("\0")[0]
     if not info.flag_bits & _UTF8:
-        with contextlib.suppress(UnicodeError):  # then it really is of an old DOS
+        with contextlib.suppress(UnicodeError):  # then it really is in the encoding of DOS
             name = name.encode("cp437").decode("utf-8")
     return name.replace("\\", "/")

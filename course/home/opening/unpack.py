@@ -1,6 +1,6 @@
 """Opens archives into new folders: files first, links last, all or nothing.
 
-A "download all" zip is opened part by part, so that one part that is refused harms no other.
+A "download all" zip is opened part by part, so that a refused part does not affect the others.
 """
 
 from __future__ import annotations
@@ -41,10 +41,10 @@ NO_FILE = "It is not an ordinary file, but a device, a pipe or a sparse file: it
 
 
 def unpack(members: Iterable[Member], folder: Path, meter: Meter) -> tuple[Remark, ...]:
-    """Make `folder` of the members; returns what was left out or changed.
+    """Make `folder` from the members; returns what was left out or changed.
 
-    Raises Refused when it is too much or broken. Raises OSError when the disk does not take it, or
-    `folder` is there already and not empty. Then nothing new is left behind.
+    Raises Refused if there is too much or it is broken. Raises OSError if it cannot be written, or if
+    `folder` exists and is not empty. Then nothing new is left behind.
     """
     with new_folder(folder) as part:
         unpacking = _Unpacking(Path(os.path.realpath(part)), meter)
@@ -124,7 +124,7 @@ class _Unpacking:
         target.chmod(0o755 if member.executable else 0o644)
 
     def make_links(self) -> None:
-        """Only now, so that nothing was written through one; and only those that stay inside."""
+        """Make the links that stay inside, after all files, so that nothing was written through a link."""
         for path, target in self._links.items():
             with self._in_one_role(path):
                 self._link(self._top / path, target)
@@ -147,11 +147,11 @@ class _Unpacking:
 
 
 def leads_inside(link: Path, top: Path) -> bool:
-    """Whether it leads to something that is there, in the folder `top`, which has no link in its path."""
+    """Whether the link leads to something that exists inside `top`, a folder without links in its path."""
     real = Path(os.path.realpath(link))
     try:
         return real.is_relative_to(top) and real.exists()
-    except OSError:  # a name that is too long for anything to be there
+    except OSError:  # a name that is too long to exist
         return False
 
 
@@ -173,20 +173,20 @@ _NOT_OPENED = re.compile(r"\.(rar|7z|tar\.zst|tar\.lzma|cab|iso|dmg|gz|xz|bz2)$"
 
 
 def is_archive(name: str) -> bool:
-    """Whether a file of this name is an archive, of a kind that is opened here or not."""
+    """Whether a file with this name is an archive, even of a kind that cannot be opened here."""
     return bool(_ENDINGS.search(name) or _NOT_OPENED.search(name))
 
 
 def archive_stem(name: str) -> str:
-    """`work` for `work.tar.gz`; other names as they are."""
+    """`work` for `work.tar.gz`; other names unchanged."""
     return _ENDINGS.sub("", name) or name
 
 
 def open_archive(archive: Path, folder: Path, limits: Limits = USUAL) -> tuple[Remark, ...]:
-    """Open `archive` into `folder`, which is made; returns what was left out or changed.
+    """Open `archive` into the new folder `folder`; returns what was left out or changed.
 
-    Raises Refused for an archive that is too much, broken, encrypted or of another kind. Raises
-    StorageError when the disk does not take it (or `folder` is there already). Then nothing is left.
+    Raises Refused for an archive that is too large, broken, encrypted or of another kind. Raises
+    StorageError if it cannot be written (or `folder` exists already). Then nothing is left behind.
     """
     with storing(f"{archive.name} cannot be opened"):
         kind = _kind(archive)
@@ -212,14 +212,14 @@ def _kind(archive: Path) -> str:
     raise Refused("This is not a zip or a tar.", "Ask for a zip, tar.gz, tar.bz2 or tar.xz.")
 
 
-_PEOPLE = 10  # times the files of one submission, at the most
+_PEOPLE = 10  # a zip of a whole class may have this many times the files of one submission
 
 
 @dataclass(frozen=True)
 class Opened:
-    """One entry of the archive, at `path` (a file or a folder); None when it was refused.
+    """One entry of the archive, at `path` (a file or a folder), which is None if the entry was refused.
 
-    The last one may have no name: it tells of what was nobody's.
+    The last one may have no name: its findings are about entries that belong to nobody.
     """
 
     name: str
@@ -228,16 +228,16 @@ class Opened:
 
 
 def zip_names(archive: Path, limits: Limits = USUAL) -> tuple[str, ...]:
-    """The safe ones among the names in a zip. Raises Refused."""
+    """The safe names in a zip. Raises Refused."""
     with storing(f"{archive.name} cannot be read"), zip_members(archive, _of_class(limits)) as members:
         return tuple(path for member in members if (path := _path(member)))
 
 
 def open_parts(archive: Path, folder: Path, below: str = "", limits: Limits = USUAL) -> tuple[Opened, ...]:
-    """Open each entry of the zip (of its folder `below`) into a folder of its own in `folder`.
+    """Open each entry of the zip (or of its folder `below`) into a separate folder in `folder`.
 
-    `limits` hold for each; what an earlier call left is replaced. Raises Refused when the zip as a
-    whole cannot be read, and StorageError when the disk does not take it.
+    `limits` apply to each entry. What an earlier call left is replaced. Raises Refused if the zip as a
+    whole cannot be read, and StorageError if it cannot be written.
     """
     with storing(f"{archive.name} cannot be opened"), zip_members(archive, _of_class(limits)) as members:
         parts = _by_name(members, f"{below}/" if below else "")

@@ -1,4 +1,4 @@
-"""A check in words, for every format that shows texts; those of the terminal, where it has them."""
+"""Results in words, for every format that shows texts; the same words as on the terminal where possible."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _OWED = (
 
 
 def mark_of(check: CheckResult) -> str:
-    """`ok`, `no`, `--`, `..` or `!!`, as beside a check on the terminal."""
+    """`ok`, `no`, `--`, `..` or `!!`, as next to a check on the terminal."""
     return MARKS[check.outcome][0]
 
 
@@ -40,7 +40,7 @@ def headline(mark: Mark) -> str:
 
 
 def total(mark: Mark) -> str:
-    """`5 of 12 points`; empty where there are none to give."""
+    """`5 of 12 points`; empty if the exercise has no points."""
     if mark.points is None:
         return ""
     if mark.result and mark.points == tidy(mark.result.points):
@@ -72,7 +72,7 @@ def says(sheet: Sheet) -> Iterator[str]:
 
 
 def comments(sheet: Sheet) -> Iterator[str]:
-    """What people decided, those on an exercise with its id."""
+    """What people decided; a decision about an exercise begins with its id."""
     yield from decisions_on_all(sheet)
     yield from (f"{mark.exercise.id}: {said}" for mark in sheet.marks for said in decisions(mark))
 
@@ -118,7 +118,7 @@ def summary(sheet: Sheet) -> str:
 
 
 def why(check: CheckResult) -> Feedback | None:
-    """What there is to say about a check that did not pass."""
+    """Why a check did not pass; None if it did."""
     if check.outcome is Outcome.PASSED:
         return None
     cause = check.skipped_because or "the cause is not known"
@@ -130,7 +130,7 @@ def why(check: CheckResult) -> Feedback | None:
 
 
 def labeled(feedback: Feedback) -> Iterator[tuple[str, str]]:
-    """What stands below the cause, each with its label: expected, seen, in (places), try."""
+    """The parts below the cause, each with its label: expected, seen, in (places), try."""
     yield from comparison(feedback)
     yield from (("in", str(place)) for place in feedback.where)
     if feedback.advice:
@@ -138,6 +138,6 @@ def labeled(feedback: Feedback) -> Iterator[tuple[str, str]]:
 
 
 def text_of(feedback: Feedback) -> str:
-    """All of it as plain text, a line for each part."""
+    """The whole feedback as plain text, a line for each part."""
     parts = (f"{label.ljust(LABEL_WIDTH)}{text}" for label, text in labeled(feedback))
     return "\n".join((feedback.summary, *parts, *(f"| {line}" for line in feedback.details)))

@@ -1,4 +1,4 @@
-"""All reports of a class in one folder; what is in results.csv and results.json."""
+"""All reports of a class in one folder; the contents of results.csv and results.json."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ from course.report.gradebook.sheets import Mark, Names, Sheet, exercises_of, fil
 _WRITTEN = "letters.json"  # digests of what was written for each person
 BYTE_ORDER_MARK = "\ufeff"
 ENDS = ("total", "total max", "raw total", "late", "state", "comments", "remarks")
-# Also after a semicolon, at which spreadsheets of many countries split a line; and in full width, which
-# East Asian ones take as well.
+# Also after a semicolon, where spreadsheets split lines in many countries, and with the full-width
+# characters that East Asian spreadsheets accept, too.
 _FORMULA = re.compile(r"(^|[;\t\r\n])(\s*)(?=[=+\-@\uff1d\uff0b\uff0d\uff20])")
 
 
@@ -44,7 +44,7 @@ def rows(exercises: Iterable[GradedExercise], sheets: Iterable[Sheet]) -> Iterat
 
 
 def guarded(text: str) -> str:
-    """`text`, so that no spreadsheet takes it for a formula."""
+    """`text`, changed so that no spreadsheet takes it for a formula."""
     return _FORMULA.sub(r"\1\2'", text)
 
 
@@ -82,7 +82,7 @@ def schema() -> dict[str, Any]:
 
 
 def pieces(gradebook: Gradebook, cleaner: Cleaner, sheets: Iterable[Sheet]) -> Iterator[str]:
-    """The document, a submission at a time."""
+    """The JSON document, one submission at a time."""
     head = {
         "schema": VERSION,
         "course": cleaner.prose(gradebook.course),
@@ -156,15 +156,14 @@ def _check(check: CheckResult) -> dict[str, Any]:
 
 
 def _json(data: object, indent: int | None = None) -> str:
-    """JSON that is safe inside a script of a web page: without `<`."""
+    """JSON that is safe inside a script element: without `<`."""
     return json.dumps(data, ensure_ascii=False, allow_nan=False, indent=indent).replace("<", "\\u003c")
 
 
 def write_reports(folder: Path, gradebook: Gradebook, cleaner: Cleaner) -> None:
     """results.csv, results.json, junit.xml, and for each person feedback/NAME.md and gradescope/NAME.json.
 
-    Memory stays flat: the gradebook is walked five times, and one submission is held at a time.
-    Raises StorageError.
+    Only one submission is in memory at a time; the gradebook is read five times. Raises StorageError.
     """
     course = cleaner.prose(gradebook.course)
 
@@ -189,7 +188,7 @@ def write_reports(folder: Path, gradebook: Gradebook, cleaner: Cleaner) -> None:
 
 
 def _forget_others(folder: Path, written: dict[str, str]) -> None:
-    """Remove files of people who are no longer in the class, unless somebody else wrote in them."""
+    """Remove files of people who are no longer in the class, unless somebody has edited them."""
     listed = folder / _WRITTEN
     try:
         before = json.loads(listed.read_bytes()) if listed.is_file() else {}
@@ -221,9 +220,9 @@ marks:
 
 
 def marks_to_review(sheets: Iterable[Sheet], code_of: Callable[[int, str], str]) -> Iterator[str]:
-    """A marks.yaml to fill in: everybody, with each exercise that did not bring all of its points.
+    """A marks.yaml to fill in: everybody, with each exercise that did not earn all of its points.
 
-    code_of: by place in the class and exercise, a text that those with equal code share; "" if not known.
+    code_of: from a place in the class and an exercise to a text, equal for equal code; "" if not known.
     """
     entries: dict[object, tuple[Mark, list[Person]]] = {}
     for place, sheet in enumerate(sheets):
@@ -238,7 +237,7 @@ def marks_to_review(sheets: Iterable[Sheet], code_of: Callable[[int, str], str])
 
 
 def _to_review(mark: Mark, people: Sequence[Person]) -> str:
-    # JSON's texts are YAML's, whatever they contain; a comment ends with its line.
+    # A JSON string is also a YAML string, whatever it contains; a comment ends at the end of its line.
     texts = [[json.dumps(text, ensure_ascii=False) for text in (one.id, one.name)] for one in people]
     one = f" {texts[0][0]}  # {texts[0][1]}\n"
     several = "\n" + "".join(f"      - {who}  # {name}\n" for who, name in texts)

@@ -1,9 +1,9 @@
-"""What of a verdict may be handed out, and in which form: the one place that decides both.
+"""Decides which parts of a verdict may be handed out, and in which form. No other module decides this.
 
-A report goes to learners, into CI logs and onto servers of others. So escape sequences and controls go
-(see `course.report.sanitize`), texts are cut, paths of the grading machine and secrets are replaced, and
-three things never leave: what is known about a fault of ours (its traceback, its message), how the
-submission was contained, and the explanation of a right answer, which is the answer.
+A report goes to learners, into CI logs and onto other people's servers. So escape sequences and controls are
+removed (see `course.report.sanitize`), texts are cut, and paths of the grading machine and secrets are
+replaced. Three things are never handed out: details of a fault of ours (its traceback, its message), how
+the submission was contained, and the explanation of a right answer, which would give the answer away.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ from course.report import sanitize
 from course.report.verdict import PLACES
 
 NAME_LIMIT = 200
-# Below that of `sanitize.paragraph`: some words go through it again, and must not be cut twice.
+# Less than the limit of `sanitize.paragraph`, which some texts go through later: they must not be cut twice.
 PROSE_LIMIT = 900
 PLACE_LIMIT = 500
 REMARKS = 20
-# Of one file of code: lines.
+# Lines of one file of code.
 CODE_LINES = 400
-# Of one text, however long; what is shown is far shorter.
+# Characters that are read of one text; far fewer are shown.
 _LOOKED_AT = 8 * 1024
-# For the count at the end of a line that was cut.
+# Room for the count at the end of a line that was cut.
 _COUNT_ROOM = 40
 _HIDDEN = "[hidden]"
 
-# Not characters at all (XML forbids them), and invisible ones that hide the beginning of a text.
+# Code points that are not characters (XML forbids them), and invisible characters, which can hide text.
 # The joiners U+200C and U+200D stay: emoji and several scripts need them.
 _NO_TEXT = re.compile("[\u200b\u2060-\u2064\ufeff\ufdd0-\ufdef\ufff9-\uffff\U000e0000-\U000e007f]")
 
@@ -52,10 +52,10 @@ _FAULTS = {Verdict.OUR_ERROR: _OURS, Verdict.NOT_AVAILABLE: _LACKING}
 
 @dataclass(frozen=True)
 class Cleaner:
-    """Makes texts fit to be handed out.
+    """Makes texts safe to hand out.
 
-    places: absolute paths of the grading machine, without a slash at their end, and what is shown in
-    place of each ("~").
+    places: absolute paths of the grading machine, without a slash at the end, and what is shown instead of
+    each ("~").
     secrets: texts that must not appear anywhere, not even inside a word: seeds, tokens.
     """
 
@@ -67,16 +67,16 @@ class Cleaner:
         return sanitize.cut(self._plain(text).replace("\n", "\\n").strip(), limit, len(text))
 
     def prose(self, text: str, limit: int = PROSE_LIMIT) -> str:
-        """`text` as one flow of words, at most `limit` characters and a count."""
+        """`text` as one paragraph, at most `limit` characters and a count."""
         return sanitize.cut(" ".join(self._plain(text).split()), limit, len(text))
 
     def evidence(self, lines: Iterable[str]) -> tuple[str, ...]:
-        """Lines of a log, each cut, and the middle left out of a long list."""
+        """Lines of a log, each cut to a limit, without the middle of a long list."""
         every = (piece for line in lines for piece in line.replace("\r\n", "\n").rstrip("\n").split("\n"))
         return tuple(sanitize.details(self._lines(every), limit=sanitize.LINE_LIMIT + _COUNT_ROOM))
 
     def code(self, text: str) -> tuple[str, ...]:
-        """Lines of a file, each cut, with their indentation; the first CODE_LINES of them."""
+        """The first CODE_LINES lines of a file, with their indentation, each cut to a limit."""
         every = text.split("\n")
         shown = self._lines(every[:CODE_LINES])
         more = len(every) - len(shown)
@@ -93,7 +93,7 @@ class Cleaner:
         )
 
     def result(self, result: Result) -> Result:
-        """The verdict without what must not leave; points and outcomes are as they were."""
+        """The result without what must not be handed out; points and outcomes are unchanged."""
         return replace(
             result,
             exercise=self.line(result.exercise, NAME_LIMIT),
@@ -130,7 +130,7 @@ class Cleaner:
         return None if text is None else self.prose(text)
 
     def _plain(self, text: str) -> str:
-        """Clean first, so that an escape sequence in a path does not hide the path. Then cut."""
+        """`text` without escapes, secrets and paths, in this order, so that no escape can hide a path."""
         shown = _NO_TEXT.sub(_visible, sanitize.clean(text[:_LOOKED_AT]))
         for secret in filter(None, self.secrets):
             shown = shown.replace(secret, _HIDDEN)
@@ -138,14 +138,14 @@ class Cleaner:
 
     @cached_property
     def _paths(self) -> re.Pattern[str]:
-        """Replace whole paths only: `/tmp/home` is not part of `/tmp/homes` or of `~/tmp/home`."""
+        """Matches whole paths only: `/tmp/home` is not found in `/tmp/homes` or in `~/tmp/home`."""
         longest_first = sorted(self.places, key=len, reverse=True)
         paths = "|".join(re.escape(path) for path in longest_first)
         return re.compile(rf"(?:(?<![\w.~-])|(?<=-[IL]))(?:{paths})(?![\w-]|\.\w)")
 
 
 def places_here() -> dict[str, str]:
-    """Paths of this machine that any text may hold: the course's own, its Python's, and the home."""
+    """Paths of this machine that any text may contain: the course's own, its Python's, and the home."""
     found = {
         str(Path.home()): "~",
         sys.prefix: "[python]",

@@ -1,4 +1,4 @@
-"""For GitHub: annotations beside the lines they name, what Classroom takes, and the summary of a job."""
+"""For GitHub: annotations on the lines they name, files for Classroom, and the summary of a job."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from course.report.gradebook.check_words import NOTHING, headline, score, text_o
 from course.report.gradebook.letter import plain, section
 from course.report.gradebook.sheets import EXCUSED, INCOMPLETE, Mark, Sheet, tidy
 
-# More are not shown for one step.
+# GitHub shows no more for one step.
 MOST = 10
 _TEXT = {"%": "%25", "\r": "%0D", "\n": "%0A"}
 _VALUE = {**_TEXT, ":": "%3A", ",": "%2C"}
@@ -35,8 +35,8 @@ class _Found:
 def commands(sheet: Sheet, place_in_repository: Callable[[str], str] = lambda file: file) -> list[str]:
     """Workflow commands, a line each, at most ten, most useful first.
 
-    What names a file and a line comes first, and of each exercise its first failure before any second,
-    since later ones often follow from it. place_in_repository: from a file's place in the course home.
+    Failures with a file and a line come first. Every exercise's first failure comes before any second one,
+    which often follows from it. place_in_repository: its argument is a file's place in the course home.
     """
     every = sorted(_found(sheet), key=lambda found: found.rank)
     chosen = list(_each_place_once(every))[:MOST]
@@ -75,7 +75,7 @@ def _vagueness(place: Location | None) -> int:
 
 
 def _each_place_once(every: Iterable[_Found]) -> Iterator[_Found]:
-    """Several failures on one line are one thing to fix."""
+    """Only the first of several failures on one line: they are one thing to fix."""
     seen: set[tuple[Location | None, str]] = set()
     for found in every:
         key = (found.place, "" if found.place and found.place.line else found.feedback.summary)
@@ -102,7 +102,7 @@ _STATUS = {Outcome.PASSED: "pass", Outcome.FAILED: "fail", Outcome.SKIPPED: "fai
 
 
 _RESULT = "classroom50/result/v1"
-# The runner of Classroom 50 tells these of a submission.
+# What the runner of Classroom 50 tells about a submission, in environment variables.
 SUBMISSION = ("CLASSROOM", "ASSIGNMENT", "SUBMISSION_TAG", "USERNAME", "COMMIT_URL", "RELEASE_URL")
 
 
@@ -111,8 +111,8 @@ def classroom50(
 ) -> dict[str, Any]:
     """result.json of Classroom 50 (classroom50/result/v1) for one submission.
 
-    told: environment variables of its runner. committed: when the commit was made. Points are whole
-    numbers, and never more than the maximum: ours are rounded, .5 up, and stand beside them in each test.
+    told: environment variables of its runner. committed: when the commit was made. Its points are whole
+    numbers, and never more than the maximum. So ours are rounded (.5 up), with the exact ones in each test.
     """
     actor = told.get("GITHUB_ACTOR_ID", "")
     who = {"username": told.get("GITHUB_ACTOR", ""), "id": int(actor) if actor.isdecimal() else None}
@@ -158,13 +158,13 @@ def _utc(at: datetime) -> str:
 
 
 def encoded(sheet: Sheet) -> str:
-    """One line of base64, as a step's output holds it."""
+    """The result as one line of base64, for a step's output."""
     text = json.dumps(as_data(sheet), ensure_ascii=False, allow_nan=False)
     return base64.b64encode(text.encode("utf-8")).decode("ascii")
 
 
 def as_data(sheet: Sheet) -> dict[str, Any]:
-    """The result before it is encoded. What does not apply is left out: it is not a test of this learner."""
+    """The result before it is encoded. Checks that do not apply are not tests of this learner: left out."""
     tests = [test for mark in sheet.marks if mark.verdict != EXCUSED for test in _tests(mark)]
     return {"version": VERSION, "status": _status(sheet), "max_score": sheet.judged_max, "tests": tests}
 
@@ -183,7 +183,7 @@ def _tests(mark: Mark) -> Iterator[dict[str, Any]]:
     if mark.result.fault:
         yield _test(mark.exercise.id, "error", mark.result.fault, 0, 0)
     applicable = [check for check in mark.result.checks if check.outcome is not Outcome.NOT_APPLICABLE]
-    # The whole exercise's time is told with its first check, so that the sum is right.
+    # The first check gets the time of the whole exercise, so that the sum is right.
     times = [mark.seconds, *(0.0 for _ in applicable)]
     for check, seconds in zip(applicable, times, strict=False):
         earned = check.earned if mark.counts else 0
@@ -205,17 +205,17 @@ def _test(name: str, status: str, feedback: Feedback | None, seconds: float, ear
 
 
 LIMIT = 1024 * 1024
-# Kept free for the note that says what was left out.
+# Bytes kept free for the note that says what was left out.
 _NOTE_ROOM = 200
 
 
 def job_summary(
     course: str, exercises: Iterable[GradedExercise], sheets: Iterable[Sheet], *, used: int = 0
 ) -> str:
-    """The Markdown to append to the summary's file; empty when that is full.
+    """The Markdown to append to the summary's file; empty if that is full.
 
-    course, exercises: cleaned, like the sheets. used: bytes that stand in the file already. What does
-    not fit is left out from the end, in whole rows and whole exercises, and a note counts it.
+    course, exercises: cleaned, like the sheets. used: bytes that are in the file already. If it does not fit,
+    whole rows and whole exercises are left out at the end, and a note counts them.
     """
     room = LIMIT - used - _NOTE_ROOM
     if room < 0:
@@ -232,7 +232,7 @@ def job_summary(
 
 
 class _Page:
-    """Pieces of text in `room` bytes; after the first that does not fit, no other is taken."""
+    """Pieces of text in `room` bytes; after the first one that does not fit, none is accepted."""
 
     def __init__(self, room: int) -> None:
         self.pieces: list[str] = []
@@ -248,7 +248,7 @@ class _Page:
             self.room -= size
 
     def shrink(self, room: int) -> None:
-        """Leave out the last pieces until the others fit."""
+        """Drop pieces from the end until the others fit."""
         taken = sum(map(_size, self.pieces))
         while taken > room:
             taken -= _size(self.pieces.pop())

@@ -25,8 +25,8 @@ def as_text(sheet: Sheet) -> str:
 def as_data(sheet: Sheet) -> dict[str, Any]:
     """The file as JSON types.
 
-    Everything is plain text, since a learner's output could be HTML or Markdown; everything is visible,
-    since one hidden test hides a learner's total. Standard output is not shown: it may tell of the machine.
+    Everything is plain text, because a learner's output could be HTML or Markdown. Everything is visible,
+    because one hidden test hides a learner's total. Standard output is not shown: it may reveal the machine.
     """
     return {
         "score": sheet.judged_points,
@@ -84,7 +84,7 @@ def _named(mark: Mark, place: str, title: str = "") -> dict[str, str]:
 
 
 def _scored(mark: Mark, check: CheckResult) -> dict[str, Any]:
-    """Without points, return nothing: then the check does not count and does not look failed."""
+    """Return nothing if there are no points: then the check neither counts nor looks failed."""
     if not mark.counts or check.outcome in (Outcome.NOT_APPLICABLE, Outcome.ERROR):
         return {}
     is_bonus = check.bonus or mark.exercise.bonus
@@ -98,7 +98,7 @@ _WHEEL = re.compile(r"ros2course-[0-9][A-Za-z0-9._+]*-py3-none-any\.whl")
 
 @dataclass(frozen=True)
 class Packed:
-    """One file of a zip, or with a slash at the end of its path, a folder."""
+    """One file of a zip, or a folder, if its path ends with a slash."""
 
     path: str
     content: bytes
@@ -113,12 +113,12 @@ def bundle(
     *,
     contained: bool = True,
 ) -> tuple[Packed, ...]:
-    """What the zip holds.
+    """The contents of the zip.
 
-    wheel_name, wheel: ros2course as `pip wheel --no-deps` makes it. exercises: ids, or chapters'
-    numbers, as `grade --exercises` takes them. course: another course's files by their relative paths.
-    contained: refuse to grade where submissions cannot be contained.
-    Raises UsageError when the wheel is not one of ours.
+    wheel_name, wheel: ros2course as `pip wheel --no-deps` makes it. exercises: ids or chapter numbers, as
+    for `grade --exercises`. course: another course's files by their relative paths.
+    contained: refuse to grade if submissions cannot be contained.
+    Raises UsageError if the wheel is not one of ours.
     """
     if not _WHEEL.fullmatch(wheel_name) or not zipfile.is_zipfile(io.BytesIO(wheel)):
         advice = "Make it with: pip wheel --no-deps -w wheels ."
@@ -131,11 +131,11 @@ def bundle(
 
 
 def zipped(packed: Iterable[Packed]) -> bytes:
-    """The zip itself, the same bytes for the same files."""
+    """The zip itself; the same files always give the same bytes."""
     target = io.BytesIO()
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
         for file in packed:
-            entry = zipfile.ZipInfo(file.path)  # its date is 1980, always
+            entry = zipfile.ZipInfo(file.path)  # with a date of 1980, always
             entry.create_system = 3  # Unix, so that the mode counts
             folder = file.path.endswith("/")
             mode = 0o40755 if folder else 0o100755 if file.executable else 0o100644

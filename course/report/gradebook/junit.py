@@ -1,7 +1,7 @@
-"""JUnit XML, as CI services read it: of a class a suite for each submission, a case for each check.
+"""JUnit XML, as CI services read it. For a class: a suite for each submission, a case for each check.
 
-There is no standard, only readers. Some want `classname`, some show the element's text and not its
-`message`, some mix up cases of the same name; so every case has all of that.
+There is no standard, only readers. Some need `classname`, some show the element's text instead of its
+`message`, and some mix up cases with the same name. So every case has all three, and a unique name.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _KINDS = {
 
 @dataclass(frozen=True)
 class Case:
-    """One test case. kind: None when passed, else the name of its child element."""
+    """One test case. kind: None if it passed, else the name of its child element."""
 
     exercise: str
     name: str
@@ -48,7 +48,7 @@ class Suite:
 
 @dataclass
 class Totals:
-    """What the root element says of all suites."""
+    """The root element's counts over all suites."""
 
     tests: int = 0
     failures: int = 0
@@ -71,12 +71,12 @@ class Totals:
 
 
 def pieces(name: str, began: datetime, walk: Callable[[], Iterable[Sheet]]) -> Iterator[str]:
-    """A class as a document, a submission at a time; `walk` is called twice."""
+    """A class as a document, one submission at a time; `walk` is called twice."""
     return document(name, began, lambda: map(_of_sheet, walk()))
 
 
 def document(name: str, began: datetime, walk: Callable[[], Iterable[Suite]]) -> Iterator[str]:
-    """The document, a suite at a time. `walk` is called twice: the root's counts stand before the suites."""
+    """The document, one suite at a time. `walk` is called twice: the root's counts come before the suites."""
     counts = Totals()
     for suite in walk():
         counts.add(suite.cases)
@@ -90,7 +90,7 @@ def document(name: str, began: datetime, walk: Callable[[], Iterable[Suite]]) ->
 
 
 def cases(sheet: Sheet) -> Iterator[Case]:
-    """All cases of a submission. An exercise's time is told with its first one."""
+    """All cases of a submission. The first case of each exercise gets the exercise's time."""
     for mark in sheet.marks:
         first, *others = _of_mark(mark)
         yield replace(first, seconds=mark.seconds)

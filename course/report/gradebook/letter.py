@@ -1,4 +1,4 @@
-"""The feedback file: what one learner is told, in Markdown that reads well as plain text too."""
+"""The feedback file for one learner, in Markdown that also reads well as plain text."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from course.report.gradebook.check_words import (
 from course.report.gradebook.sheets import Mark, Sheet
 from course.report.verdict import earned_of
 
-# Invisible, and no word goes on across it: after it, no renderer sees an address or a mention.
+# An invisible character that ends a word: with it, no renderer sees an address or a mention.
 _BREAK = "\u2060"
 _ENTITIES = {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
-# An underscore inside a word is not markup, and names of ROS are full of them.
+# An underscore inside a word is not markup, and ROS names are full of them.
 _MARKS = re.compile(r"[\\`*\[\]|~$]|(?<![^\W_])_|_(?![^\W_])")
 _AUTOMATIC = re.compile(
     r"(?<=@)(?=\w)|(?<=:)(?=//)|(?<=www)(?=\.)|(?<=#)(?=\d)|(?<=GH)(?=-\d)", re.IGNORECASE
 )
-# What would begin a list, a heading or a quotation.
+# Characters that would begin a list or a heading.
 _BEGINNING = re.compile(r"^(?:\d+(?=[.)](?!\S))|(?=[-+#=]))")
 # A tag that stands by itself is shown as code, which reads well as plain text, too.
 _TAG = re.compile(r"(?<![^\s(])(<[^\s`<>]+>(?:[^\s`<>]*</[^\s`<>]+>)?)(?![^\s).,:;])")
@@ -37,16 +37,16 @@ _QUOTES = re.compile(r"`+")
 
 
 def plain(text: str) -> str:
-    """One line of text in which nothing means anything."""
+    """One line of text in which nothing is markup."""
     return _BEGINNING.sub(r"\g<0>\\", _inert(text))
 
 
 def prose(text: str) -> str:
-    """One line of text; what is in `backquotes` is code, nothing else means anything."""
+    """One line of text; text in `backquotes` is code, and nothing else is markup."""
     parts = text.split("`")
     if len(parts) % 2 == 0 or any(not part.strip() for part in parts[1::2]):
         return plain(text)
-    parts = [part for part in _CODE.split(text) if part is not None]  # of the two groups, one is None
+    parts = [part for part in _CODE.split(text) if part is not None]  # one of the two groups is None
     shown = (code(part) if odd % 2 else _harmless(part) or _gap(odd, parts) for odd, part in enumerate(parts))
     return _BEGINNING.sub(r"\g<0>\\", "".join(shown))
 
@@ -59,7 +59,7 @@ def code(text: str) -> str:
 
 
 def fenced(lines: Iterable[str], indent: str = "") -> str:
-    """Lines as a block of code that none of them can end."""
+    """Lines as a code block that none of the lines can end."""
     every = [piece for line in lines for piece in line.split("\n")]
     fence = "`" * max(3, max(map(_longest, every), default=0) + 1)
     return "\n".join(f"{indent}{line}".rstrip() for line in (f"{fence}text", *every, fence))
@@ -79,7 +79,7 @@ def _longest(text: str) -> int:
 
 
 def _gap(index: int, parts: list[str]) -> str:
-    """A space between two pieces of code, or they would become one."""
+    """A space between two pieces of code, which would otherwise become one."""
     return " " if 0 < index < len(parts) - 1 else ""
 
 
@@ -95,7 +95,7 @@ def letter(sheet: Sheet, course: str) -> str:
 
 
 def section(mark: Mark, heading: str) -> Iterator[str]:
-    """What became of one exercise, as blocks. heading: `##` or deeper."""
+    """How one exercise ended, as blocks. heading: `##` or deeper."""
     yield f"{heading} {plain(mark.exercise.id)}: {plain(mark.exercise.title)}"
     points = total(mark)
     bonus = " It is a bonus." if mark.exercise.bonus else ""

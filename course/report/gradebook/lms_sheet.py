@@ -1,4 +1,4 @@
-"""Takes results back to an LMS: fills in one column of the sheet that it exported, and hands out letters."""
+"""Takes results back to an LMS: fills in one column of an exported sheet, and packs letters for upload."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from course.report.console import number
 from course.report.gradebook.sheets import EXCUSED, tidy
 
 _DELIMITERS = (",", ";", "\t")
-# `Homework 1 (99)` of Canvas; `Homework 1 [Total Pts: 10 Score] |99` of Blackboard, whose sums say
-# `[Total Pts: up to 1,499 Score]` and whose columns of words `[Total Pts: 0 Text]`: nobody fills these in.
+# `Homework 1 (99)` in Canvas; `Homework 1 [Total Pts: 10 Score] |99` in Blackboard. Blackboard's columns for
+# sums, `[Total Pts: up to 1,499 Score]`, and for words, `[Total Pts: 0 Text]`, are not filled in.
 _CANVAS_COLUMN = re.compile(r".*\((?P<id>\d+)\)\s*", re.DOTALL)
 _BLACKBOARD_COLUMN = re.compile(
     r".*\[(?!.*(?:\bup to\b|\bText\]))[^\d\]]*(?P<max>\d[\d.,]*)[^\]]*\]\s*\|\s*(?P<id>\d+)\s*", re.DOTALL
@@ -31,7 +31,7 @@ _FORM = (
 
 @dataclass(frozen=True)
 class Cell:
-    """start, end: where it is in the file's text, quotes included. value: what it says."""
+    """start, end: where it is in the file's text, quotes included. value: its content, without quotes."""
 
     start: int
     end: int
@@ -40,7 +40,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Score:
-    """What somebody gets. points: None where there are none to give. state: why; see `Sheet.state`."""
+    """A person's points, None if there are none to give, and why: see `Sheet.state`."""
 
     points: float | None
     state: str
@@ -48,10 +48,10 @@ class Score:
 
 @dataclass(frozen=True)
 class Filled:
-    """The file as it is now. lms, column: what was filled in; filled, changed: how many cells were, and how
+    """content: the new file. lms, column: what was filled in. filled: how many cells were filled in.
 
-    many of them held something else. left: ids in the sheet that keep their cell, and why. absent: people of
-    the class whom the sheet does not list.
+    changed: how many of these had another content. left: ids in the sheet whose cell is unchanged, and why.
+    absent: people of the class whom the sheet does not list.
     """
 
     content: bytes
@@ -67,7 +67,7 @@ class Filled:
 class _Form:
     """How an LMS writes its sheet. key: column of the ids. target: column of the grades.
 
-    first: the first row of a person. most: what can be had, as the sheet has it, "" if it does not say.
+    first: the first row of a person. most: the sheet's maximum as a text; "" if it does not say.
     """
 
     lms: str
@@ -86,10 +86,10 @@ def fill(
     column: str = "",
     scale: bool | None = None,
 ) -> Filled:
-    """content: the sheet. scores: by id. most: what can be had. id_of: a cell as the id of a person.
+    """content: the sheet. scores: by id. most: the class's maximum. id_of: from a cell to a person's id.
 
-    column: name or id of the column, where there are several. scale: to the sheet's own maximum; None
-    refuses where the two differ. Raises UsageError.
+    column: name or id of the column, if there are several. scale: whether to convert points to the sheet's
+    maximum; None refuses if the maximums differ. Raises UsageError.
     """
     text, encoding = _decoded(content)
     rows, form = _read(text, column)
@@ -100,7 +100,7 @@ def fill(
 def moodle_feedback(letters: Iterable[tuple[str, str, str]]) -> bytes:
     """A zip for Moodle's *Upload multiple feedback files in a zip*. letters: number, name and letter of each.
 
-    Moodle takes the number of the participant, and the plugin, from between the underscores of a file's name.
+    Moodle reads the participant's number and the plugin from the parts of a file's name between underscores.
     """
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -151,7 +151,7 @@ class _Filling:
         )
 
     def _key(self, scores: Mapping[str, Score], id_of: Callable[[str], str]) -> int:
-        """The LMS's own ids, unless the class has those of another column, such as email addresses."""
+        """The column of the LMS's own ids, or of other ids that the class uses, such as email addresses."""
         others = (at for at, cell in enumerate(self._rows[0]) if _letters(cell.value) in _OTHER_IDS)
         for at in (self._form.key, *others):
             if any(id_of(row[at].value) in scores for row in self._rows[self._form.first :] if len(row) > at):
@@ -176,7 +176,7 @@ class _Filling:
 
 def _factor(given: str, most: float, scale: bool | None) -> tuple[float, bool]:
     """The factor for points, and whether the sheet uses a decimal comma."""
-    given = re.sub(r",(?=\d{3}\b)", "", given)  # of thousands
+    given = re.sub(r",(?=\d{3}\b)", "", given)  # thousands separators
     comma = "," in given
     try:
         theirs = float(given.replace(",", ".")) if given else most
@@ -189,7 +189,7 @@ def _factor(given: str, most: float, scale: bool | None) -> tuple[float, bool]:
 
 
 def _decoded(content: bytes) -> tuple[str, str]:
-    """The text with its byte order mark, and a function that encodes it into the same bytes."""
+    """The text, with its byte order mark, and its encoding."""
     for mark, encoding in ((codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be")):
         if content.startswith(mark):
             try:

@@ -1,8 +1,7 @@
 """One submission as every format shows it: cleaned, each exercise with a verdict, and the totals.
 
-Points are None where there are none to give: after an error of ours, or where an exercise does not
-apply. A total is None as long as one of its parts is missing through our fault, so nobody takes it
-for a mark.
+Points are None if there are none to give: after an error of ours, or if an exercise does not apply. A total
+is None as long as one of its parts is missing through our fault, so that nobody takes it for a final mark.
 """
 
 from __future__ import annotations
@@ -29,9 +28,9 @@ _NO_POINTS = (*_OPEN, Verdict.NOT_APPLICABLE.value, EXCUSED)
 
 @dataclass(frozen=True)
 class Mark:
-    """How one exercise ended for one person; `result` is None when it was not handed in.
+    """How one exercise ended for one person; `result` is None if it was not handed in.
 
-    by_hand: people's decisions about it. penalty: the share of its points that lateness costs.
+    by_hand: people's decisions about it. penalty: the share of its points that is lost because of lateness.
     """
 
     exercise: GradedExercise
@@ -41,7 +40,7 @@ class Mark:
 
     @property
     def verdict(self) -> str:
-        """A `Verdict`'s value, NOT_HANDED_IN, EXCUSED; MARKED where only a person gave points."""
+        """A `Verdict`'s value, or NOT_HANDED_IN, EXCUSED, or MARKED (only a person gave points)."""
         if any(each.excused for each in self.by_hand):
             return EXCUSED
         verdict = self.result.verdict.value if self.result else NOT_HANDED_IN
@@ -59,12 +58,12 @@ class Mark:
 
     @property
     def points(self) -> float | None:
-        """What counts in the end."""
+        """The final points."""
         return None if self.raw_points is None else tidy(self.raw_points * (1 - self.penalty))
 
     @property
     def raw_points(self) -> float | None:
-        """With what people decided, before lateness costs any; never below zero."""
+        """Points including what people decided, but before the penalty for lateness; never below zero."""
         if not self.counts:
             return None
         earned = self._earned if self._set_points is None else self._set_points
@@ -72,7 +71,7 @@ class Mark:
 
     @property
     def max_points(self) -> float | None:
-        """What could be had without bonus checks."""
+        """The maximum, without bonus checks."""
         if not self.counts:
             return None
         judged = self.result and self.verdict != MARKED
@@ -99,7 +98,7 @@ class Mark:
 class Sheet:
     """All marks of one person, in the order of the gradebook's exercises. Every text is clean.
 
-    by_hand: people's decisions about the submission as a whole. lateness: None where there is no deadline.
+    by_hand: people's decisions about the submission as a whole. lateness: None if there is no deadline.
     """
 
     person: Person
@@ -111,9 +110,9 @@ class Sheet:
 
     @property
     def state(self) -> str:
-        """COMPLETE; EXCUSED when nothing counts because of that; INCOMPLETE when a verdict is missing
+        """INCOMPLETE: a verdict is missing through no fault of the learner's. EXCUSED: from everything.
 
-        through our fault; or NOT_HANDED_IN: nothing was.
+        NOT_HANDED_IN: nothing was. COMPLETE: otherwise.
         """
         if any(mark.is_open for mark in self.marks):
             return INCOMPLETE
@@ -124,17 +123,17 @@ class Sheet:
 
     @property
     def judged_points(self) -> float:
-        """Points of all that was judged, bonus included, after what lateness costs."""
+        """Points of everything that was judged, including bonuses, after the penalty for lateness."""
         return tidy(max(0, sum(mark.points or 0 for mark in self.marks) + self._bonus))
 
     @property
     def raw_points(self) -> float:
-        """As `judged_points`, as if everything had been in time."""
+        """Like `judged_points`, but without the penalty for lateness."""
         return tidy(max(0, sum(mark.raw_points or 0 for mark in self.marks) + self._bonus))
 
     @property
     def judged_max(self) -> float:
-        """What all that was judged could bring, without bonus exercises and bonus checks."""
+        """The maximum of everything that was judged, without bonus exercises and bonus checks."""
         return tidy(sum(mark.max_points or 0 for mark in self.marks if not mark.exercise.bonus))
 
     @property
@@ -147,7 +146,7 @@ class Sheet:
 
     @property
     def late(self) -> str:
-        """`2 days late`; empty when in time, or where there is no deadline."""
+        """`2 days late`; empty if it was on time or there is no deadline."""
         return self.lateness.words if self.lateness else ""
 
     @property
@@ -174,7 +173,7 @@ def exercises_of(gradebook: Gradebook, cleaner: Cleaner) -> tuple[GradedExercise
 
 
 def tidy(points: float) -> float:
-    """Points without what binary fractions leave behind: 0.3 for 0.1 + 0.2, 2 for 2.0."""
+    """Points without the errors of binary fractions: 0.3 for 0.1 + 0.2, 2 for 2.0."""
     rounded = round(points, 4)
     return int(rounded) if rounded == int(rounded) else rounded
 
@@ -198,18 +197,18 @@ def _sheet(graded: GradedSubmission, exercises: tuple[GradedExercise, ...], clea
 
 
 def _about(exercise: GradedExercise, by_hand: tuple[HandMark, ...]) -> tuple[HandMark, ...]:
-    """A person who is excused from everything is excused from each exercise."""
+    """The decisions about this exercise. Someone who is excused from everything is excused from it, too."""
     whole = (HandMark(excused=True),) if any(each.excused and not each.exercise for each in by_hand) else ()
     return (*whole, *(each for each in by_hand if each.exercise == exercise.id))
 
 
 def _inside(source: str) -> str:
-    """Readers must not learn the submission's place on this machine."""
+    """`source` without the submission's place on this machine, which readers must not learn."""
     return PurePosixPath(source).name if source.startswith("/") else source
 
 
 class Names:
-    """Hands out names: the second `ada` is `ada (2)`."""
+    """Makes names unique: the second `ada` is `ada (2)`."""
 
     def __init__(self) -> None:
         self._taken: set[str] = set()
@@ -228,7 +227,7 @@ _MADE_NAME = re.compile(r".*-[0-9a-f]{12}")
 
 
 def file_stem(person_id: str) -> str:
-    """A file's name for a person: the id itself where that is harmless, else its harmless part and a hash.
+    """A file name for a person: the id itself if that is harmless, else its harmless part and a hash.
 
     Different ids get different names.
     """

@@ -1,4 +1,4 @@
-"""What the page is made of, and as JSON types its table, and each submission with its feedback."""
+"""The data of the page; as JSON types, its table and each submission with its feedback."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from course.report.gradebook.check_words import (
 from course.report.gradebook.sheets import Mark, Sheet
 from course.report.verdict import earned_of
 
-# A person's place in the class, from 0, and an exercise's id.
+# A person's place in the class (from 0) and an exercise's id.
 Key = tuple[int, str]
 # Lines by path in the course home.
 Code = Mapping[str, tuple[str, ...]]
@@ -38,9 +38,9 @@ Code = Mapping[str, tuple[str, ...]]
 class ClassPage:
     """A graded class. Every text is clean (see `course.report.gradebook.cleaning`).
 
-    sheets: in the order of the class. pictures: `<svg>` elements of some gradings. code: of these, what was
-    handed in. not_drawn: how many recordings have none, since the page would become too large. ended: when
-    this was read. before: sheets of an earlier run to compare with, by id.
+    sheets: in the order of the class. pictures: `<svg>` elements of some gradings. code: the submitted files
+    of these. not_drawn: how many recordings have no picture because the page would become too large. ended:
+    when this was read. before: sheets of an earlier run to compare with, by id.
     """
 
     course: str
@@ -59,7 +59,7 @@ class ClassPage:
         return next((one for one in marks if one.exercise.id == mark.exercise.id), None)
 
     def marks(self, exercise: GradedExercise) -> Iterator[tuple[int, Mark]]:
-        """Of everybody, with their place in the class."""
+        """Everybody's marks for the exercise, with their places in the class."""
         at = self.exercises.index(exercise)
         return ((place, sheet.marks[at]) for place, sheet in enumerate(self.sheets))
 
@@ -82,7 +82,7 @@ def class_data(page: ClassPage) -> dict[str, Any]:
 
 
 def submission_data(page: ClassPage, place: int) -> dict[str, Any]:
-    """All that is told to the person at that place, and the pictures."""
+    """All feedback for the person at that place, and the pictures."""
     sheet = page.sheets[place]
     return {
         "id": sheet.person.id,
@@ -102,20 +102,20 @@ def submission_data(page: ClassPage, place: int) -> dict[str, Any]:
 
 
 def as_json(data: object) -> str:
-    """JSON that may stand inside a script element: nothing in it can end that, or begin a comment."""
+    """JSON that is safe inside a script element: it cannot end the element or begin a comment."""
     text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return text.translate(_ESCAPED)
 
 
 def packed(data: object) -> str:
-    """JSON, deflated, in base64: the browser opens it when it is looked at."""
+    """JSON, deflated, in base64: the browser unpacks it when somebody looks at it."""
     shrink = zlib.compressobj(9, zlib.DEFLATED, -15)
     text = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
     return base64.b64encode(shrink.compress(text) + shrink.flush()).decode("ascii")
 
 
 def places_of(mark: Mark) -> Iterator[tuple[str, int, str]]:
-    """File, line (0: none) and words of all that was found at a place of the learner's files."""
+    """File, line (0: none) and text of each finding that names a place in the learner's files."""
     for check in mark.result.checks if mark.result else ():
         cause = why(check)
         for place in cause.where if cause else ():
@@ -154,7 +154,7 @@ def _person(sheet: Sheet, before: Sheet | None) -> dict[str, Any]:
 
 
 def _said(sheet: Sheet) -> list[str]:
-    """People's comments and remarks, shown beside the points. Lateness has its own column."""
+    """People's comments and remarks, shown next to the points. Lateness has its own column."""
     return [*comments(replace(sheet, lateness=None)), *sheet.remarks]
 
 

@@ -1,4 +1,4 @@
-"""The page itself: templates, style and script of this room, with the data put in."""
+"""The page itself: the templates, style and script of this package, filled with the data."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ _PARTS = ("short", "overview")
 
 
 def class_page(page: ClassPage) -> Iterator[str]:
-    """The instructor's page, piece by piece, with everything in it."""
+    """The instructor's page, which contains everything, piece by piece."""
     yield from _pieces(page, "class", f"{page.course}: marks")
 
 
 def learner_page(page: ClassPage, place: int) -> str:
-    """A page for the person at that place: nothing of anybody else, no figures of the class."""
+    """A page for the person at that place, with nothing about anybody else and no figures of the class."""
     sheet = page.sheets[place]
     pictures = {(0, exercise): drawn for (at, exercise), drawn in page.pictures.items() if at == place}
     code = {(0, exercise): code for (at, exercise), code in page.code.items() if at == place}
@@ -36,21 +36,21 @@ def learner_page(page: ClassPage, place: int) -> str:
 
 
 def live_page(page: ClassPage) -> str:
-    """The instructor's page without submissions: it asks its server for these, and for news."""
+    """The instructor's page without submissions: it requests these, and updates, from its server."""
     return "".join(_pieces(page, "live", f"{page.course}: marks"))
 
 
 def news(page: ClassPage) -> dict[str, object]:
-    """What changes on the live page: data of the table, and parts of the page by their ids."""
+    """What changes on the live page: the table's data, and parts of the page by their ids."""
     told = _figures(page)
     parts = {name: _environment().get_template(f"{name}.html.j2").render(told) for name in _PARTS}
     return {"data": class_data(page), "parts": parts}
 
 
 def policy(mode: str) -> str:
-    """The content security policy: our own script and style, nothing else, and nothing fetched.
+    """The content security policy: only our own script and style, and nothing is fetched.
 
-    The live page may ask its own server.
+    The live page may send requests to its own server.
     """
     asks = "; connect-src 'self'" if mode == "live" else ""
     scripts, styles = _digest(_file("page.js")), _digest(_file("page.css"))

@@ -1,7 +1,7 @@
-"""A server for the page, for browsers of this machine alone.
+"""A server for the page, only for browsers on this machine.
 
-It answers GET and HEAD, under an address that cannot be guessed, and only when the browser believes to talk
-to this machine: a name of somebody else's that leads here (DNS rebinding) gets nothing.
+It answers only GET and HEAD, only under an address that cannot be guessed, and only if the request names this
+machine as its host: a foreign name that leads here (DNS rebinding) gets nothing.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _QUIET_SECONDS = 10.0
 
 
 class PageSource(Protocol):
-    """What is shown. May be asked from many threads at once."""
+    """What is shown. Its methods may be called from many threads at once."""
 
     def page(self) -> str: ...
 
@@ -37,9 +37,9 @@ class PageSource(Protocol):
 
 
 class PageServer(ThreadingHTTPServer):
-    """address: what a browser has to open."""
+    """address: what to open in a browser."""
 
-    daemon_threads = True  # readers that are left must not keep Ctrl+C waiting
+    daemon_threads = True  # open connections must not delay Ctrl+C
     block_on_close = False
 
     def __init__(self, source: PageSource, port: int) -> None:
@@ -50,12 +50,12 @@ class PageServer(ThreadingHTTPServer):
         self.address = f"http://{HERE}:{self.server_port}{self.root}"
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Browsers hang up all the time; what is wrong with the results has been answered."""
+        """Ignore it: browsers hang up all the time, and errors in the results were sent as an answer."""
 
 
 @contextmanager
 def serving(source: PageSource, port: int) -> Iterator[PageServer]:
-    """A server on this port, or on a free one for 0; its caller lets it serve. Raises UsageError."""
+    """A server on this port, or on a free one for 0; the caller starts it. Raises UsageError."""
     try:
         server = PageServer(source, port)
     except OSError as error:
@@ -130,7 +130,7 @@ class _Handler(BaseHTTPRequestHandler):
         return "ros2course"
 
     def log_message(self, format: str, *args: Any) -> None:
-        """Nobody wants to read who asked for what."""
+        """Do not print requests."""
 
 
 _GUARDS = {

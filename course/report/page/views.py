@@ -1,4 +1,4 @@
-"""What a class shows as a whole: figures, counted once, for the page to draw."""
+"""Figures about the whole class, counted once, for the page to draw."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _JUDGED = (Outcome.PASSED, Outcome.FAILED, Outcome.SKIPPED)
 
 @dataclass(frozen=True)
 class Bar:
-    """How many people have which share of the points."""
+    """How many people have a share of the points within one range."""
 
     label: str
     count: int
@@ -26,10 +26,10 @@ class Bar:
 
 @dataclass(frozen=True)
 class CheckView:
-    """judged: for how many it counts. not_reached: of these, for how many an earlier check had failed.
+    """judged: for how many people it counts. not_reached: for how many of them an earlier check had failed.
 
-    tells_apart: how passing it goes with the other points of the exercise, from -1 to 1; None where
-    everybody ended alike. Near 0 or below, it does not tell who knows more.
+    tells_apart: how passing it correlates with the exercise's other points, from -1 to 1; None if everybody
+    has the same result. Near 0 or below, the check does not show who knows more.
     """
 
     title: str
@@ -42,13 +42,13 @@ class CheckView:
 
     @property
     def percent(self) -> int | None:
-        """Of those who were judged, how many passed it."""
+        """The share of passes among the people for whom it counts."""
         return _percent(self.passed, self.judged)
 
 
 @dataclass(frozen=True)
 class ExerciseView:
-    """handed_in: by how many. seconds: of a grading in the middle, and of the longest one."""
+    """handed_in: by how many people. points, seconds: the median. longest: seconds of the longest grading."""
 
     exercise: GradedExercise
     handed_in: int
@@ -68,7 +68,7 @@ class ExerciseView:
 
 @dataclass(frozen=True)
 class CommonMistake:
-    """Words that failed checks ended with. people: places in the class of those who read them."""
+    """A message of a failed check. people: places in the class of those who got it."""
 
     exercise: str
     title: str
@@ -78,7 +78,7 @@ class CommonMistake:
 
 @dataclass(frozen=True)
 class Changed:
-    """Whose verdict on an exercise is another one than in the earlier run: places in the class."""
+    """A verdict that is different from the one in the earlier run. people: places in the class."""
 
     exercise: str
     words: str
@@ -87,7 +87,7 @@ class Changed:
 
 @dataclass(frozen=True)
 class NotJudged:
-    """What could not be judged through no fault of the learner's."""
+    """An exercise that could not be judged, through no fault of the learner's."""
 
     exercise: str
     verdict: str
@@ -96,7 +96,7 @@ class NotJudged:
 
 @dataclass(frozen=True)
 class ClassTotals:
-    """states: how many submissions are in which state. seconds: what all gradings took together."""
+    """states: how many submissions are in each state. seconds: the time of all gradings together."""
 
     people: int
     gradings: int
@@ -128,7 +128,7 @@ def totals(page: ClassPage) -> ClassTotals:
 
 
 def distribution(page: ClassPage) -> tuple[Bar, ...]:
-    """Of those with a total: equal steps of the share of points; bonus points can bring more than all."""
+    """People with a total, in equal ranges of the share of points; with bonus points, it can exceed 100 %."""
     counts: Counter[int] = Counter()
     for sheet in page.sheets:
         share = _share(sheet)
@@ -144,7 +144,7 @@ def exercises(page: ClassPage) -> tuple[ExerciseView, ...]:
 
 
 def mistakes(page: ClassPage) -> list[CommonMistake]:
-    """The commonest first."""
+    """The most common first."""
     people: defaultdict[tuple[str, str, str], list[int]] = defaultdict(list)
     for one in page.exercises:
         for place, mark in page.marks(one):
@@ -158,7 +158,7 @@ def mistakes(page: ClassPage) -> list[CommonMistake]:
 
 
 def changes(page: ClassPage) -> tuple[Changed, ...]:
-    """Since `page.before`."""
+    """Verdicts that changed since `page.before`."""
     people: defaultdict[tuple[str, str], list[int]] = defaultdict(list)
     for one in page.exercises:
         for place, mark in page.marks(one):

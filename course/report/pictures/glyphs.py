@@ -1,4 +1,4 @@
-"""What pictures in the terminal are drawn with, and the axis of time below them."""
+"""The characters of which pictures in the terminal consist, and the time axis below them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from rich.text import Text
 
 from course.report.pictures.svg import steps
 
-# A curve's points, so that curves are told apart without colors.
+# A curve's points: different curves can be distinguished without colors.
 LETTERS = "abcdef"
-# Of the terminal's own sixteen, as many as there are curves.
+# Colors of the terminal's own sixteen, one for each curve.
 CURVES = ("cyan", "magenta", "yellow", "blue", "green", "red")
 
 
@@ -43,7 +43,7 @@ _ASCII = Glyphs("[", "-", "]", "!", "'", "o", "#", ":", "o", "x", "+", "+", "|",
 
 
 def row_of(cells: Iterable[tuple[str, str]]) -> Text:
-    """Glyphs, each with its style, as one text that ends where nothing more is drawn."""
+    """Glyphs, each with its style, as one text without spaces at its end."""
     text = Text()
     for style, run in groupby(cells, key=itemgetter(1)):
         text.append("".join(glyph for glyph, _ in run), style)
@@ -52,15 +52,15 @@ def row_of(cells: Iterable[tuple[str, str]]) -> Text:
 
 
 def glyphs_for(console: Console) -> Glyphs:
-    """Lines and dots where the terminal's encoding has them, else what every terminal has."""
+    """Lines and dots if the terminal's encoding has them, else ASCII."""
     return _ASCII if console.options.ascii_only else _DRAWN
 
 
-_APART = 10  # columns at least from one number to the next
+_APART = 10  # columns, at least, from one number to the next
 
 
 def column(end: float, width: int, begin: float = 0.0) -> Callable[[float], int]:
-    """From seconds to a column, counted from 0; from `begin` to `end` is the whole width."""
+    """A function from seconds to a column (from 0); `begin` to `end` is the whole width."""
     return lambda t: min(max(round((t - begin) / (end - begin) * (width - 1)), 0), width - 1)
 
 

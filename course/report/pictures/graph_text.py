@@ -1,4 +1,4 @@
-"""Nodes and topics as they were seen: who publishes, who listens, and names that may be slips."""
+"""Nodes and topics as they were seen: who publishes, who listens, and names that may be misspelled."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from course.report.pictures.lanes import Told
 from course.spelling import nearest
 
 GRADER = "the grader"
-SOMEBODY = "somebody"  # whose name discovery did not bring
-_COMPARED = 60  # names: each with each takes its time
+SOMEBODY = "somebody"  # a node whose name was not discovered
+_COMPARED = 60  # names, at most: comparing all pairs takes time
 
 
 @dataclass
@@ -32,7 +32,7 @@ class _Ends:
 
 @dataclass(frozen=True)
 class Connection:
-    """A topic with its publishers and subscriptions, or a service with who asks and who answers."""
+    """A topic with its publishers and subscriptions, or a service with its clients and servers."""
 
     name: str
     givers: tuple[str, ...]
@@ -40,12 +40,12 @@ class Connection:
 
     @property
     def is_lonely(self) -> bool:
-        """Whether one end of it is missing."""
+        """Whether there is nobody at one end."""
         return not (self.givers and self.takers)
 
 
 def topics_of(recording: Recording, expected: Iterable[str] = ()) -> tuple[Connection, ...]:
-    """By name. expected: names of topics that were to be there, whether anybody was or not."""
+    """Sorted by name. expected: names of topics to list, even if there are only similar ones."""
     ends: defaultdict[str, _Ends] = defaultdict(_Ends)
     for endpoint in recording.seen_endpoints():
         side = ends[endpoint.topic].givers if endpoint.kind == "publisher" else ends[endpoint.topic].takers
@@ -56,12 +56,12 @@ def topics_of(recording: Recording, expected: Iterable[str] = ()) -> tuple[Conne
     seen = tuple(ends)
     for name in set(expected) - nodes_and_services:
         if nearest(name, seen):
-            ends[name]  # nobody is there
+            ends[name]  # with nobody at its ends
     return _sorted(ends)
 
 
 def services_of(recording: Recording) -> tuple[Connection, ...]:
-    """By name: clients ask, servers answer."""
+    """Sorted by name: clients are givers, servers are takers."""
     ends: defaultdict[str, _Ends] = defaultdict(_Ends)
     for service in recording.seen_graph().services:
         ends[service.name].givers.update(name or SOMEBODY for name in service.clients)
@@ -74,7 +74,7 @@ def services_of(recording: Recording) -> tuple[Connection, ...]:
 
 
 def slips(connections: Iterable[Connection]) -> Iterator[tuple[str, str]]:
-    """Pairs of names that are nearly alike, of which each lacks what the other has."""
+    """Pairs of similar names, each of which lacks the end that the other has."""
     lonely = [one for one in connections if one.is_lonely][:_COMPARED]
     for place, one in enumerate(lonely):
         others = [other.name for other in lonely[place + 1 :] if _complete(one, other)]
@@ -84,7 +84,7 @@ def slips(connections: Iterable[Connection]) -> Iterator[tuple[str, str]]:
 
 
 def _complete(one: Connection, other: Connection) -> bool:
-    """Whether both together could be one whole graph."""
+    """Whether the two together could be one connection with both ends."""
     ends = {bool(one.givers), bool(other.givers)}, {bool(one.takers), bool(other.takers)}
     empty = [not (each.givers or each.takers) for each in (one, other)]
     return sum(empty) == 1 or ends == ({True, False}, {True, False})

@@ -1,7 +1,7 @@
-"""What happened, sorted into lanes of one time line: programs, nodes, topics, services, logs.
+"""What happened, sorted into lanes of one timeline: programs, nodes, topics, services, logs.
 
-Only what the learner's programs did, and when. What would tell an answer is left out: what a mystery was
-drawn from, what was asked of it, the contents of messages and files.
+It shows only what the learner's programs did, and when. It leaves out everything that would give an answer
+away: a mystery's seed, the questions about it, and the contents of messages and files.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from course.model.feedback import Pace
 from course.model.result import CheckResult, Outcome, Result
 from course.report.pictures.svg import Clean, seconds
 
-# More than these of a kind are counted, not drawn.
+# This many lanes of each kind are drawn; the others are only counted.
 MOST = {"program": 5, "node": 5, "topic": 6, "sent": 4, "service": 5, "log": 4}
 _LABEL = 44
 _NOT_SHOWN = (ROSOUT, "/parameter_events")
@@ -48,7 +48,7 @@ _SIGNALS: dict[int, str] = {
 
 @dataclass(frozen=True)
 class Lane:
-    """kind: one of MOST. ticks: moments. spans: from when to when. marks: moments with a word to each."""
+    """kind: a key of MOST. ticks: moments. spans: beginnings and ends. marks: moments, each with a word."""
 
     kind: str
     label: str
@@ -60,14 +60,14 @@ class Lane:
 
 @dataclass(frozen=True)
 class Lanes:
-    """more: how many of each kind are not among them."""
+    """more: how many lanes of each kind are left out."""
 
     lanes: tuple[Lane, ...]
     duration: float
     more: dict[str, int] = field(default_factory=dict)
 
     def fewer(self, most: int) -> Lanes:
-        """At most so many lanes, the others counted; of each kind some stay as long as there is room."""
+        """At most `most` lanes, taken from all kinds in turn; the others are counted."""
         turn: Counter[str] = Counter()
         turns = []
         for lane in self.lanes:
@@ -80,13 +80,13 @@ class Lanes:
 
 
 def duration_of(recording: Recording) -> float:
-    """Seconds that a picture of it shows, never none."""
+    """Seconds that a picture of the recording shows; never zero."""
     last = recording.events[-1].t if recording.events else 0.0
     return max(recording.duration, last, 0.001)
 
 
 def lanes_of(recording: Recording, clean: Clean) -> Lanes:
-    """clean: makes a text of a submission fit to be shown."""
+    """clean: makes a submission's text safe to show."""
     duration = duration_of(recording)
     every = [
         *_programs(recording, duration),
@@ -101,7 +101,7 @@ def lanes_of(recording: Recording, clean: Clean) -> Lanes:
 
 
 def _short(label: str) -> str:
-    """Leave out the middle: names of services differ at their ends."""
+    """Leave out the middle, because names of services differ at their ends."""
     half = _LABEL // 2 - 1
     return label if len(label) <= _LABEL else f"{label[:half]}…{label[-half:]}"
 
@@ -170,11 +170,11 @@ def _presence(graphs: Sequence[GraphSeen], name: str, duration: float) -> Iterat
 def _messages(
     recording: Recording, kind: str, event_type: type[MessageSeen] | type[MessageSent]
 ) -> Iterator[Lane]:
-    """Include topics that the grader listened to without hearing anything."""
+    """Includes topics to which the grader listened without receiving anything."""
     times: defaultdict[str, list[float]] = defaultdict(list)
     for event in recording.events:
         if isinstance(event, Joined) and event.end == "subscription" and kind == "topic":
-            times[event.topic]  # listed, with what comes later
+            times[event.topic]  # adds the topic, even if no message follows
         elif isinstance(event, event_type) and event.topic not in _NOT_SHOWN:
             times[event.topic].append(event.t)
     for topic, at in times.items():
@@ -183,7 +183,7 @@ def _messages(
 
 
 def _services(recording: Recording, duration: float) -> Iterator[Lane]:
-    """From each request to its response, or to the end if there was none."""
+    """Each span is from a request to its response, or to the end if there was none."""
     answered = {event.call: event.t for event in recording.events if isinstance(event, ServiceAnswered)}
     spans: defaultdict[str, list[tuple[float, float]]] = defaultdict(list)
     for event in recording.events:
@@ -221,7 +221,7 @@ _TOPIC_NAME = re.compile(r"/\w[\w/]*")
 
 @dataclass(frozen=True)
 class Told:
-    """What a result says of its recording: checks that did not pass, and how often messages were to come."""
+    """What a result says about its recording: checks that failed, and the expected rates of messages."""
 
     failed: tuple[CheckResult, ...] = ()
     paces: tuple[Pace, ...] = ()
@@ -240,7 +240,7 @@ class Told:
         return tuple(check for check in self.failed if lane.label in _names(check))
 
     def names(self) -> tuple[str, ...]:
-        """Names that were expected and are not what was seen."""
+        """Topic names in what failed checks expected."""
         expected = (check.feedback.expected or "" for check in self.failed if check.feedback)
         return tuple(dict.fromkeys(name for text in expected for name in _TOPIC_NAME.findall(text)))
 

@@ -1,4 +1,4 @@
-"""A signal over time as text, with the band in which it was to lie."""
+"""A signal over time as text, with the band in which it should be."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _Cell = tuple[str, str]
 
 
 def render_plot(console: Console, signal: Signal, duration: float, band: Band | None = None) -> None:
-    """The signal over the time of its recording, or its own: see `window_of`. band: for its median."""
+    """The signal over the time that `window_of` returns. band: where its median should be."""
     glyphs = glyphs_for(console)
     width = max(console.width - len(_INDENT) - _NUMBER - 5, _NARROWEST)
     begin, end = window_of(signal, duration)
@@ -42,7 +42,7 @@ def render_plot(console: Console, signal: Signal, duration: float, band: Band | 
 
 
 class _Plot:
-    """Points by row and column, row 0 on top."""
+    """Points by row and column; row 0 is at the top."""
 
     def __init__(
         self, signal: Signal, at: Callable[[float], int], band: Band | None, glyphs: Glyphs, width: int
@@ -55,7 +55,7 @@ class _Plot:
                 self._cells[self._row_of(value), at(t)] = self._point(place, value)
 
     def row(self, row: int) -> Text:
-        """One line of the plot, with its value at the left."""
+        """One line of the plot, with its value on the left."""
         low, high = self._values(row)
         number = f"{(low + high) / 2:.3g}".rjust(_NUMBER)
         inside = self._band is not None and low < self._band[1] and high > self._band[0]
@@ -80,7 +80,7 @@ class _Plot:
 
 
 def _range(signal: Signal, band: Band | None) -> Band:
-    """All values and the band, with some space around them. Times start at zero."""
+    """The range of all values and the band, with some space around them. For seconds, it starts at zero."""
     values = [value for curve in signal.curves for _, value in curve.points] + list(band or ())
     lowest, highest = min(values), max(values)
     if signal.unit == "s":

@@ -1,4 +1,4 @@
-"""A recording in the terminal: what is in it in words, its pictures, and a copy of it for other programs."""
+"""A recording in the terminal: a summary of its content, pictures, and a copy for other programs."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ SECRET = "The recording of a mystery is not shown: it contains what you should f
 
 
 def render_pictures(console: Console, recording: Recording, result: Result | None) -> None:
-    """The time line, signals, and who talks to whom. None of a mystery.
+    """The timeline, signals, and who talks to whom. Nothing for a mystery.
 
-    result: what the checks said of this recording, where that is known.
+    result: what the checks said about this recording, if that is known.
     """
     if is_secret(recording):
         put_prose(console, SECRET)
@@ -43,7 +43,7 @@ def render_pictures(console: Console, recording: Recording, result: Result | Non
 
 
 def render_recording(console: Console, recording: Recording, size: int, result: Result | None) -> None:
-    """What is in it in words, then its pictures. size: of its file, in bytes."""
+    """A summary of its content, then its pictures. size: of its file, in bytes."""
     if not is_secret(recording):
         render_summary(console, recording, size)
         put(console)
@@ -51,12 +51,12 @@ def render_recording(console: Console, recording: Recording, size: int, result: 
 
 
 def is_secret(recording: Recording) -> bool:
-    """Whether it contains the names that a learner is to find out."""
+    """Whether it contains the names that a learner should find out."""
     return recording.seed is not None or bool(recording.acts)
 
 
 def belongs(result: Result | None, recording: Recording) -> bool:
-    """Whether these checks judged this recording: how long it took is never the same twice."""
+    """Whether these checks judged this recording: no two recordings have exactly the same duration."""
     return result is not None and result.timing.evidence == round(recording.duration, 3) > 0
 
 
@@ -92,7 +92,7 @@ def render_summary(console: Console, recording: Recording, size: int) -> None:
 
 
 def bytes_of(size: int) -> str:
-    """As people write it: `812 bytes`, `16 kB`, `3.1 MB`."""
+    """`812 bytes`, `16 kB`, `3.1 MB`."""
     if size < 1000:
         return f"{size} bytes"
     return f"{size / 1000:.0f} kB" if size < 1_000_000 else f"{size / 1_000_000:.1f} MB"
@@ -128,7 +128,7 @@ def _end(recording: Recording, name: str) -> str:
 
 
 def render_exported(console: Console, exercise: str, target: Path, size: int) -> None:
-    """Where it is now, how large, and how to look at it."""
+    """Where the file is, how large it is, and how to look at it."""
     put(console, f"{sanitize.one_line(str(target))}  {bytes_of(size)}", "bold")
     put_prose(console, f"The recording of the last check of {sanitize.one_line(exercise)}. To look at it:")
     for program, how in (

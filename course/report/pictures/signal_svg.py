@@ -26,15 +26,15 @@ from course.report.pictures.svg import (
 _TOP, _HEIGHT, _FOOT = 24, 130, 22
 _LABEL = 28
 COLORS = ("#1d4ed8", "#b45309", "#0f766e", "#be185d", "#7c3aed", "#334155")
-# So that curves are told apart without colors.
+# To distinguish curves without colors.
 _DASHES = ("", "6 3", "2 2", "8 2 2 2", "1 3", "12 4")
-_POINTS = (320, 240, 160, 120, 80, 60, 40, 20)  # of a curve, less until the picture is small enough
-_STRAIGHT = 0.4  # how far a point may be off a straight line and be left out, in pixels
-_DOTS = 40  # fewer points than these are dots, too
+_POINTS = (320, 240, 160, 120, 80, 60, 40, 20)  # of a curve; fewer until the picture is small enough
+_STRAIGHT = 0.4  # pixels; a point this close to a straight line is left out
+_DOTS = 40  # if there are fewer points, dots are drawn, too
 
 
 def plot(signal: Signal, duration: float, *, key: str, clean: Clean) -> str:
-    """The picture, as one `<svg>` element of at most MOST_BYTES. key, clean: as for the time line."""
+    """The picture, as one `<svg>` element of at most MOST_BYTES. key, clean: as for `timeline`."""
     named = replace(
         signal,
         topic=clean(signal.topic)[: 2 * _LABEL],
@@ -125,7 +125,7 @@ def _straightened(points: Sequence[tuple[float, float]]) -> list[tuple[float, fl
 
 
 def _off(point: tuple[float, float], one: tuple[float, float], other: tuple[float, float]) -> float:
-    """The vertical distance of the point from the line through both others."""
+    """The vertical distance of the point from the line through the other two."""
     wide = other[0] - one[0]
     share = (point[0] - one[0]) / wide if wide else 0.0
     return abs(one[1] + share * (other[1] - one[1]) - point[1])

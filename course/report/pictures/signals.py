@@ -13,9 +13,9 @@ from course.evidence.messages import Undecodable, UnknownType
 from course.evidence.recording import ROSOUT, Recording
 from course.model.events import MessageSeen, ServiceAnswered, ServiceCalled
 
-FEWEST = 5  # messages, for a plot to tell something
+FEWEST = 5  # messages for a plot to be useful
 CURVES = 6
-_DECODED = 3000  # messages of a topic, evenly chosen: six seconds of 500 Hz
+_DECODED = 3000  # messages of a topic, evenly chosen: six seconds at 500 Hz
 _SMALL, _MARGIN = 0.5, 0.02  # of a recording, and of a signal: see `window_of`
 _LARGEST = 64 * 1024
 _MOST = 1e15  # nothing is less than "not a number"
@@ -33,7 +33,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Signal:
-    """title: what it is, for people. unit: of the values, empty where that is not known."""
+    """title: what it is, for people. unit: of the values; empty if it is not known."""
 
     title: str
     topic: str
@@ -42,7 +42,7 @@ class Signal:
 
 
 def signals_of(recording: Recording) -> Iterator[Signal]:
-    """At most one signal of values, and one of intervals: of the topics with the most messages."""
+    """At most one signal of values and one of intervals, of the busiest topics that have them."""
     enough = _enough(recording)
     values = (signal for messages in enough if (signal := _values(recording, messages)))
     yield from islice(values, 1)
@@ -51,12 +51,12 @@ def signals_of(recording: Recording) -> Iterator[Signal]:
 
 
 def intervals_of(recording: Recording, topic: str) -> Signal | None:
-    """The time between messages on that topic; None where there are too few."""
+    """The time between messages on that topic; None if there are too few."""
     return next((_intervals(one) for one in _enough(recording) if one[0].topic == topic), None)
 
 
 def window_of(signal: Signal, duration: float) -> tuple[float, float]:
-    """The seconds to draw: the whole recording, or the signal's own where it fills less than half of that."""
+    """The seconds to draw: the whole recording, or only the signal's part if that is less than half."""
     times = [t for curve in signal.curves for t, _ in curve.points]
     first, last = min(times), max(times)
     if not 0 < last - first < _SMALL * duration:
@@ -66,7 +66,7 @@ def window_of(signal: Signal, duration: float) -> tuple[float, float]:
 
 
 def latencies_of(recording: Recording) -> Signal | None:
-    """How long the learner's answers took, of the service with the most; None where there are too few."""
+    """How long each answer of the learner's busiest service took; None if there are too few."""
     calls = (event for event in recording.events if isinstance(event, ServiceCalled))
     asked = {event.call: event.t for event in calls if event.side == "client"}
     services: defaultdict[str, list[tuple[float, float]]] = defaultdict(list)

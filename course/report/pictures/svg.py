@@ -1,7 +1,7 @@
-"""What all pictures in SVG share: how numbers, texts and times are written, and how large one may become.
+"""What all SVG pictures share: how numbers, texts and times are written, and how large one may become.
 
-Every picture is one `<svg>` element without script, style or link. Its colors are attributes, so that it
-can be looked at alone; a page may set others by the classes. What it shows is told in `<title>` and `<desc>`.
+Every picture is one `<svg>` element without script, style or link. Its colors are attributes, so that it can
+be viewed on its own; a page may set others by class. `<title>` and `<desc>` describe what it shows.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from html import escape
 from typing import TypeVar
 
-# Of one picture. Its maker looks at it more coarsely until it fits.
+# Of one picture, which is drawn with less detail until it fits.
 MOST_BYTES = 8 * 1024
 WIDTH = 560
 LEFT, RIGHT = 8, 12
@@ -22,7 +22,7 @@ _Level = TypeVar("_Level")
 
 
 def number(value: float) -> str:
-    """As short as can be: `12`, `3.5`."""
+    """As short as possible: `12`, `3.5`."""
     return f"{value:.1f}".removesuffix(".0")
 
 
@@ -45,13 +45,13 @@ def text(x: float, y: float, words: str, *, cls: str = "label", anchor: str = ""
 
 
 def scale(end: float, begin: float = 0.0) -> Callable[[float], float]:
-    """From seconds to x; from `begin` to `end` is the whole width."""
+    """A function from seconds to x; `begin` to `end` is the whole width."""
     room = WIDTH - LEFT - RIGHT
     return lambda t: LEFT + min(max((t - begin) / (end - begin), 0.0), 1.0) * room
 
 
 def steps(lowest: float, highest: float, most: int) -> Iterator[float]:
-    """Round values between both, at most `most` and one."""
+    """Round values from `lowest` to `highest`, at most `most` + 1."""
     span = highest - lowest
     if not (math.isfinite(span) and span > 0):
         return
@@ -80,7 +80,7 @@ def seconds(t: float) -> str:
 
 
 def within_bounds(draw: Callable[[_Level], str], coarseness: Iterable[_Level]) -> str:
-    """The first drawing that is small enough; the last one, whatever it is. draw: takes a coarseness."""
+    """The first drawing that is small enough, else the last one. draw: its argument is a coarseness."""
     drawn = ""
     for each in coarseness:
         drawn = draw(each)

@@ -1,4 +1,4 @@
-"""The time line of a recording as a picture."""
+"""The timeline of a recording as a picture."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ NAMES = {
     "service": "calls of",
     "log": "log",
 }
-# Not too alike for those who see colors otherwise; each lane has its kind as a word, too.
+# Distinguishable for people with color blindness; each lane also names its kind.
 COLORS = {
     "program": "#64748b",
     "node": "#0f766e",
@@ -41,16 +41,16 @@ COLORS = {
 _LANE, _TRACK, _THICK = 36, 26, 10
 _FOOT = 22
 _FLAGS = 8
-_LETTERS = 78  # that a line has room for
-# Columns that moments are drawn in, and how many lanes: less of both, until the picture is small enough.
+_LETTERS = 78  # that fit into a line
+# Columns in which moments are drawn, and number of lanes: fewer of both, until the picture is small enough.
 _COARSENESS = ((270, 40), (135, 40), (90, 20), (60, 14), (30, 10), (20, 6))
 _ROOM = WIDTH - LEFT - RIGHT
 
 
 def timeline(recording: Recording, *, key: str, clean: Clean) -> str | None:
-    """The picture, as one `<svg>` element of at most MOST_BYTES; None when nothing happened.
+    """The picture, as one `<svg>` element of at most MOST_BYTES; None if nothing happened.
 
-    key: unique on the page, a word of letters and digits. clean: makes a submission's text fit to be shown.
+    key: unique on the page, a word of letters and digits. clean: makes a submission's text safe to show.
     """
     lanes = lanes_of(recording, clean)
     if not lanes.lanes:
@@ -73,13 +73,13 @@ def _drawn(lanes: Lanes, key: str, columns: int) -> str:
 
 
 def named(lane: Lane) -> str:
-    """How a lane's words begin."""
+    """The beginning of a lane's description."""
     name = f"{NAMES[lane.kind]} {lane.label}:"
     return name[0].upper() + name[1:]
 
 
 def not_drawn(lanes: Lanes) -> str:
-    """How many lanes of each kind are left out; empty where none is."""
+    """How many lanes of each kind are left out; empty if none is."""
     parts = [f'{count} more of "{NAMES[kind]}"' for kind, count in lanes.more.items()]
     return f"Not drawn: {', '.join(parts)}." if parts else ""
 
@@ -159,10 +159,10 @@ def _flags(lane: Lane, duration: float, y: float) -> Iterator[str]:
 
 
 def pictures(recording: Recording, *, key: str, clean: Clean) -> tuple[str, ...]:
-    """The time line and at most two signals, each an `<svg>` element.
+    """The timeline and at most two signals, each an `<svg>` element.
 
-    None of a mystery: the names that are to be found out stand in its recording. key: unique on the page,
-    a word of letters and digits. clean: makes a text of a submission fit to be shown.
+    Nothing for a mystery: its recording contains the names to find out. key: unique on the page, a word of
+    letters and digits. clean: makes a submission's text safe to show.
     """
     if recording.seed is not None or recording.acts:
         return ()

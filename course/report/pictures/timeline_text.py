@@ -1,4 +1,4 @@
-"""The time line of a recording as text: a label and a track for each lane, and the seconds below."""
+"""The timeline of a recording as text: a label and a track for each lane, and the seconds below."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _NARROWEST = 20
 
 
 def render_line(console: Console, recording: Recording, told: Told) -> None:
-    """What happened, with what was expected beside it. Needs nothing but words where nothing happened."""
+    """What happened, with what was expected next to it; a sentence if nothing happened."""
     lanes = lanes_of(recording, sanitize.one_line)
     put(console, "What happened", "bold")
     if not lanes.lanes:
@@ -50,7 +50,7 @@ def render_line(console: Console, recording: Recording, told: Told) -> None:
 
 
 def rate(times: tuple[float, ...]) -> str:
-    """`one every 0.50 s (2 Hz)`; empty where there are too few to tell."""
+    """`one every 0.50 s (2 Hz)`; empty if there are too few messages to tell."""
     intervals = [later - earlier for earlier, later in pairwise(times)]
     if len(intervals) < MIN_INTERVALS:
         return ""
@@ -102,7 +102,7 @@ def _put_others(console: Console, lanes: Lanes, told: Told) -> None:
 
 
 class _Drawing:
-    """Tracks below each other, on one scale."""
+    """Tracks below each other, with the same time scale."""
 
     def __init__(self, console: Console, lanes: Lanes) -> None:
         self._console = console
@@ -129,7 +129,7 @@ class _Drawing:
         put_prose(self._console, Text(legend, "dim"), first=_INDENT)
 
     def _cells(self, lane: Lane) -> dict[int, tuple[str, str]]:
-        """Glyph and style by column. Later ones cover earlier ones."""
+        """Glyph and style by column. Later glyphs replace earlier ones."""
         glyphs, at = self._glyphs, column(self._duration, self._width)
         cells: dict[int, tuple[str, str]] = {}
         for begin, end in lane.spans:

@@ -1,1 +1,1 @@
-"""What can be found wrong with a course without grading anything: its files, texts, links and commands."""
+"""Finds errors in a course without grading anything: in its files, texts, links and commands."""

@@ -1,4 +1,4 @@
-"""Whether the commands in texts, `ros2course` and `ros2`, are understood, and what they name exists."""
+"""Whether `ros2course` and `ros2` commands in texts are valid, and the things that they name exist."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ from course.validate.static.markdown_parts import (
 )
 from course.validate.static.subject import Prose, Subject
 
-# What is wrong with the words after `ros2course`, or None. The command line says it: see course/cli/typed.py.
+# Returns what is wrong with the words after `ros2course`, or None; see course/cli/typed.py.
 Complaint = Callable[[Sequence[str]], str | None]
 
 _PROGRAM = "ros2course"
-# As many arguments as any of our commands wants.
+# The largest number of arguments that any of our commands requires.
 _MOST = 2
-# Commands that take an exercise; in a text they may stand alone: `check 17`.
+# Commands that take an exercise. A text may mention them without `ros2course`: `check 17`.
 _OF_EXERCISES = ("check", "hint", "play", "show", "solution", "reset", "next")
 _SHORT = re.compile(rf"({'|'.join(_OF_EXERCISES)}) (\d\d?(?:-[\w-]+)?)")
 _ID = re.compile(r"\d\d-[a-z0-9]+(-[a-z0-9]+)*")
@@ -53,7 +53,7 @@ def own_findings(subject: Subject, texts: Sequence[Prose], complaint: Complaint 
 
 
 def _of_names(subject: Subject, text: Prose, code: Code) -> Iterator[Finding]:
-    """Whether the words are a list of names in a sentence: `check 17` and `18-publisher`."""
+    """Exercises that do not exist, in names within a sentence: `check 17` and `18-publisher`."""
     if code.language is not None:
         return
     short = _SHORT.fullmatch(code.text.strip())
@@ -83,7 +83,7 @@ def _of_command(
 
 
 def _said(command: ShellCommand, words: Sequence[str], complaint: Complaint) -> str | None:
-    """A command that is only mentioned may lack its arguments."""
+    """What is wrong with the words, or None. A command that is only mentioned may lack its arguments."""
     said = complaint(words)
     more = range(1, _MOST + 1) if said and command.mentioned else ()
     return None if any(complaint([*words, *[PLACEHOLDER] * count]) is None for count in more) else said
@@ -107,7 +107,7 @@ _PATIENCE = 60.0
 
 
 def ros2_findings(course: Path, texts: Sequence[Prose]) -> Iterator[Finding]:
-    """Says nothing where this installation has no `ros2` of ours to ask. course: its folder."""
+    """Finds nothing if this installation lacks our own `ros2`. course: its folder."""
     shown: list[tuple[Prose, ShellCommand]] = []
     for text in texts:
         for code in contents(text.text).codes:
@@ -140,7 +140,7 @@ def unreadable(text: Prose, found: UnreadableLine) -> Finding:
 
 
 def _short(complaint: str) -> str:
-    """Keep only the likely suggestions."""
+    """The complaint with only the likely suggestions."""
     match = re.match(r"invalid choice: '(.*)' \(choose from (.*)\)$", complaint)
     if match is None:
         return complaint
@@ -174,13 +174,13 @@ _TYPE = re.compile(r"([a-z][a-z0-9_]*)/(msg|srv|action)/([A-Z]\w*)")
 
 
 class Types:
-    """The interfaces of the course's own solutions, of the underlay, and of the ROS that is here."""
+    """The interfaces of the course's own solutions, of the underlay, and of this machine's ROS."""
 
     def __init__(self, course: Path) -> None:
         self._places = tuple(_package_folders(course))
 
     def complaint(self, command: ShellCommand) -> str | None:
-        """About a type of a package that is known; one that is in none may be an example's."""
+        """A complaint about a missing type of a known package; an unknown package may be an example."""
         for package, kind, name in filter(None, map(_type_parts, command.words)):
             folders = [folder for place in self._places for folder in place.glob(f"{package}/{kind}")]
             known = {file.stem for folder in folders for file in folder.glob(f"*.{kind}")}

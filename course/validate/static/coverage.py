@@ -1,4 +1,4 @@
-"""Whether the mistakes name checks and questions that exist, and whether each check is named by one."""
+"""Whether mistakes name checks and questions that exist, and whether a mistake names each check."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ def proof_findings(subject: Subject) -> Iterator[Finding]:
 
 
 def checks_of(subject: Subject, exercise: Exercise) -> Mapping[str, tuple[Path, int | None]] | None:
-    """Every check of the exercise with where it is declared; None when they are not known."""
+    """Every check of the exercise, with its place; None if the checks are not known."""
     graders = subject.graders.get(exercise.folder)
     if graders is not None and graders.fault:
         return None
     grader = graders.of(exercise.id) if graders else None
     if grader is None and not exercise.questions:
-        return None  # told once, as the grader that is missing
+        return None  # the missing grader is reported elsewhere
     found: dict[str, tuple[Path, int | None]] = {}
     for check in grader.checks if grader else ():
         assert graders is not None
@@ -91,10 +91,10 @@ def _unknown_in_alternatives(subject: Subject) -> Iterator[Finding]:
 
 
 def _unproved(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
-    """If no mistake fails a check, the check might pass everything."""
+    """Checks that no mistake fails: they might pass everything."""
     reading = subject.mistakes[exercise.folder]
     if reading.problems:
-        return  # which mistakes there are is not known
+        return  # the mistakes are not all known
     own = [mistake for mistake in reading.value or () if mistake.exercise == exercise.id]
     named = {name for mistake in own for name in (mistake.caught_by, *mistake.also_fails)}
     for check, (file, line) in (checks_of(subject, exercise) or {}).items():

@@ -1,4 +1,4 @@
-"""Plain American English: spelling, what a translation leaves behind, long sentences, and early terms.
+"""Plain American English: spelling, words that sound translated, long sentences, and early terms.
 
 A line with a false alarm says why: `<!-- plain: a town of this name -->`, in Python `# plain: ...`.
 """
@@ -51,13 +51,13 @@ RULES = [
     (r"\b(?:what|belongs|comes) behind\b", "after", "A space belongs behind each `:`"),
     (r"\bcannot be \w+ (?:is|are) told\b", "It reports what", "What cannot be set is told"),
 ]  # fmt: skip
-# ROS and asyncio say `cancelled`.
+# ROS and asyncio spell it `cancelled`.
 _CODESPELL = (sys.executable, *"-m codespell_lib --builtin clear,en-GB_to_en-US -L cancelled --".split())
 _ALLOWED = re.compile(r"(?:<!--|#|//) plain: \w")
 _CODE = re.compile(r"^ *```.*?^ *```|`[^`\n]+`", re.DOTALL | re.MULTILINE)
 _BLOCKS = re.compile(r"^ *```.*?^ *```", re.DOTALL | re.MULTILINE)
 _PARAGRAPH = re.compile(r"(?:(?!\n\s*\n|\n *(?:[-*|#>]|\d+\.) ).)+", re.DOTALL)
-# Up to 30 words at once again, or eight words again later.
+# Up to 30 words that are repeated at once, or eight words that are repeated later.
 _TWICE = re.compile(
     r"(?<!\S)(?!again\b|`)((?=\S*[a-z])\S+(?:\s+\S+){0,29})\s+\1(?!\S)"
     r"|(?<!\S)(?P<run>[^\s|]+(?:\s+[^\s|]+){7})(?=\s.*?\s(?P=run)(?!\S))",
@@ -72,7 +72,7 @@ def english_findings(texts: Iterable[Prose]) -> Iterator[Finding]:
 
 
 def spelling_findings(course: Path) -> Iterator[Finding]:
-    """What codespell finds in texts and graders. `codespell:ignore WORD` in a line allows a word there.
+    """What codespell finds in texts and graders. `codespell:ignore WORD` in a line allows the word there.
 
     Raises UsageError if the course has settings that codespell cannot read.
     """
@@ -90,14 +90,14 @@ def spelling_findings(course: Path) -> Iterator[Finding]:
 
 
 def plain_findings(text: str) -> Iterator[tuple[int, str, str]]:
-    """In a Markdown text: the line, from 1; what is there; what to do."""
+    """For a Markdown text: the line (from 1), what is wrong, what to do."""
     yield from odd_words(text)
     yield from long_sentences(text)
     yield from repetitions(text)
 
 
 def odd_words(text: str) -> Iterator[tuple[int, str, str]]:
-    """In a Markdown text, outside of code: the line, from 1; what is there; what to do."""
+    """For a Markdown text, without its code: the line (from 1), what is wrong, what to do."""
     for number, line in enumerate(_without_code(text).splitlines(), 1):
         for pattern, instead, _example in RULES:
             found = re.search(pattern, line, re.IGNORECASE)
@@ -106,7 +106,7 @@ def odd_words(text: str) -> Iterator[tuple[int, str, str]]:
 
 
 def long_sentences(text: str) -> Iterator[tuple[int, str, str]]:
-    """In paragraphs and items of lists, not in tables: the line, from 1; what is there; what to do."""
+    """For paragraphs and list items, not for tables: the line (from 1), what is wrong, what to do."""
     plain = _without_code(text)
     for paragraph in _PARAGRAPH.finditer(plain):
         for sentence in re.finditer(r"\S(?:(?![.!?:]\s).)*[.!?:]?", paragraph[0], re.DOTALL):
@@ -119,7 +119,7 @@ def long_sentences(text: str) -> Iterator[tuple[int, str, str]]:
 
 
 def repetitions(text: str) -> Iterator[tuple[int, str, str]]:
-    """Words that an edit left behind, not in tables and blocks of code: line, what is there, what to do."""
+    """Repeated words, outside of tables and code blocks: the line (from 1), what is wrong, what to do."""
     plain = re.sub(r"^> ?", "", _without_code(text, _BLOCKS), flags=re.MULTILINE)
     for paragraph in _PARAGRAPH.finditer(plain):
         found = _TWICE.search(paragraph[0])
@@ -131,7 +131,7 @@ def repetitions(text: str) -> Iterator[tuple[int, str, str]]:
 
 
 def early_terms(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding]:
-    """Where a text uses one of `terms` before the lesson that explains it in bold."""
+    """Places where a text uses one of the `terms` before the lesson that explains it in bold."""
     earlier: list[Prose] = []
     for chapter, reading in subject.lessons.items():
         own = [text for text in texts if text.file.is_relative_to(chapter)]

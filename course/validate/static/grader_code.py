@@ -1,7 +1,7 @@
-"""What grader modules must not do: write files, start programs, and import more of the engine than they may.
+"""What grader modules must not do: write files, start programs, and import internals of the engine.
 
-A grader runs with all rights, beside a submission that can put a link in the place of any file. So it writes
-nothing: the arena does, where only the submission's own rights count. Found by reading, so by names alone.
+A grader runs with all rights, next to a submission that can replace any file with a link. So it leaves
+writing to the arena, which uses only the submission's own rights. These rules judge code by its names alone.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _OF_PATHS = frozenset(
     """write_text write_bytes mkdir rmdir unlink rename symlink_to hardlink_to touch chmod lchmod rmtree
     copytree copyfile makedirs removedirs truncate mkfifo mknod extractall""".split()
 )
-# As modules, and as names imported from them.
+# Functions of `os`.
 _OF_OS = frozenset(
     """chmod chown lchown link makedirs mkdir mkfifo mknod open remove removedirs rename renames replace rmdir
     symlink truncate unlink utime""".split()
@@ -33,7 +33,7 @@ _STARTING = re.compile(
     r"|(pty|pexpect)\.(spawn|fork|run)|.*\.create_subprocess_"
 )
 _ARCHIVES = frozenset({"zipfile", "tarfile"})
-# Their mode is the second argument; that of a path's own `open` is the first.
+# Here, the mode is the second argument; for a path's own `open`, it is the first.
 _OPENING = frozenset(
     """open io.open io.FileIO codecs.open pathlib.Path.open gzip.open gzip.GzipFile bz2.open bz2.BZ2File
     lzma.open lzma.LZMAFile tarfile.open tarfile.TarFile tarfile.TarFile.open zipfile.ZipFile""".split()
@@ -49,7 +49,7 @@ _STEP = (
 
 
 def code_findings(subject: Subject) -> Iterator[Finding]:
-    """Of the chapters' modules and of those that they share."""
+    """Findings in the chapters' grader modules, and in modules that these share."""
     for folder in {layout.grader_file(chapter).parent for chapter in subject.chapters}:
         for file in files_in(folder) if folder.is_dir() else ():
             if file.suffix == ".py" and PROBES not in file.relative_to(folder).parts:
@@ -68,7 +68,7 @@ def _importing(file: Path, tree: ast.Module) -> Iterator[Finding]:
 
 
 def _modules(node: ast.Import | ast.ImportFrom) -> Iterator[str]:
-    """`from course import grading` names a module, `from course.api import Grader` what is in one."""
+    """The imported modules: `course.grading` for `from course import grading`."""
     if isinstance(node, ast.Import) or node.module == _ENGINE:
         start = f"{_ENGINE}." if isinstance(node, ast.ImportFrom) else ""
         yield from (f"{start}{alias.name}" for alias in node.names)
@@ -77,7 +77,7 @@ def _modules(node: ast.Import | ast.ImportFrom) -> Iterator[str]:
 
 
 def _acting(file: Path, tree: ast.Module) -> Iterator[Finding]:
-    """Functions that are called, or passed on as in `map(os.unlink, files)`."""
+    """Findings for functions that are called, or passed on, as in `map(os.unlink, files)`."""
     imported = dict(_imported(tree))
     for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
         for function in (call.func, *call.args):
@@ -89,7 +89,7 @@ def _acting(file: Path, tree: ast.Module) -> Iterator[Finding]:
 
 
 def _imported(tree: ast.Module) -> Iterator[tuple[str, str]]:
-    """Names in the module and their full names: `rmtree` is `shutil.rmtree`."""
+    """Names in the module, with their full names: `rmtree` is `shutil.rmtree`."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from ((alias.asname or alias.name, alias.name) for alias in node.names)
@@ -108,9 +108,9 @@ def _call_writes(call: ast.Call, name: str, imported: dict[str, str]) -> bool:
     function = name.rpartition(".")[2]
     if name in _OPENING or function == "open":
         return _opens_for_writing(call, at=1 if name in _OPENING else 0)
-    if function == "extract":  # other things have a method of that name, too
+    if function == "extract":  # other objects have a method of this name, too
         return any(origin.partition(".")[0] in _ARCHIVES for origin in imported.values())
-    # A string has a method of that name, too, with two arguments.
+    # A string has a method `replace`, too, with two arguments.
     one = len(call.args) == 1 and not call.keywords
     return isinstance(call.func, ast.Attribute) and (function in _OF_PATHS or (function == "replace" and one))
 
@@ -126,7 +126,7 @@ def _full_name(function: ast.expr, imported: dict[str, str]) -> str:
 
 
 def _opens_for_writing(call: ast.Call, at: int) -> bool:
-    """at: where the mode is among the arguments."""
+    """at: the position of the mode among the arguments."""
     given = [keyword.value for keyword in call.keywords if keyword.arg == "mode"] or call.args[at : at + 1]
     known = [mode.value if isinstance(mode, ast.Constant) else "w" for mode in given]
-    return any(_WRITING_MODES & set(re.split("[:|]", str(mode))[0]) for mode in known)  # not of "r:xz"
+    return any(_WRITING_MODES & set(re.split("[:|]", str(mode))[0]) for mode in known)  # not for `r:xz`

@@ -1,4 +1,4 @@
-"""What is wrong with what grader modules declare."""
+"""Errors in the declarations of grader modules."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def _need_problem(
         return what, f"checks of this grader: {', '.join(lines)}"
     circle = way_between(needs, need, check.id)
     if circle:
-        if check.id != min(circle):  # said once, not by each member of the circle
+        if check.id != min(circle):  # reported once, not for each member of the circle
             return None
         what = f"check `{check.id}` needs itself: {' -> '.join((check.id, *circle))}"
         return what, "take one of them out of `needs`"
@@ -68,7 +68,7 @@ def _need_problem(
 
 
 def _strangers(subject: Subject, chapter: Path, graders: GraderModule) -> Iterator[Finding]:
-    """GraderModule and mysteries of unknown exercises, or two of them for one exercise."""
+    """Graders and mysteries of unknown exercises, or two of them for one exercise."""
     known = [exercise.id for exercise in subject.exercises_of(chapter)]
     for kind in (graders.graders, graders.mysteries):
         for exercise, count in Counter(one.exercise for one in kind).items():

@@ -1,6 +1,6 @@
-"""Grader modules: the checks they declare, read without running them, and what loading them gives.
+"""Grader modules: the checks that they declare, read without running them, and the result of loading them.
 
-Loading a module stops at its first wrong check; reading it sees all of them, and knows their lines.
+Loading a module stops at its first wrong check; reading it finds all of them, with their lines.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from course.validate import Finding
 
 @dataclass(frozen=True)
 class DeclaredCheck:
-    """One `@grader.check(...)`. needs: None where it is not written out; then it is not judged."""
+    """One `@grader.check(...)`. needs: None if it is not a literal; then it is not judged."""
 
     id: str
     line: int
@@ -36,7 +36,7 @@ class DeclaredCheck:
 
 @dataclass
 class Declaration:
-    """One `Grader("18-publisher")`. whole: whether all its checks are written out, so that this is all."""
+    """One `Grader("18-publisher")`. whole: whether all ids are literals, so that `checks` is complete."""
 
     exercise: str
     line: int
@@ -64,7 +64,7 @@ def declarations(tree: ast.Module) -> tuple[Declaration, ...]:
 
 
 def _texts(tree: ast.Module) -> Iterator[tuple[str, str]]:
-    """Constants of the module: `NAME = "text"`."""
+    """String constants of the module: `NAME = "text"`."""
     yield "BUILDS", BUILDS
     for node in tree.body:
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
@@ -133,7 +133,7 @@ def _text(node: ast.expr, texts: Mapping[str, str]) -> str | None:
 
 
 def parsed(file: Path) -> ast.Module | None:
-    """The module's tree; None when it has none, which loading it tells."""
+    """The module's syntax tree; None if it cannot be parsed, which loading it will report."""
     try:
         return ast.parse(file.read_bytes(), str(file))
     except (OSError, SyntaxError, ValueError, RecursionError):
@@ -147,7 +147,7 @@ _Kind = TypeVar("_Kind", Grader, Mystery)
 class GraderModule:
     """A grader module. fault: why it cannot be loaded; then graders and mysteries are empty.
 
-    by_declaration: whether the fault is one of a check's declaration, as `rules` find them, all of them.
+    by_declaration: whether the cause is a wrong declaration of a check; `grader_rules` finds all of these.
     """
 
     file: Path
@@ -164,7 +164,7 @@ class GraderModule:
         return next((one for one in self.declared if one.exercise == exercise), None)
 
     def line_of(self, exercise: str, check: str) -> int | None:
-        """Where the check is declared; where it cannot be told, where its grader is."""
+        """The line of the check's declaration or, if that is not known, of its grader."""
         declared = self.declaration(exercise)
         return declared.line_of(check) if declared else None
 
@@ -173,7 +173,7 @@ LOAD_TIME = 20.0
 
 
 class Endless(BaseException):
-    """No `except Exception` of a grader module takes it."""
+    """Not an Exception, so no `except Exception` in a grader module catches it."""
 
 
 def read_graders(file: Path) -> GraderModule:
@@ -182,7 +182,7 @@ def read_graders(file: Path) -> GraderModule:
     try:
         with _bounded(LOAD_TIME):
             module = load_module(file)
-    except (Exception, SystemExit, Endless) as error:  # noqa: BLE001 - a module of the author: it may raise anything
+    except (Exception, SystemExit, Endless) as error:  # noqa: BLE001 - an author's module may raise anything
         fault, by_declaration = _fault(file, error), _is_of_declaration(error)
         return GraderModule(file, declared, fault=fault, by_declaration=by_declaration)
     return GraderModule(file, declared, _in(module, Grader), _in(module, Mystery))

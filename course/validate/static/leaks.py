@@ -1,7 +1,7 @@
-"""Whether what a learner is given holds what they are to find: solutions and right answers.
+"""Whether something that learners get contains what they should find out: solutions and right answers.
 
-Looked at are the texts, hints and mysteries, and a course home that is really made, with all starters laid
-into it. A last hint may be nearly the answer.
+It examines the texts, hints and mysteries, and a real course home with all starters copied into it. A last
+hint may be nearly the answer.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from course.validate import Finding
 from course.validate.static.markdown_parts import contents
 from course.validate.static.subject import Prose, Subject, files_in, text_of
 
-# Shorter files are the same for everybody: an import and a name.
+# Shorter files, such as an import and a name, are the same for everybody.
 _FEWEST_LINES = 4
 _OURS = (layout.LESSON, layout.MISTAKES, layout.ALTERNATIVE)
 
@@ -55,7 +55,7 @@ def _given(subject: Subject) -> Iterator[tuple[str, str]]:
 
 
 def _plain(text: str) -> str:
-    """Without spaces at line ends, empty lines, and comments."""
+    """The text without trailing spaces, empty lines, and comments."""
     lines = (line.rstrip() for line in text.splitlines())
     return "\n".join(line for line in lines if line.strip() and not line.lstrip().startswith("#"))
 
@@ -83,13 +83,13 @@ def _nothing_to_do(exercise: Exercise) -> Iterator[Finding]:
 
 
 def _is_same(one: Path, other: Path) -> bool:
-    """Compare permissions, too: an exercise may be to make a file executable."""
+    """Compares permissions, too, because the task may be to make a file executable."""
     text = text_of(one)
     return text is not None and text == text_of(other) and one.stat().st_mode == other.stat().st_mode
 
 
 def _in_starter(exercise: Exercise, subject: Subject, wanted: Wanted) -> Iterator[Finding]:
-    """An exercise may start with what earlier ones made of its package."""
+    """Solutions in starters. But a starter may contain what earlier exercises added to its package."""
     order = list(subject.exercises)
     earlier = order[: order.index(exercise.id)]
     for name in starter_files(exercise):
@@ -126,7 +126,7 @@ def _answers_in_starter(exercise: Exercise, subject: Subject) -> Iterator[Findin
 
 
 def _is_right(question: Question, given: str) -> bool:
-    """As far as that is known without drawing a mystery."""
+    """Whether the answer is right, as far as that is known without drawing a mystery."""
     if question.form == "number":
         return not question.computed and given == f"{question.value:g}"
     right = [choice.name for choice in question.choices if choice.right] + list(question.texts)
@@ -134,7 +134,7 @@ def _is_right(question: Question, given: str) -> bool:
 
 
 def _in_home(subject: Subject) -> Iterator[Finding]:
-    """The files of a new home after each exercise was begun, with the same calls as in the commands."""
+    """Findings in a new home in which each exercise was begun, with the same calls as in the commands."""
     with tempfile.TemporaryDirectory() as folder:
         home = create_home(Path(folder) / "home")
         for exercise in subject.exercises.values():

@@ -1,4 +1,4 @@
-"""What a Markdown text holds that can be wrong: links, headings, code, and the commands in it."""
+"""The parts of a Markdown text that can be wrong: links, headings, code, and the commands in it."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from markdown_it.token import Token
 
 @dataclass(frozen=True)
 class Code:
-    """A block of code, or a bit of code in a sentence. line: of its first line, from 1.
+    """A code block, or code in a sentence. line: the number of its first line, from 1.
 
-    language: as the block says it, "" where it says nothing, None for code in a sentence.
+    language: as given for the block, "" if it is not given, None for code in a sentence.
     """
 
     text: str
@@ -72,7 +72,7 @@ def _anchors(tokens: list[Token]) -> Iterator[str]:
 
 
 def _inline(tokens: list[Token]) -> Iterator[tuple[Token, int]]:
-    """The parts of sentences with their lines, from 1."""
+    """The inline tokens of the text, with their lines, from 1."""
     start = 0
     for token in tokens:
         start = token.map[0] if token.map else start
@@ -82,7 +82,7 @@ def _inline(tokens: list[Token]) -> Iterator[tuple[Token, int]]:
             line += child.type in ("softbreak", "hardbreak")
 
 
-# Stands for `<name>`: a word, as far as the shell and the command can tell.
+# Replaces `<name>`, so that the shell and the command see a word.
 PLACEHOLDER = "placeholder"
 # Stands for any number of words.
 ANYTHING = "..."
@@ -98,8 +98,8 @@ _OPERATOR = frozenset("|&;()<>")
 class ShellCommand:
     """A command with its words. line: counted from 1 in the text.
 
-    mentioned: it is named rather than typed, so its arguments may be missing; only_name: it is in a
-    drawing or in printed text, where nothing but its first words can be told.
+    mentioned: it is in a sentence, so its arguments may be missing. only_name: it is in a drawing or in
+    printed text, where only its first words are certain.
     """
 
     words: tuple[str, ...]
@@ -150,7 +150,7 @@ def _whole_lines(code: Code) -> Iterator[tuple[int, str]]:
     start = 0
     while start < len(lines):
         if prompts and not lines[start].lstrip().startswith("$ "):
-            start += 1  # what was printed
+            start += 1  # output
             continue
         end = start + 1
         while end < len(lines) and lines[end - 1].endswith("\\"):
@@ -199,7 +199,7 @@ def _simple_commands(words: list[str]) -> Iterator[tuple[str, ...]]:
 
 
 def _without_prefix(words: tuple[str, ...]) -> tuple[str, ...]:
-    """Without settings of variables, a prompt, or `time` before the command."""
+    """The command without variable assignments, a prompt, or words such as `time` before it."""
     for index, word in enumerate(words):
         if word not in (*_BEFORE, "$") and not re.match(r"[A-Za-z_]\w*=", word):
             return words[index:]
@@ -207,7 +207,7 @@ def _without_prefix(words: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _drawn(code: Code, program: str) -> Iterator[ShellCommand]:
-    """The words up to the first gap. What follows is part of the drawing."""
+    """Commands in a drawing: the words up to the first gap. What follows is part of the drawing."""
     for number, text in enumerate(code.text.splitlines()):
         for match in re.finditer(rf"(?<![\w./-]){re.escape(program)}((?: [\w-]+)*)(?![\w./-])", text):
             words = (program, *match[1].split())

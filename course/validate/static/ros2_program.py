@@ -1,8 +1,7 @@
-"""Run as a program: says which lines the `ros2` command would refuse to understand. Runs none of them.
+"""Run as a program: says which commands `ros2` would reject as invalid. Runs none of them.
 
-Reads [[words, mentioned, only_name], ...] from its input and prints a list with a complaint or null for
-each. The parsers are the command's own, found through PYTHONPATH. Imports nothing of the course: what it
-finds there must be nothing but the parsers' side of things.
+Reads [[words, mentioned, only_name], ...] from its input, and prints a list with a complaint or null for
+each. It uses the parsers of `ros2` itself, found through PYTHONPATH, and imports nothing from the course.
 """
 
 from __future__ import annotations
@@ -16,17 +15,17 @@ import sys
 from typing import Any
 
 ANYTHING = "..."
-# A word that will do for a name as for a number.
+# A word that is valid as a name and as a number.
 _FILLER = "1"
-# As many arguments as any verb wants.
+# A `...` is replaced by fewer words than this, which is enough for any verb.
 _MOST = 4
-# Words of a command's name: `topic echo`.
+# The number of words in a command's name: `topic echo`.
 _NAME = 2
 
 
 def main() -> None:
     asked = json.load(sys.stdin)
-    # One parser for all: its parts are filled once.
+    # One parser for all: it fills its parts only once.
     parser = importlib.import_module("ros2cli.parser").ros2_parser()
     json.dump([_complaint(parser, *one) for one in asked], sys.stdout)
 
@@ -45,7 +44,7 @@ def _complaint(parser: Any, words: list[str], mentioned: bool, only_name: bool) 
 
 
 def _variants(words: list[str], mentioned: bool) -> Any:
-    """Replace each `...` by words. A command that is only mentioned may lack arguments."""
+    """The command with words in place of each `...`. One that is only mentioned may lack arguments."""
     if mentioned:
         words = [*words[:_NAME], ANYTHING, *words[_NAME:], ANYTHING]
     gaps = words.count(ANYTHING)

@@ -1,4 +1,4 @@
-"""All rules, one after the other."""
+"""Applies all rules."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from course.validate.static.subject import Subject, choices, prose
 def findings(
     course: Course, exercises: Sequence[Exercise], own_command: Complaint | None = None
 ) -> list[Finding]:
-    """All that is wrong with the course as it is written, by file and line.
+    """Everything that is wrong with the course's files, by file and line.
 
-    exercises: with all that can be read, the whole course is told of, broken chapters included; with some,
-    only what is about them or their chapters. own_command: what is wrong with the words after
-    `ros2course`, or None; without it the texts' own commands are looked at no further than their exercises.
+    exercises: with all that can be read, findings are about the whole course, including broken chapters;
+    with some, only about these or their chapters. own_command: returns what is wrong with the words after
+    `ros2course`, or None. If it is not given, only the exercises in our own commands are checked.
     Grader modules are loaded. Nothing is graded, and no program of the course is run. Raises StorageError
     for folders that cannot be read.
     """
@@ -69,7 +69,7 @@ def _of_content(problem: ContentError) -> Finding:
 
 
 def _is_about(finding: Finding, wanted: set[str], exercises: Sequence[Exercise]) -> bool:
-    """About one of these exercises, or about their chapters' files in general."""
+    """Whether it is about one of these exercises, or about their chapters' files in general."""
     if finding.exercise is not None:
         return finding.exercise in wanted
     return any(_is_of(finding.file, exercise.folder) for exercise in exercises)

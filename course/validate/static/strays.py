@@ -25,7 +25,7 @@ _README = "README.md"
 _STEP = "delete it, or name it where it is used"
 # "The package `lamp` is there", "`lamp/node.py` is already there"
 _THERE = re.compile(r"`(?:[^`]*/)?([^`/]+)/?` (?:is|are) (?:already )?there\b")
-_SENTENCE = 40  # letters; shorter lines may be anybody's
+_SENTENCE = 40  # letters; shorter lines may be the same by chance
 _OF_CHAPTER = {layout.LESSON, layout.LESSON_TEXT, layout.MISTAKES, _README}
 
 
@@ -52,7 +52,7 @@ def _beside_chapters(subject: Subject) -> Iterator[Path]:
 
 
 def _of_chapters(subject: Subject) -> Iterator[Path]:
-    """Except for texts, starters, and mysteries, which `course.content.problems` checks."""
+    """Files in chapters, except texts, starters, and mysteries, which `course.content.problems` checks."""
     for chapter in filter(subject.is_read, subject.chapters):
         questions = (one for exercise in subject.exercises_of(chapter) for one in exercise.questions)
         programs = {question.program for question in questions}
@@ -79,7 +79,7 @@ def _solutions(subject: Subject) -> Iterator[Finding]:
 
 
 def _graders(subject: Subject) -> Iterator[Finding]:
-    """The chapters' modules, and the modules and programs that they use."""
+    """Files in the graders' folder that are neither a chapter's module nor used by another one."""
     folder = subject.course.root / "graders"
     known = {layout.grader_file(chapter) for chapter in subject.chapters}
     files = tuple(files_in(folder)) if folder.is_dir() else ()
@@ -104,7 +104,7 @@ def _starter(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
 
 
 def _promised(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
-    """Files that the text mentions, but that neither the starter nor an earlier exercise provides."""
+    """Files that exist according to the text, but neither the starter nor an earlier exercise provides."""
     before = takewhile(lambda one: one is not exercise, subject.exercises.values())
     brought = (file for one in before for file in (*one.files, *starter_files(one)))
     there = {part for file in (*starter_files(exercise), *brought) for part in PurePosixPath(file).parts}
@@ -164,13 +164,13 @@ def link_findings(texts: Sequence[Prose]) -> Iterator[Finding]:
 
 
 def linked_files(texts: Sequence[Prose]) -> frozenset[Path]:
-    """The files that links lead to."""
+    """The files to which links lead."""
     found = (_link_place(text, link) for text in texts for link in contents(text.text).links)
     return frozenset(file for file, _anchor in filter(None, found))
 
 
 def _link_place(text: Prose, link: Link) -> tuple[Path, str] | None:
-    """File and anchor; None for a web address or an unreadable one."""
+    """File and anchor; None for a web address or an invalid one."""
     try:
         parts = urlsplit(link.target)
     except ValueError:

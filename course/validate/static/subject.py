@@ -1,6 +1,6 @@
-"""A course as the rules look at it: each of its files and texts read once, what cannot be read left out.
+"""A course for the rules: each file and text is read once, and what cannot be read is left out.
 
-What is left out is told by `course.content.problems`, so no rule has to tell it again.
+`course.content.problems` reports what is left out, so no rule needs to report it again.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Subject:
         return tuple(one for one in self.exercises.values() if one.folder == chapter)
 
     def is_read(self, chapter: Path) -> bool:
-        """Whether its exercises are known. If not, a finding says why, and anything may belong to them."""
+        """Whether its exercises are known. If not, a finding says why, and any file may belong to them."""
         data = self.lessons[chapter].value
         return data is not None and len(data["exercises"]) == len(self.exercises_of(chapter))
 
@@ -58,33 +58,33 @@ class Subject:
 
     @cached_property
     def graders(self) -> Mapping[Path, GraderModule]:
-        """By chapter, of those that have a grader module."""
+        """Grader modules by chapter, for chapters that have one."""
         files = {chapter: layout.grader_file(chapter) for chapter in self.chapters}
         return {chapter: read_graders(file) for chapter, file in files.items() if file.is_file()}
 
 
 def files_in(folder: Path) -> Iterator[Path]:
-    """All files below a folder, but what tools leave behind."""
+    """All files below a folder, except those that tools leave behind."""
     for path in sorted(folder.rglob("*")):
         if not path.is_dir() and not _NOT_OURS & set(path.parts) and path.suffix != ".pyc":
             yield path
 
 
 def text_of(file: Path) -> str | None:
-    """A file's text; None for one that has none, or cannot be read."""
+    """A file's text; None if it is not text or cannot be read."""
     try:
         return file.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError):
         return None
 
 
-# `hints: |` and the like: the text begins in the next line.
+# After `hints: |` and the like, the text begins in the next line.
 _BLOCK = re.compile(r"[|>][-+\d]*\s*$")
 
 
 @dataclass(frozen=True)
 class Prose:
-    """A Markdown text. line: of the file in which it begins. hint: its number, counted from the last (-1)."""
+    """A Markdown text. line: where it begins in the file. hint: its number, counted from the last (-1)."""
 
     file: Path
     line: int
@@ -93,12 +93,12 @@ class Prose:
     hint: int | None = None
 
     def at(self, line: int) -> int:
-        """The file's line of a line of the text."""
+        """The line in the file for a line of the text."""
         return self.line + line - 1
 
 
 def prose(subject: Subject) -> Iterator[Prose]:
-    """Not the choices and known wrong answers of a question: what they show may be wrong on purpose."""
+    """All texts except choices and known wrong answers, which may be wrong on purpose."""
     for chapter in subject.chapters:
         for name in (layout.LESSON_TEXT, "README.md"):
             yield from _file(chapter / name)
@@ -119,7 +119,7 @@ def _file(file: Path, exercise: str | None = None) -> Iterator[Prose]:
         yield Prose(file, 1, text, exercise)
 
 
-# The texts of an exercise's data at a place, with the number of the hint where it is one.
+# Yields the texts in an exercise's data with their places, and for a hint its number.
 _Texts: TypeAlias = Callable[[dict[str, Any], Place], Iterator[tuple[Place, str, Any]]]
 
 

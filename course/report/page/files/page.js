@@ -36,7 +36,7 @@
     return element;
   }
 
-  // What stands in `backquotes` is code.
+  // Text in `backquotes` is code.
   function prose(text) {
     const parts = text.split("`");
     if (parts.length % 2 === 0) return [text];
@@ -206,7 +206,7 @@
 
   let shown = null;
 
-  // `#person-ada` leads to ada in every page of the class, whoever is before her.
+  // `#person-ada` leads to ada on every page of the class, wherever she is in the list.
   function placeOf(hash) {
     const named = /^#person-(.+)$/.exec(hash);
     if (!named) return null;
@@ -253,7 +253,7 @@
     document.querySelector("#marks thead").replaceChildren(row);
   }
 
-  // First one way, then the other, then as the class came.
+  // First in one direction, then in the other, then in the order of the class.
   function sort(at) {
     if (sorted.by !== at) Object.assign(sorted, { by: at, down: at > 1 });
     else if (sorted.down === at > 1) sorted.down = !sorted.down;
@@ -308,7 +308,7 @@
     return sorted.by === null ? kept : kept.sort(compare);
   }
 
-  // The first rows at once, the others when there is time: a large class is there at once, too.
+  // The first rows at once, the others when there is time, so that a large class appears at once, too.
   function draw() {
     const rows = chosen();
     const body = document.querySelector("#marks tbody");
@@ -364,7 +364,7 @@
     heads();
     choices();
     draw();
-    // Made by our own templates, which escape every text; nothing in it runs under the page's policy.
+    // Our own templates made this, and they escape every text. The page's policy lets nothing in it run.
     for (const [id, source] of Object.entries(news.parts)) {
       byId(id).replaceChildren(...new DOMParser().parseFromString(source, "text/html").body.childNodes);
     }
