@@ -59,7 +59,7 @@ class Arena(HomePrograms):
     packages: what was built. environment: for the learner's programs. python: the interpreter that runs
     Python nodes. folder: a scratch folder; its `home` is their HOME. plain: the environment for programs
     that need no ROS. learners_home: the course home itself. ours, place, another: see `HomePrograms`.
-    lateness: measures delays of this machine; None where no check needs that.
+    lateness: measures delays caused by this machine; None if no check needs that.
     """
 
     def __init__(
@@ -105,7 +105,7 @@ class Arena(HomePrograms):
         """
         name = name or executable
         built = self._packages.get(package)
-        if built is None:  # if one of the exercise's own is not built, no scenario runs
+        if built is None:  # not because its build failed: then no scenario runs
             what = f"the scenario runs `{package}`, which is not among the exercise's packages"
             raise OurFault(what + did_you_mean(package, (one.name for one in self._packages.built)))
         if executable not in built.executables:
@@ -150,7 +150,7 @@ class Arena(HomePrograms):
         """Wait until `condition()` is true and return True; False after `timeout` s or when the program ends.
 
         condition: must be quick, and depend only on what the arena has seen so far. name: if the condition
-        never becomes true, this mark in the recording tells the checks.
+        never becomes true, the recording gets the mark `gave up: NAME`, for the checks.
         """
 
         def settled() -> bool:
@@ -238,7 +238,7 @@ class Arena(HomePrograms):
         began = time.monotonic()
         for number in range(count):
             due = began + number * period
-            time.sleep(max(0.0, due - time.monotonic()))  # noqa: TID251 - it is time itself that is kept
+            time.sleep(max(0.0, due - time.monotonic()))  # noqa: TID251 - keeping time is its job
             yield number
 
     def lateness(self) -> contextlib.AbstractContextManager[None]:

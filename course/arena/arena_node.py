@@ -46,7 +46,7 @@ class ArenaNode:
         return self._recorder.client(service, type_name, name)
 
     def serve(self, service: str, type_name: str, answer: Answer) -> Server:
-        """Offer a service; `answer` gets each request and returns the response's fields, or None for none."""
+        """Offer a service; `answer` gets each request and returns response fields, or None to not answer."""
         return self._recorder.serve(service, type_name, answer)
 
     def parameters(self, node: str) -> Parameters:

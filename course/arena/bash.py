@@ -2,8 +2,8 @@
 
 After each command, bash shows a prompt of ours, with the command's exit code and a random word that no
 output contains by chance. PROMPT_COMMAND sets it again before each prompt, after `.bashrc` was read, so the
-learner's PS1 does not interfere. If these are write-protected, or the prompt does not reach the terminal,
-each command is typed between two words of ours.
+learner's PS1 does not interfere. If these variables are read-only, or the prompt does not reach the
+terminal, each command is typed between two commands that print the same word.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ unset PROMPT_COMMAND
 PROMPT_COMMAND='PS1="[\\160{word} $?]
 " PS0= PS2='
 """
-# The same words as we type them. The p is octal 160 until bash prints it. So neither `set -x` nor an echo
+# What is typed around a command in that case. The p is written as octal 160, so neither `set -x` nor an echo
 # of the input looks like the prompt itself.
 _TYPED = (
     'builtin printf "[\\160{word} start]\\n"; eval {command}; '
@@ -96,7 +96,7 @@ class Shell:
         return ran
 
     def close(self) -> None:
-        """End the shell, as the end of `with arena.shell()` does, too."""
+        """End the shell. Leaving `with arena.shell()` ends it, too."""
         self._process.close()
 
     def _hear(self, line: str) -> str | None:
@@ -110,7 +110,7 @@ class Shell:
             return None
         if found[1]:
             self._lines.append(found[1])
-        # A `.bashrc` that waits for input reads what we type and continues to the other prompt.
+        # A `.bashrc` that waited for input has read what we typed, and now bash shows its ordinary prompt.
         if self._typing and not found[3]:
             return found[1] or None
         self._code = int(found[2])

@@ -1,4 +1,4 @@
-"""Command lines: of ROS programs, with their `--ros-args`, and of the linter for Python files."""
+"""Command lines for ROS programs, with their `--ros-args`, and for the linter of Python files."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _LONG_PATH = re.compile(rb"#!/bin/sh\n'''exec' [^\n]*python[\d.]*\"? ")
 Scalar = bool | int | float | str
 ParameterValue = Scalar | list[bool] | list[int] | list[float] | list[str]
 LINT_TIME = 10.0
-# No settings or comments of the learner's silence a rule.
+# With these, the learner's settings and comments cannot silence a rule.
 _OPTIONS = ("--isolated", "--no-cache", "--ignore-noqa", "--output-format", "concise")
 # Runs alongside the learner's programs, confined as they are.
 _RENAMED = """
@@ -90,7 +90,7 @@ def _scalar(value: Scalar) -> str:
 
 
 def lint_command(folder: str, rules: tuple[str, ...], renamed: Mapping[str, str]) -> tuple[str, ...]:
-    """Checks Python files by rules of ruff. renamed: files that have a temporary name meanwhile."""
+    """Return the command that applies these rules of ruff. renamed: temporary names, by the files' own."""
     python = (sys.executable, "-I")
     ruff = (*python, "-m", "ruff", "check", *_OPTIONS, "--select", ",".join(rules), folder)
     return (*python, "-c", _RENAMED, json.dumps(renamed), *ruff)
@@ -99,8 +99,8 @@ def lint_command(folder: str, rules: tuple[str, ...], renamed: Mapping[str, str]
 def public_names(files: Iterable[str]) -> dict[str, str]:
     """`words.py` for `_words.py`, unless that exists already.
 
-    A linter treats everything in a file with an underscore as private, so it needs no docstrings or type
-    hints. But the package exports it.
+    A linter treats everything in `_words.py` as private, so it asks for no docstrings or type hints there.
+    But the package exports these names.
     """
     every, found = set(files), dict[str, str]()
     for file in sorted(every):

@@ -53,8 +53,8 @@ class CppPrograms:
 
         sources: files or patterns (`project/*.cpp`) in the home. without: a file that a pattern matches, to
         leave out. ours: a file of the course to compile with them; it can include `ask.hpp`, and headers by
-        their path in the home. heap: the program answers "never freed" with the number of blocks, and size
-        and line of some. options: for the compiler, after the files. sanitized: with the address and
+        their path in the home. heap: the program answers "never freed" with the number of blocks, and the
+        size and line of some. options: for the compiler, after the files. sanitized: with the address and
         undefined-behavior sanitizers; the `Grader` then needs `sanitizers=True`.
         """
         files = self._files(name, sources, without)
@@ -140,7 +140,7 @@ class CppPrograms:
     def ask_sourced(self, program: Path | None, package: str, *, name: str) -> None:
         """Like `ask`, in a shell that knows the learner's package only through the package's own setup file.
 
-        colcon adds folders by itself; without colcon, nothing else would add them.
+        colcon's own setup files add library folders by themselves, hiding that a package does not.
         """
         if program is None:
             return
@@ -161,7 +161,7 @@ class CppPrograms:
         for source in sources:
             self._home._inside(source)
             matching = self._home.files.matching(source)
-            if not matching:  # else the linker says what is missing
+            if not matching:  # otherwise, only the linker would complain
                 self._home.timeline.add(ProgramMissing(self._home.timeline.now(), compiling(name), source))
                 return None
             # The compiler must not take a learner's file name for an option.

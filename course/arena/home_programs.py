@@ -171,7 +171,7 @@ class HomePrograms:
     def execute(
         self, file: str, *args: str, name: str | None = None, env: Mapping[str, str] | None = None
     ) -> Process | None:
-        """Start `./file args...` in the file's folder, by its mode and first line. Otherwise as `python`."""
+        """Start `./file args...` in the file's folder, by its mode and first line; else like `python`."""
         return self._start_file(file, (f"./{Path(file).name}", *args), name, None, env)
 
     def probe(

@@ -17,7 +17,7 @@ import time
 
 LOOKS = 0.005
 NOTED = 0.002
-# CPUs. A program that keeps more of them busy makes others wait, and itself, too.
+# CPUs. A program that keeps more of them busy makes others wait, and also itself.
 OWN_DOING = 0.5
 # A fraction of the time. A thread that waits this long is ten times slower than it should be. One that mostly
 # sleeps still runs at once, so its samples do not show it.
@@ -72,11 +72,11 @@ def _of_groups(groups: list[str]) -> float:
     for group in groups:
         for name, key, unit in (("cpuacct.usage", b"", 1e9), ("cpu.stat", b"usage_usec ", 1e6)):
             try:
-                with open(f"{group}/{name}", "rb") as file:  # noqa: PTH123 - pathlib takes long to import
+                with open(f"{group}/{name}", "rb") as file:  # noqa: PTH123 - pathlib is slow to import
                     lines = [line for line in file.read().splitlines() if line.startswith(key)]
                 seconds += int(lines[0][len(key) :]) / unit
             except (OSError, IndexError, ValueError):
-                pass  # of another cgroup version or resource
+                pass  # it belongs to another cgroup version or resource
     return seconds
 
 

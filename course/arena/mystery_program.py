@@ -2,7 +2,7 @@
 
 It reads the job from standard input as one line of JSON, see `MysteryJob`, and prints `ready` when every
 node is up. It ends within moments of SIGINT or SIGTERM, and also when its standard input closes, because
-then the process that started it is gone for whatever reason.
+the process that started it is then gone, for whatever reason.
 """
 
 from __future__ import annotations

@@ -79,7 +79,7 @@ def collect_answers(
 def _read(descriptor: int, start_time: float, timeout: float) -> bytes:
     """Read until all holders of the pipe have closed it, the time is up, or there is too much.
 
-    The learner's time starts when Python has started, which takes long on a busy machine.
+    The learner's time starts when Python has started, which takes a while on a busy machine.
     """
     data, deadline = b"", time.monotonic() + start_time
     while len(data) < MAX_ANSWERS:
@@ -99,7 +99,7 @@ def _is_answer(line: str) -> bool:
     """The learner's code runs in the same process and may also write to the pipe."""
     try:
         data = json.loads(line)
-        json.dumps(data, ensure_ascii=False).encode()  # fails for a lone half of a character
+        json.dumps(data, ensure_ascii=False).encode()  # fails for a lone surrogate
     except (ValueError, RecursionError):
         return False
     if not isinstance(data, dict) or "question" not in data:

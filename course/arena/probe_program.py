@@ -47,7 +47,7 @@ class Probe:
 
     def report(self, data: Any) -> None:
         line = json.dumps(data, ensure_ascii=False) + "\n"
-        rest = line.encode(errors="replace")  # replaces lone halves of characters
+        rest = line.encode(errors="replace")  # replaces lone surrogates
         while rest:
             rest = rest[os.write(self._descriptor, rest) :]
 

@@ -107,7 +107,7 @@ class Process:
         return self._has_ended() and self.wait(_END_TIME) and self._status < 0 and not self._signalled
 
     def foreground(self) -> int | None:
-        """Return the process group in the foreground of its terminal; None if there is none any more."""
+        """Return the process group in the foreground of its terminal; None if there is none left."""
         try:
             return os.tcgetpgrp(self._terminal)
         except OSError:
@@ -176,7 +176,7 @@ class Process:
         """Read once; True as soon as the program has ended or its terminal is closed."""
         ready, _, _ = select.select([self._terminal, watch], [], [])
         if self._terminal in ready and not self._read_once():
-            select.select([watch], [], [])  # nobody holds the terminal any more; the end is near
+            select.select([watch], [], [])  # nobody has the terminal open anymore; the end is near
             return True
         return watch in ready
 

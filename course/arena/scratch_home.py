@@ -34,7 +34,7 @@ HOME = "home"
 class ScratchHome:
     """Reads the home in the folder `scratch` while hostile programs may be writing to it.
 
-    They can replace anything by a link, a pipe or another folder at any moment. So each step of a path is
+    They can replace anything with a link, a pipe or another folder at any moment. So each step of a path is
     opened separately, and links are never followed. All paths are relative to the home.
     """
 
@@ -145,13 +145,13 @@ def lay_home(
     for path, text in files.items():
         (target / path).parent.mkdir(parents=True, exist_ok=True)
         (target / path).write_text(text, encoding="utf-8")
-    for entry in reversed(folders):  # a folder that may not be written, only after it has been filled
+    for entry in reversed(folders):  # after filling them, because some are read-only
         with contextlib.suppress(OSError):
             (target / entry.path).chmod(entry.mode | 0o700)
 
 
 def _makes_way(entry: HomeEntry, files: Mapping[str, str]) -> bool:
-    """Whether this entry must give way to one of the files, which goes in its place, above or inside it."""
+    """Whether this entry must give way to one of the files, at the same path, above it, or inside it."""
     path = PurePosixPath(entry.path)
     return any(
         path.is_relative_to(file) or (entry.kind != "folder" and PurePosixPath(file).is_relative_to(path))
@@ -171,7 +171,7 @@ class Place:
     require_ours: Callable[[], None] = lambda: None
 
 
-# An unused place. Its home is as it was at the beginning, except for these texts by path.
+# Opens an unused place. Its home is as it was at the beginning, except for these texts by path.
 OpenPlace = Callable[[Mapping[str, str]], contextlib.AbstractContextManager[Place]]
 
 

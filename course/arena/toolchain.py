@@ -78,7 +78,7 @@ def no_sanitizers() -> MissingHere:
 
 
 def compiling(environment: Mapping[str, str]) -> dict[str, str]:
-    """The environment for messages in English, plain ASCII and one color, without the user's settings."""
+    """The environment for messages in English, in plain ASCII and without colors or the user's settings."""
     kept = {name: value for name, value in environment.items() if not name.startswith(("LC_", "LANG"))}
     return {**kept, "LC_ALL": "C", "GCC_COLORS": ""}
 

@@ -1,1 +1,1 @@
-"""Makes courses, chapters and exercises to start from: small, complete, and right as they are."""
+"""Makes courses, chapters and exercises to start from: small, complete, and correct as they are."""

@@ -1,6 +1,6 @@
-"""What graders can use of the engine, read from its source: signatures and docstrings of `course.api`.
+"""What graders can use in the engine, read from its source: signatures and docstrings of `course.api`.
 
-Nothing is imported: some of it needs ROS, and a reference does not.
+Nothing is imported, because some of it needs ROS, and a reference must not.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from course.spelling import did_you_mean
 _ROOT = Path(__file__).parents[1]
 _API = "course.api"
 _ARENA = "course.arena.arena"
-# What graders are handed, and what they call it.
+# The classes of objects that graders are given, and the names that graders use for these.
 _SPOKEN = {"Arena": "arena", "ArenaNode": "arena.ros", "CppPrograms": "arena.cpp", "Recording": "recording"}
 _PARTS = ("ArenaNode", "CppPrograms")
 _TITLES = (
@@ -42,7 +42,7 @@ Definition = ast.ClassDef | ast.FunctionDef
 class Entry:
     """One name. name: as graders write it. signature: what it takes and returns. text: its docstring.
 
-    members: of a class, without what is private. gives: names of the classes that it returns.
+    members: the public ones of a class. gives: names of the classes that it returns.
     """
 
     name: str
@@ -53,7 +53,7 @@ class Entry:
 
     @property
     def line(self) -> str:
-        """The name and the first paragraph of its text; of a field without one, its type."""
+        """The name and the first paragraph of its text; without a text, its signature."""
         text = " ".join(self.text.partition("\n\n")[0].split())
         return f"{self.name}: {text}" if text else self.signature
 
@@ -70,7 +70,7 @@ class _Source:
 
     @cached_property
     def imports(self) -> dict[str, tuple[str, str]]:
-        """By the name here: the module that it is from, and its name there."""
+        """The imported names: for each, the module that it comes from, and its name there."""
         found = (node for node in ast.walk(self.tree) if isinstance(node, ast.ImportFrom))
         return {
             alias.asname or alias.name: (node.module or "", alias.name)
@@ -87,7 +87,7 @@ class _Source:
 
     @cached_property
     def values(self) -> dict[str, ast.expr]:
-        """What follows `NAME = ...`."""
+        """The values in `NAME = VALUE`, by name."""
         assigned = (node for node in self.tree.body if isinstance(node, ast.Assign))
         return {node.targets[0].id: node.value for node in assigned if isinstance(node.targets[0], ast.Name)}
 
@@ -102,7 +102,7 @@ def _file(module: str) -> Path:
 
 
 class Reference:
-    """All of it. sections: by the title, what is in it, in the order of the page."""
+    """The whole reference. sections: entries by title, in the order of the page."""
 
     def __init__(self) -> None:
         self._sources: dict[str, _Source] = {}
@@ -215,7 +215,7 @@ class Reference:
 
     def _argument(self, source: _Source, one: ast.arg, default: ast.expr | None) -> str:
         kind, _ = self._annotation(source, one.annotation, returned=False)
-        if isinstance(default, ast.Name):  # a constant of that module: its value is of more use
+        if isinstance(default, ast.Name):  # of a constant, the value is more useful
             constant = self._find(source.name, default.id)[1] if default.id in source.known else None
             default = constant if isinstance(constant, ast.Constant) else default
         value = "" if default is None else f" = {ast.unparse(default)}"
@@ -224,7 +224,7 @@ class Reference:
     def _annotation(
         self, source: _Source, node: ast.expr | None, *, returned: bool = True
     ) -> tuple[str, tuple[str, ...]]:
-        """A type as text, with the alternatives of aliases written out, and our classes in it."""
+        """A type as text, with aliases written out, and the names of our classes in it."""
         if node is None:
             return "Any", ()
         gives = []
@@ -247,9 +247,9 @@ class Reference:
                 yield from entry.members
 
     def named(self, name: str) -> tuple[Entry, ...]:
-        """What is called so: in full (`recording.topic`), or by the last part alone (`topic`).
+        """The entries with this name, in full (`recording.topic`) or only its last part (`topic`).
 
-        Raises UsageError where nothing is.
+        Raises UsageError if there are none.
         """
         every = tuple(self.entries())
         plain = name.removesuffix("()")
@@ -263,7 +263,7 @@ class Reference:
 
 
 class _Written(ast.NodeTransformer):
-    """Writes what an alias stands for in its place."""
+    """Replaces an alias with what it stands for."""
 
     def __init__(self, name: str, value: ast.expr) -> None:
         self._name, self._value = name, value
@@ -289,7 +289,7 @@ def as_page(reference: Reference) -> str:
 
 
 def as_markdown(entry: Entry) -> str:
-    """One entry: a class with what it has, or a function with all of its text."""
+    """One entry: a class with its members, or a function with its whole text."""
     signature = "" if entry.members else f"```python\n{entry.signature}\n```\n\n"
     members = "".join(f"\n- `{one.signature}`{_told(one)}\n" for one in entry.members)
     return f"{signature}{entry.text}\n{members}"

@@ -1,4 +1,4 @@
-"""Adds to files of an author's, which keep every letter that was in them."""
+"""Adds to an author's files without changing anything that is already in them."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ _WIDTH = 110
 
 
 def with_item(file: Path, text: str, key: str, item: str) -> str:
-    """`text`, the YAML of `file`, with `item` (`- ...`) as the last of the list `key`.
+    """Return `text`, the YAML of `file`, with `item` (`- ...`) at the end of the list `key`.
 
-    Raises ContentError where that cannot be done with certainty.
+    Raises ContentError if that cannot be done with certainty.
     """
     old = _loaded(file, text)
     new = _inserted(text, key, item)
@@ -61,7 +61,7 @@ def _inserted(text: str, key: str, item: str) -> str | None:
 
 
 def _node(text: str, key: str) -> yaml.Node | None:
-    # Not the loader in C, whose marks count bytes.
+    # Not the C loader, whose marks count bytes.
     root = yaml.compose(text, Loader=yaml.SafeLoader)
     pairs = root.value if isinstance(root, yaml.MappingNode) else []
     return next((value for name, value in pairs if name.value == key), None)
@@ -73,9 +73,9 @@ def _line(text: str, key: str) -> int | None:
 
 
 def with_code(file: Path, text: str, imports: str, code: str) -> str:
-    """`text`, the Python of `file`, with the names of `imports` that it lacks, and with `code` last.
+    """Return `text`, the Python of `file`, with the names of `imports` that it lacks, and `code` at the end.
 
-    imports: statements `from module import names`. Raises ContentError when `text` is not Python.
+    imports: statements `from module import names`. Raises ContentError if `text` is not Python.
     """
     try:
         tree = ast.parse(text)

@@ -1,4 +1,4 @@
-"""A new course, and a new chapter in one: a lesson that waits for its exercises."""
+"""Makes a new course, or a new chapter in one: a lesson without exercises."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _LONGEST = 40
 
 @dataclass(frozen=True)
 class NewChapter:
-    """`30-power-supply`: its number and title."""
+    """The number and name of a chapter, such as `30-power-supply`."""
 
     number: int
     slug: str
@@ -32,7 +32,7 @@ class NewChapter:
 
 
 def new_course(root: Path) -> Made:
-    """The folders of a course without chapters. Raises UsageError when something is in `root` already."""
+    """Make the folders of a course without chapters. Raises UsageError if `root` is not empty."""
     if root.exists() and not root.is_dir():
         raise UsageError(f"{root} is a file", "give the name of a new folder")
     if root.is_dir() and any(_entries(root)):
@@ -49,12 +49,12 @@ def new_course(root: Path) -> Made:
 
 
 def is_course(root: Path) -> bool:
-    """Whether chapters may be added to it; unlike `require_course`, it need not have one."""
+    """Whether chapters can be added to it. Unlike for `require_course`, it need not have one yet."""
     return (root / "chapters").is_dir()
 
 
 def require_place(root: Path) -> None:
-    """Raises UsageError, with what to do, for a folder that is not a course."""
+    """Raise UsageError, with the next step, if the folder is not a course."""
     if not is_course(root):
         lack = "it has no chapters/" if root.is_dir() else "there is no such folder"
         raise UsageError(f"{root} is not a course: {lack}", f"make one: ros2course new course {root}")
@@ -107,7 +107,7 @@ def titled(slug: str) -> str:
 
 
 def number_and_slug(name: str, number: int | None = None) -> tuple[int | None, str]:
-    """`30-battery` in its two parts; `number` where none is written. Raises UsageError for no such name."""
+    """The two parts of `30-battery`; `number` if none is written. Raises UsageError for any other form."""
     match = re.fullmatch(r"(?:(\d\d)-)?(.*)", name, re.DOTALL)
     written, slug = (match[1], match[2]) if match else (None, name)
     if not _SLUG.fullmatch(slug):

@@ -1,4 +1,4 @@
-"""A new exercise in a chapter: texts, starter, solution, grader and mistakes, which prove one another."""
+"""A new exercise in a chapter: texts, starter, solution, grader and mistakes, which test one another."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class ExerciseKind(str, Enum):
     MYSTERY = "mystery"
 
 
-# Below the package's folder, in the solution and in the starter; of `{side}`, each has its own.
+# The package's files and their templates. `{side}` is `solution` or `starter`.
 _PACKAGE = {
     "package.xml": "exercise/package.xml",
     "setup.py": "exercise/setup.py",
@@ -45,8 +45,8 @@ _LAUNCH_FILE = "        ('share/' + package_name + '/launch', ['launch/{name}_la
 class _Recipe:
     """What a kind consists of, besides its text, its entry in lesson.yaml, its checks and its mistakes.
 
-    package: its files, with their templates; none for a kind without a package. depends: what package.xml
-    names, the one that a mistake takes away last. entries, installs: lines of setup.py. beside: files
+    package: its files, with their templates; none for a kind without a package. depends: for package.xml;
+    one of the mistakes removes the last one. entries, installs: lines of setup.py. beside: other files,
     relative to the course. is_node: whether the mistakes that every node can have apply.
     """
 
@@ -80,10 +80,10 @@ _RECIPES = {
 
 
 def new_exercise(root: Path, place: str, kind: ExerciseKind = ExerciseKind.TOPIC) -> Made:
-    """Add the exercise of `30-power/30-battery`, chapter and name.
+    """Add the exercise `30-battery` to the chapter `30-power`. place: `30-power/30-battery`.
 
-    The chapter may be given by its number; the exercise's own number may be left out.
-    Raises UsageError, ContentError for a file that it cannot be added to, StorageError.
+    The chapter may be given by its number; the exercise's own number may be left out. Raises UsageError,
+    StorageError, and ContentError for a file to which it cannot be added.
     """
     require_place(root)
     chapter_name, slash, wanted = place.partition("/")
@@ -195,7 +195,7 @@ def _read(file: Path) -> str:
 
 
 class ExerciseName(NewChapter):
-    """`30-battery-level`: its id, and what its package, node, topic and Python names are made of."""
+    """`30-battery-level`: its id, and the names of its package, node, topic and Python code."""
 
     @property
     def snake(self) -> str:

@@ -1,4 +1,4 @@
-"""Writes what was planned, all of it or nothing, and never over a file that is there."""
+"""Writes what was planned: everything or nothing, and never over an existing file."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from course.home.storage import storing, write_new
 
 @dataclass(frozen=True)
 class Plan:
-    """new: files to make. changed: files that get more, whole. folders: empty folders to make."""
+    """new: files to make. changed: the whole new texts of existing files. folders: empty folders to make."""
 
     new: Mapping[Path, str]
     changed: Mapping[Path, str] = field(default_factory=dict)
@@ -27,7 +27,7 @@ class Plan:
 
 @dataclass(frozen=True)
 class Made:
-    """What was made is called `name`; the paths lie below `root`."""
+    """What was made: its name, and paths below `root`."""
 
     name: str
     root: Path
@@ -36,7 +36,7 @@ class Made:
 
 
 def carry_out(plan: Plan, root: Path, name: str) -> Made:
-    """Raises UsageError when something is in the way, StorageError when the disk does not take it."""
+    """Write the files. Raises UsageError if a new one exists already, StorageError if the disk refuses."""
     for file in plan.new:
         if os.path.lexists(file):
             raise UsageError(f"{file} is there already, and is left as it is", "choose another name")
@@ -67,7 +67,7 @@ def _undone_on_error() -> Iterator[list[Path]]:
         yield made
     except BaseException:
         for path in reversed(made):
-            with contextlib.suppress(OSError):  # not ours any more, if somebody put something into it
+            with contextlib.suppress(OSError):  # keeps a folder into which somebody put something
                 if path.is_dir():
                     path.rmdir()
                 else:
@@ -79,9 +79,9 @@ Words = Mapping[str, str]
 
 
 def filled(name: str, words: Words) -> str:
-    """The template `templates/NAME.in` with its words; `$$` in it is a plain `$`.
+    """The template `templates/NAME.in` with its words filled in; `$$` in it stands for a plain `$`.
 
-    A word that is missing is our fault and raises KeyError.
+    A missing word is our fault and raises KeyError.
     """
     return Template(template_text(name)).substitute(words)
 
@@ -95,13 +95,13 @@ _PLACES = ("docs/schema", ".schema")
 
 
 def schema_folder(root: Path) -> str:
-    """Relative to the course: the first place that has one, else where they are to be made."""
+    """The folder of schemas, relative to the course: the first place that has them, or else a new one."""
     held = (place for place in _PLACES if (root / place / _schema_name(Kind.LESSON)).is_file())
     return next(held, _PLACES[-1])
 
 
 def missing_schemas(root: Path) -> dict[Path, str]:
-    """Those that the course has not got, with their texts."""
+    """The schemas that the course lacks, with their texts."""
     folder = root / schema_folder(root)
     wanted = {folder / _schema_name(kind): kind for kind in Kind}
     return {file: schema_text(kind) for file, kind in wanted.items() if not file.exists()}

@@ -1,4 +1,4 @@
-"""A folder that submissions arrive in: which of them are complete, and when there is something to do."""
+"""A folder in which submissions arrive: which of them are complete, and when there is something to do."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from course.batch.intake.uploads import entries_of
 from course.errors import UsageError
 from course.home.storage import storing
 
-# Seconds between two looks without a change after which a submission counts as complete.
+# A submission counts as complete after this many seconds without a change.
 QUIET = 5.0
-# Seconds between two looks. Network drives tell of no changes, so the folder is looked at.
+# Seconds between two looks. Network drives do not report changes, so the folder is polled.
 LOOK = 1.0
-# Files of one submission that are looked at; opening it has limits of its own.
+# The most files of one submission that are looked at; opening it has its own limits.
 _MOST = 20_000
 
-# By the name of each entry: its files, and when they were changed.
+# For each entry of the folder, by name: its files, each with the time of its last change and its size.
 Entries = Mapping[str, frozenset[tuple[str, int, int]]]
 
 
 class Arrivals:
     """The entries of a folder, as they come.
 
-    Raises UsageError for what is not a folder.
-    complete: those of the last look. fresh: those among them that the look before had not seen, or not so.
+    complete: the complete ones at the last look. fresh: those among them that are new or have changed since
+    the look before. Raises UsageError if it is not a folder.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -42,21 +42,21 @@ class Arrivals:
         self.fresh: frozenset[str] = frozenset()
 
     def wait(self) -> None:
-        """Return as soon as a submission is complete, was changed, or is gone. A signal ends the wait.
+        """Return as soon as a submission becomes complete, has changed, or is gone. A signal ends the wait.
 
-        While there is none at all, it waits.
+        It keeps waiting as long as no submission at all is complete.
         """
         never = threading.Event()
         while not self._look() or not self.complete:
             never.wait(LOOK)
 
     def holds_back(self, upload: Upload) -> bool:
-        """Whether some of it was still being written at the last look."""
+        """Whether part of it was still being written at the last look."""
         names = (part.path.name for part in upload.parts if part.path.parent == self._folder)
         return any(name not in self.complete for name in names)
 
     def forget_fresh(self) -> None:
-        """They are told again, when they have been quiet once more."""
+        """Report the fresh ones again, once they have not changed for another QUIET seconds."""
         self._since = {name: since for name, since in self._since.items() if name not in self.fresh}
         self.complete = {name: files for name, files in self.complete.items() if name not in self.fresh}
 
@@ -67,7 +67,7 @@ class Arrivals:
         seen = {entry.name: frozenset(islice(_states(entry), _MOST)) for entry in entries}
         now = monotonic()
         self._since = {name: (files, self._unchanged(name, files, now)) for name, files in seen.items()}
-        # By our own clock alone: that of a network drive may be any other.
+        # Only by our own clock: a network drive's may show any other time.
         quiet = {name for name, (_, since) in self._since.items() if began - since >= QUIET}
         self.complete = {name: files for name, files in seen.items() if files and name in quiet}
         self.fresh = frozenset(name for name, files in self.complete.items() if before.get(name) != files)
@@ -89,6 +89,6 @@ def _states(entry: Path) -> Iterator[tuple[str, int, int]]:
 def _state(path: str) -> Iterator[tuple[str, int, int]]:
     try:
         state = os.lstat(path)
-    except OSError:  # it is gone again, or is not ours to look at
+    except OSError:  # it is gone again, or may not be read
         return
     yield path, state.st_ctime_ns, state.st_size

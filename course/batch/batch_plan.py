@@ -30,9 +30,9 @@ BEGUN = "Files of the package that were not handed in are those that the exercis
 
 @dataclass(frozen=True)
 class BatchPlan:
-    """A class as it was found. findings: about what is nobody's. chosen: whether exercises were asked for.
+    """A class as it was found. findings: about what belongs to nobody. chosen: whether exercises were named.
 
-    held: whose submission is still being written, and not looked at.
+    held: people whose submission is still being written, and so was not looked at.
     """
 
     found: tuple[Found, ...]
@@ -53,9 +53,9 @@ class BatchPlan:
         return [exercise for exercise in self.exercises if self.grades(found, exercise)]
 
     def grades(self, found: Found, exercise: Exercise) -> bool:
-        """An exercise that was asked for is graded wherever there is anything: its feedback tells what
+        """Whether to grade it: one that was named, if anything was handed in; else one whose files are there.
 
-        is missing. Else those are whose files are there.
+        The feedback of an exercise that was named says what is missing.
         """
         if found.kind in (SubmissionKind.NOTHING, SubmissionKind.UNREADABLE):
             return False
@@ -74,19 +74,19 @@ def plan_batch(
     lenient: bool = False,
     arrivals: Arrivals | None = None,
 ) -> BatchPlan:
-    """What is found in `submissions`. opened: a folder for archives. wanted: exercises, all if none.
+    """What is found in `submissions`. opened: a folder for opened archives. wanted: exercises; all if empty.
 
-    single: the folder is one submission, not a class. roster: a list of the whole class.
-    complete: lay the course's own beneath a submission that lacks something; its programs can read that.
-    lenient: grade programs and packages of other names as if they were named right.
-    arrivals: tells what is still being written, and is held back.
+    single: `submissions` is one submission, not a class. roster: a list of the whole class.
+    complete: add the course's own files to a submission that lacks some; its programs can read them.
+    lenient: grade programs and packages with other names as if they had the right ones.
+    arrivals: knows which submissions are still being written; these are held back.
     Raises UsageError and StorageError.
     """
     exercises = _exercises(course, wanted)
     sources = one_source(submissions) if single else find_sources(submissions, opened / "class")
     sources = replace(sources, each=tuple(map(dated, sources.each)))
     sources = in_groups(merged(sources, read_class_list(roster)) if roster else sources)
-    # All of them, so that a file is not taken for the only one that happens to be asked for.
+    # All exercises, so that a file of another one is not mistaken for one of those that were asked for.
     known = course.exercises()
     held = [source for source in sources.each if arrivals and arrivals.holds_back(source)]
     whole = (source for source in sources.each if source not in held)
@@ -101,9 +101,9 @@ def plan_batch(
 
 
 def _completed(found: Found, plan: BatchPlan, known: Sequence[Exercise]) -> Found:
-    """With what it needs and lacks: packages that it is not graded for, as the course solves them;
+    """Add what the submission needs but lacks: packages that are not graded, from the course's solutions.
 
-    and for single files, the rest of their package as the exercise begins.
+    If it is single files, add the rest of their package as it is when the exercise begins.
     """
     graded = plan.graded(found)
     laid = {package: place for package in lacking(found, graded) if (place := _solved(package, known))}
@@ -116,7 +116,7 @@ def _completed(found: Found, plan: BatchPlan, known: Sequence[Exercise]) -> Foun
 
 
 def lacking(found: Found, graded: Iterable[Exercise]) -> list[str]:
-    """The packages that these exercises need, without those in which the learner writes for them."""
+    """The packages that these exercises need and the submission lacks, except those that learners write."""
     graded = tuple(graded)
     judged = {package for exercise in graded for package in own_packages(exercise)}
     needed = dict.fromkeys(package for exercise in graded for package in exercise.packages)
@@ -132,9 +132,9 @@ def _solved(package: str, known: Iterable[Exercise]) -> tuple[Path, str] | None:
 
 
 def _begun(found: Found, graded: Iterable[Exercise], known: Sequence[Exercise]) -> Iterator[tuple[Path, str]]:
-    """For the packages that single files belong to: the starter, and what it builds on; the first counts.
+    """Folders that complete the packages of single files, and their places; the first one with a file counts.
 
-    Of earlier chapters it is the solution, as for those who did all before, unless they are graded, too.
+    They are starters of these exercises and those that they require; solutions in chapters not graded.
     """
     judged = {exercise.solution for exercise in graded}
     for exercise in graded:
@@ -155,7 +155,7 @@ def _not_handed_in(found: Found, graded: Iterable[Exercise], places: Iterable[st
 
 
 def exercises_named(course: Course, wanted: Iterable[str]) -> tuple[Exercise, ...]:
-    """A chapter's number means all exercises of it. Raises UsageError for what does not exist."""
+    """The named exercises; a chapter's number means all of its exercises. Raises UsageError for others."""
     chosen = [exercise for name in wanted for exercise in _named(course, name)]
     return tuple({exercise.id: exercise for exercise in chosen}.values())
 
@@ -177,7 +177,7 @@ def _exercises(course: Course, wanted: Iterable[str]) -> tuple[Exercise, ...]:
 
 
 def submission_of(found: Found) -> Submission:
-    """Reads all its files."""
+    """What is stored of a submission; reads all of its files."""
     return Submission(found.person.id, found.person.name, found.source, digest(found), remarks_on(found))
 
 
@@ -191,7 +191,7 @@ def sentence(finding: Remark) -> str:
 
 
 def digest(found: Found) -> str:
-    """The same for the same files in the same places."""
+    """A digest that is the same for the same files in the same places."""
     hashed = hashlib.blake2b(digest_size=16)
     hashed.update("".join(f"{place}\0" for _, place in found.beneath).encode())
     hashed.update(repr(found.written).encode() if found.written else b"")

@@ -1,4 +1,4 @@
-"""A graded class as reports and the page want it, with pictures drawn from the recordings."""
+"""A graded class as reports and the page need it, with pictures drawn from the recordings."""
 
 from __future__ import annotations
 
@@ -69,21 +69,21 @@ def gradebook(
     ended: datetime,
     decisions: Decisions = NONE,
 ) -> Gradebook:
-    """Walked as often as a report likes; memory stays flat."""
+    """A gradebook that can be iterated as often as needed; memory use stays flat."""
     containment = ", ".join(results.containments())
     asked = tuple(graded_exercise(exercise) for exercise in exercises)
     return Gradebook(title, asked, _Class(results, decisions), began, ended, containment)
 
 
 def decisions_in(out: Path, people: Iterable[Person], exercises: Iterable[Exercise]) -> Decisions:
-    """What people set for the class in that results' folder. Raises UsageError, which names the lines."""
-    # Their ids are in the graders, which nothing else here needs to load.
+    """What people decided in that results' folder. Raises UsageError, which names the lines."""
+    # The ids of checks are in the graders, which nothing else here needs to load.
     checks = {one.id: check_ids(one) for one in exercises} if (out / MARKS).is_file() else {}
     return read_decisions(out, people, checks)
 
 
 def check_ids(exercise: Exercise) -> tuple[str, ...]:
-    """Of its checks and of its questions."""
+    """The ids of its checks and questions."""
     checks = grader.checks if (grader := _grader(exercise)) else ()
     return (*checks, *(question.id for question in exercise.questions))
 
@@ -94,7 +94,7 @@ def _grader(exercise: Exercise) -> Grader | None:
 
 
 def graded_exercise(exercise: Exercise) -> GradedExercise:
-    """With the points that can be had when everything applies."""
+    """The exercise with its highest possible points, if every check applies."""
     grader = _grader(exercise)
     checks = sum(check.points for check in grader.checks.values() if not check.bonus) if grader else 0.0
     asked = sum(question.points for question in exercise.questions)
@@ -102,20 +102,20 @@ def graded_exercise(exercise: Exercise) -> GradedExercise:
 
 
 def cleaner(out: Path, submissions: Path) -> Cleaner:
-    """Nothing of this machine or of a mystery goes into a report."""
+    """Removes paths of this machine and seeds of mysteries from the texts of a report."""
     own = {str(out.resolve()): "[results]", str(submissions.resolve()): "[submissions]"}
     return Cleaner({**places_here(), **own}, tuple(_seeds(out / ANSWERS)))
 
 
 def _seeds(answers: Path) -> Iterator[str]:
     for home in answers.glob("*/"):
-        with contextlib.suppress(CourseError):  # whatever was handed in as one
+        with contextlib.suppress(CourseError):  # it may be anything that was handed in as a home
             if is_home(home):
                 yield str(read_marker(home))
 
 
-# What all pictures may take of the page, in bytes; deflated one by one and in base64. In it they take less,
-# since the pictures of one person are alike.
+# The most bytes of the page for all pictures, if each is compressed alone and written in base64. In the page
+# they take less, since the pictures of one person are alike.
 PICTURES_ROOM = 8_000_000
 TITLE = "ros2course"
 OTHER_NAME = HandMark(bonus=-1, comment="Graded as if named right.", label="Names")
@@ -130,9 +130,9 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class ReadClass:
-    """page: without pictures. recordings: files, of those gradings that have one. clean: for their texts.
+    """page: without pictures. recordings: the files of gradings that have one. clean: for their texts.
 
-    asked: the learner's own files, by exercise.
+    asked: by exercise, the files that the learner has to write.
     """
 
     page: ClassPage
@@ -154,9 +154,9 @@ class ReadClass:
 
 
 def read_class(out: Path, results: Results, course: Course, title: str = "") -> ReadClass:
-    """What is in the results' folder at this moment, also while it is being graded into.
+    """What is in the results' folder at this moment, even while somebody is grading into it.
 
-    Raises UsageError when nothing has been graded there yet, StorageError when it cannot be read.
+    Raises UsageError if nothing has been graded there yet, StorageError if it cannot be read.
     """
     with results.at_one_moment():
         settings = settings_of(results)
@@ -173,9 +173,9 @@ def read_class(out: Path, results: Results, course: Course, title: str = "") -> 
 
 
 def with_pictures(found: ReadClass, room: int, on_progress: Progress) -> ClassPage:
-    """The page with as much code and as many pictures as there is room for, of what did not pass first.
+    """The page with as much code and as many pictures as fit, beginning with what did not pass.
 
-    on_progress: how many recordings of how many. Recordings that cannot be read have no pictures.
+    on_progress: gets the numbers of recordings drawn and wanted. Unreadable recordings have no pictures.
     """
     wanted = sorted(found.recordings, key=partial(_urgency, found.page))
     every: dict[Key, _Drawn] = {}
@@ -197,7 +197,7 @@ def _with(page: ClassPage, every: Mapping[Key, _Drawn]) -> ClassPage:
 
 
 def of_one(found: ReadClass, place: int) -> ClassPage:
-    """The page with the pictures of the person at that place alone."""
+    """The page with the pictures of only the person at that place."""
     return _with(found.page, {key: found.drawn(key) for key in found.recordings if key[0] == place})
 
 
@@ -215,7 +215,7 @@ def _urgency(page: ClassPage, key: Key) -> tuple[bool, Key]:
 
 @contextmanager
 def _drawing(found: ReadClass, wanted: Sequence[Key]) -> Iterator[Iterator[_Drawn]]:
-    """What is wanted, in order. Several processes draw it."""
+    """The wanted drawings, in order. Several processes make them if there are many."""
     if len(wanted) < _FEW:
         yield map(found.drawn, wanted)
         return
@@ -235,7 +235,7 @@ def _begin() -> None:
 
 @dataclass(frozen=True)
 class _Drawn:
-    """What the page shows of a recording. size: how large that will be in it."""
+    """What the page shows of a recording. size: how many bytes that takes in the page."""
 
     pictures: tuple[str, ...] = ()
     code: Code = field(default_factory=dict)
@@ -243,7 +243,7 @@ class _Drawn:
 
 
 def _loaded(file: Path) -> Recording | None:
-    with contextlib.suppress(BadRecording, StorageError):  # it may just be replaced; the verdict stands
+    with contextlib.suppress(BadRecording, StorageError):  # `grade` may be replacing it; the verdict stays
         return load(file)
     return None
 
@@ -261,7 +261,7 @@ def _drawn(clean: Cleaner, key: Key, file: Path, shown: Container[str]) -> _Draw
     return _Drawn(drawn, code, len(zlib.compress(together.encode())) * 4 // 3)
 
 
-# SQLite's file, what has been written since it was put in order the last time, and what people decided.
+# SQLite's file, its write-ahead log, and what people decided.
 _WRITTEN = (FILE, f"{FILE}-wal", MARKS, DEADLINES)
 
 
@@ -280,7 +280,7 @@ class Live:
             return live_page(self._now()[1].page)
 
     def tag(self) -> str:
-        """Another one whenever something was written."""
+        """A text that changes whenever something is written."""
         stamps = []
         for name in _WRITTEN:
             try:
@@ -291,7 +291,7 @@ class Live:
         return "-".join(stamps)
 
     def news(self) -> tuple[str, str]:
-        """The tag, and as JSON what the page shows of the class."""
+        """The tag, and what the page shows of the class, as JSON."""
         with self._lock:
             tag, found = self._now()
             if self._news is None or self._news[0] != tag:
@@ -299,7 +299,7 @@ class Live:
             return self._news
 
     def submission(self, place: int) -> str | None:
-        """As JSON; None when there is nobody at that place."""
+        """The submission at that place as JSON; None if there is none."""
         with self._lock:
             found = self._now()[1]
         if place >= len(found.page.sheets):

@@ -27,7 +27,7 @@ _DAY = 86400.0
 _UNITS = {"min": 60.0, "minute": 60.0, "h": 3600.0, "hour": 3600.0, "d": _DAY, "day": _DAY, "week": 7 * _DAY}
 _DURATION = re.compile(r"(?P<count>\d+(?:\.\d+)?)\s*(?P<unit>[a-z]+?)s?")
 NOT_KNOWN = "time not known"
-# By what the LMS says of somebody whose time it does not tell.
+# What to say about people whose time is not known, by whether the LMS calls them late (None: unknown).
 _WITHOUT_A_TIME = {None: NOT_KNOWN, True: f"late, {NOT_KNOWN}", False: ""}
 
 
@@ -80,7 +80,7 @@ class Penalty(Written):
 
 
 class Deadlines(Written):
-    """The file. Times without an offset are in `zone`."""
+    """What the file contains. Times without an offset are in `zone`."""
 
     due: Moment = Field(description="a date and a time, such as 2026-10-05 23:59")
     zone: Zone | None = Field(None, description="such as America/New_York; by default this machine's")
@@ -99,7 +99,7 @@ class Deadlines(Written):
         return moment.astimezone(timezone.utc)
 
     def lateness(self, person: Person, *, handed_in: bool, late_by: float | None = None) -> Delay:
-        """handed_in: whether anything was. late_by: seconds, where a person said so; None to find out."""
+        """How late a person is. handed_in: whether anything was. late_by: seconds; None to find out."""
         if not handed_in:
             return Delay()
         told = self.handed_in.get(person.id, person.handed_in)
@@ -121,7 +121,7 @@ class Deadlines(Written):
         return Delay(None, seconds, self._cost(seconds, seconds - used * _DAY), words)
 
     def _cost(self, seconds: float, left: float) -> float:
-        """left: seconds that no free day covers."""
+        """The fraction of the points that it costs. left: seconds that no free day covers."""
         if self.closes is not None and seconds > self.closes:
             return 1.0
         if self.penalty is None or left <= 0:
@@ -131,7 +131,7 @@ class Deadlines(Written):
 
 
 def duration(seconds: float) -> str:
-    """`2 days 3 hours`, `25 minutes`; a begun minute counts."""
+    """`2 days 3 hours`, `25 minutes`; minutes are rounded up."""
     minutes = math.ceil(seconds / 60)
     days, rest = divmod(minutes, 24 * 60)
     hours, minutes = divmod(rest, 60)
@@ -175,7 +175,7 @@ class ClassList:
         self._names: Mapping[str, str] = {name: ids[0] for name, ids in names.items() if len(ids) == 1}
 
     def find(self, who: str, document: Document, place: Place) -> str | ContentError:
-        """The id of who is named by id, or by a name that only one person has."""
+        """The id of a person who is named by id, or by a name that only one person has."""
         found = self._ids.get(who, self._names.get(who))
         if found is not None:
             return found
@@ -184,7 +184,7 @@ class ClassList:
         return document.error(what, "use an id from the first column of results.csv", place=place)
 
     def keyed(self, by_person: dict[str, Any], document: Document, key: str) -> dict[str, Any]:
-        """The mapping by ids. Raises UsageError."""
+        """The same mapping with ids as keys. Raises UsageError for people who are not in the class."""
         found = {who: self.find(who, document, (key, who)) for who in by_person}
         errors = [each for each in found.values() if isinstance(each, ContentError)]
         if errors:
@@ -193,7 +193,7 @@ class ClassList:
 
 
 def read_deadlines(folder: Path, people: ClassList) -> Deadlines | None:
-    """None when the folder has no such file. Raises UsageError for what is wrong with it."""
+    """Read the folder's file; None if there is none. Raises UsageError if anything is wrong with it."""
     if not (folder / FILE).is_file():
         return None
     found, document = read_written(folder / FILE, Deadlines)

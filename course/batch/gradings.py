@@ -12,7 +12,7 @@ from course.model.result import Result, Verdict
 
 
 class Unit(Struct, frozen=True):
-    """One exercise of one submission. attempt: from 1."""
+    """One exercise of one submission. attempt: counted from 1."""
 
     person: str
     exercise: str
@@ -25,7 +25,7 @@ class Unit(Struct, frozen=True):
 class GradingTask(Struct, frozen=True):
     """A unit, ready to be graded. home: the laid-out course home. evidence: where to keep the recording.
 
-    course: root of the course, None for the one that comes along. contained: refuse to run it otherwise.
+    course: root of the course; None for our own. contained: refuse to run it uncontained.
     """
 
     unit: Unit
@@ -36,7 +36,7 @@ class GradingTask(Struct, frozen=True):
 
 
 class Graded(Struct, frozen=True):
-    """What became of a unit. seconds: from taking it up to its end."""
+    """How a unit was graded. seconds: from its start to its end."""
 
     unit: Unit
     result: Result

@@ -65,7 +65,7 @@ class MarksFile(Written):
 
 @dataclass(frozen=True)
 class Decisions:
-    """All that people set for a class. late_by: seconds, by person, where somebody said so."""
+    """All that people decided for a class. late_by: by person, the seconds that somebody wrote."""
 
     marks: Marks = field(default_factory=dict)
     late_by: Mapping[str, float] = field(default_factory=dict)
@@ -82,7 +82,7 @@ NONE = Decisions()
 
 
 def read_decisions(folder: Path, people: Iterable[Person], checks: Mapping[str, Iterable[str]]) -> Decisions:
-    """What marks.yaml and deadlines.yaml say, held against the class, so that no typo goes unnoticed.
+    """What marks.yaml and deadlines.yaml say, checked against the class, so that no typo goes unnoticed.
 
     checks: ids of checks and questions, by exercise. Raises UsageError, which names the lines.
     """
@@ -150,7 +150,7 @@ class _Reading:
         return self._document.error(what, f"there are: {', '.join(every) or 'none'}", place=(*place, key))
 
     def decisions(self) -> Decisions:
-        """Once there are no errors."""
+        """What was decided; only to be called if there are no errors."""
         marks: dict[str, tuple[HandMark, ...]] = {}
         late_by: dict[str, float] = {}
         for name, entry in ((name, one) for one in self._found.marks for name in one.person):

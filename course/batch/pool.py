@@ -1,4 +1,4 @@
-"""Worker processes of this machine: tasks in, answers out, whatever becomes of a worker."""
+"""Worker processes on this machine: tasks in, answers out, whatever happens to a worker."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from course.model import codec
 
 _END_TIME = 10.0
 _DEATH_TIME = 1.0
-# After this a worker is thought to hang: no exercise with its build may take as long.
+# After this, a worker is assumed to hang: no exercise may take that long, even with its build.
 TIME_LIMIT = 1800.0
 
 Say = Callable[[str], None]
@@ -29,8 +29,8 @@ Answer = TypeVar("Answer")
 class Work(Generic[Task, Answer]):
     """What workers do. worker: the module that is run, with the descriptor for its answers as argument.
 
-    answer: the type of what it answers. fits: whether an answer is one to this task. failed: the answer when
-    the worker fell; the text continues `The worker`, such as `ended with -9`.
+    answer: the type of what it answers. fits: whether an answer belongs to this task. failed: makes the
+    answer when the worker failed, from a text that continues `The worker`, such as `ended with -9`.
     """
 
     worker: str
@@ -42,8 +42,8 @@ class Work(Generic[Task, Answer]):
 class Pool(Generic[Task, Answer]):
     """`jobs` workers, each of which asks for its next task by itself.
 
-    next_task: called from several threads, one at a time; None when there is nothing (more) to do.
-    say: gets what workers do at the moment, from several threads.
+    next_task: called from several threads, one at a time; returns None when nothing is left to do.
+    say: called from several threads with what a worker is doing.
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class Pool(Generic[Task, Answer]):
         self._threads = [threading.Thread(target=self._look_after, name=f"worker {n}") for n in range(jobs)]
 
     def results(self) -> Generator[Answer, None, None]:
-        """As they come, until there is no more to do. Whatever ends the iteration ends the workers."""
+        """Answers as they come, until nothing is left to do. Whatever ends the iteration ends the workers."""
         for thread in self._threads:
             thread.start()
         try:
@@ -81,7 +81,7 @@ class Pool(Generic[Task, Answer]):
 
     def _stop(self) -> None:
         self._stopping.set()
-        for end in (Worker.interrupt, Worker.kill):  # the latter for who does not listen
+        for end in (Worker.interrupt, Worker.kill):  # the latter for those that do not react
             for worker in list(self._workers):
                 end(worker)
             deadline = time.monotonic() + _END_TIME
@@ -105,7 +105,7 @@ class Pool(Generic[Task, Answer]):
 
 
 class Worker(Generic[Task, Answer]):
-    """A process that is started when it is needed, and again when it died."""
+    """A process that is started when it is needed, and again after it died."""
 
     def __init__(self, work: Work[Task, Answer], say: Say = lambda text: None) -> None:
         self._work = work

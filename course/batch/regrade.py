@@ -1,4 +1,4 @@
-"""Marks of a graded class by the checks as they are now; no submission is run for it."""
+"""Marks a graded class again with the current checks, without running any submission."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Key = tuple[str, str]
 
 @dataclass(frozen=True)
 class Moved:
-    """A grading whose marks moved. person, name: whose."""
+    """A grading whose marks changed. person, name: the learner's."""
 
     person: str
     name: str
@@ -48,7 +48,7 @@ class Lacking:
 
 @dataclass(frozen=True)
 class Regraded:
-    """What came of it. judged: how many gradings were judged again."""
+    """The outcome. judged: how many gradings were judged again."""
 
     judged: int
     moved: tuple[Moved, ...]
@@ -64,10 +64,10 @@ def regrade(
     jobs: int | None,
     dry_run: bool = False,
 ) -> Regraded:
-    """Judge everything in the results' folder again. All marks move together, or none.
+    """Judge everything in the results' folder again. Either all marks change, or none.
 
-    on_progress: how many of how many. dry_run: nothing is stored.
-    Raises UsageError when an exercise is not in the course any more.
+    on_progress: gets the numbers of gradings done and in total. dry_run: nothing is stored.
+    Raises UsageError if an exercise is no longer in the course.
     """
     return _Regrading(out, results, course, dry_run).run(on_progress, jobs)
 
@@ -160,7 +160,7 @@ def _exercise(course: Course, name: str) -> Exercise:
 
 
 def forget_lacking(results: Results, lacking: tuple[Lacking, ...]) -> None:
-    """So that the next `grade` does these again."""
+    """Forget these gradings, so that the next `grade` does them again."""
     with results.all_or_nothing():
         for one in lacking:
             results.forget(Unit(one.person, one.exercise))

@@ -1,6 +1,6 @@
-"""A results' file of which pages are damaged becomes a new one, of all that can still be read.
+"""Replaces a results' file that has damaged pages with a new one, made of all that can still be read.
 
-SQLite reads around a damaged page, but cannot write there: nothing could be graded again in its place.
+SQLite reads around a damaged page, but cannot write there, so what was on it could not be graded again.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ Row = tuple[Any, ...]
 
 
 def repair(folder: Path) -> bool:
-    """Whether the results' file in the folder had to be replaced; the old one is kept beside it, as KEPT_AS.
+    """Replace a damaged results' file, and keep the old one beside it as KEPT_AS; True if that was needed.
 
-    Gradings whose names alone can be read are damaged in the new one, too. Nobody else may use the file.
+    Gradings of which only the keys can be read are damaged in the new one, too. Nobody else may use it.
     """
     file = folder / FILE
     if not file.is_file():

@@ -1,7 +1,7 @@
 """The results of a batch: one SQLite file, written as they come, one row per check.
 
 Each grading is one transaction: it is there as a whole or not at all, whatever kills us. The file is in
-WAL mode, so that others can look on.
+WAL mode, so that others can read it meanwhile.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ SCHEMA_VERSION = 1
 FILE = RESULTS
 APPLICATION = 0x726F7334
 _ELSEWHERE = "Name another folder with --out."
-# Read from an index alone: a grading that cannot be read still has a name.
+# Read from an index alone, so a grading that cannot be read still has its keys.
 _KEYS = "SELECT rowid, person, exercise FROM gradings"
 SCHEMA = f"""
 BEGIN IMMEDIATE;
@@ -82,7 +82,7 @@ COMMIT;
 
 @dataclass(frozen=True)
 class Submission:
-    """A submission as it is kept. remarks: sentences about it as a whole."""
+    """A submission as it is stored. remarks: sentences about it as a whole."""
 
     person: str
     name: str
@@ -93,9 +93,9 @@ class Submission:
 
 @dataclass(frozen=True)
 class StoredGrading:
-    """A grading as it is kept. evidence: relative to the results' folder, None if there is none.
+    """A grading as it is stored. evidence: relative to the results' folder, None if there is none.
 
-    damaged: it cannot be read any more; then the result is an error of ours, which says so.
+    damaged: it can no longer be read; its result is then an error of ours, which says so.
     """
 
     unit: Unit
@@ -110,7 +110,7 @@ class Results(Database):
 
     @classmethod
     def open(cls, folder: Path, *, create: bool = True) -> Results:
-        """Raises StorageError for the disk, UsageError for a folder that is none of ours."""
+        """Raises StorageError for the disk, UsageError for a folder that is not a results' folder."""
         file = folder / FILE
         if not create and not file.is_file():
             raise UsageError(f"No results of `grade` are in {folder}.", "Name the folder given to --out.")
@@ -127,7 +127,7 @@ class Results(Database):
 
     @classmethod
     def look(cls, folder: Path) -> Results:
-        """For reading alone, also while somebody grades into it. Raises as `open` does."""
+        """Open for reading only, even while somebody grades into it. Raises what `open` raises."""
         results = cls.open(folder, create=False)
         results._run("PRAGMA query_only = ON")
         return results
@@ -138,14 +138,14 @@ class Results(Database):
             self._run("INSERT OR REPLACE INTO batch VALUES (?, ?)", key, value)
 
     def noted(self, key: str) -> str | None:
-        """As text that may be damaged."""
+        """What `note` kept; the text may be damaged."""
         rows = self._run("SELECT value FROM batch WHERE key = ?", key)
         return str(rows[0][0]) if rows else None
 
     def enter(self, submissions: Sequence[Submission], held: Iterable[str] = ()) -> None:
-        """These are the submissions now. What was graded of one that has changed, or is gone, is dropped.
+        """Make these the submissions. The gradings of one that has changed or is gone are dropped.
 
-        held: people whose submission is not to be read yet; what is known of them stays.
+        held: people whose submission is not to be read yet; what is known about them stays.
         """
         with self._writing():
             now = {*(one.person for one in submissions), *held}
@@ -184,16 +184,16 @@ class Results(Database):
                 )
 
     def done(self) -> set[tuple[str, str]]:
-        """Person and exercise of all that was graded, our own errors and what is damaged left out."""
+        """Person and exercise of each grading, without our own errors and damaged ones."""
         every = ((one.unit, one.result.verdict) for one in self._every())
         return {(unit.person, unit.exercise) for unit, verdict in every if verdict is not Verdict.OUR_ERROR}
 
     def damaged(self) -> list[tuple[str, str]]:
-        """Person and exercise of the gradings that cannot be read any more."""
+        """Person and exercise of the gradings that can no longer be read."""
         return [(one.unit.person, one.unit.exercise) for one in self._every() if one.damaged]
 
     def drop_damaged(self) -> list[tuple[str, str]]:
-        """Forget them, so that they are graded again; returns the same."""
+        """Forget the damaged gradings, so that they are graded again; returns them."""
         dropped = self.damaged()
         with self._writing():
             for row in self._run(_KEYS):
@@ -209,7 +209,7 @@ class Results(Database):
         ]
 
     def gradings(self, person: str) -> list[StoredGrading]:
-        """In the order of their exercises' ids. What is damaged is an error of ours; see `StoredGrading`."""
+        """In the order of their exercises' ids. A damaged one is an error of ours; see `StoredGrading`."""
         rows = self._run(f"{_KEYS} WHERE person = ? ORDER BY exercise", person)
         return [self._stored(*row) for row in rows]
 
@@ -229,7 +229,7 @@ class Results(Database):
             yield self._stored(*row)
 
     def _stored(self, row: int, person: str, exercise: str) -> StoredGrading:
-        """Store each one separately, so that an error in one does not affect the others."""
+        """Read each one separately, so that damage to one does not affect the others."""
         statement = "SELECT attempt, result, evidence, seconds FROM gradings WHERE rowid = ?"
         try:
             ((attempt, text, evidence, seconds),) = self._run(statement, row)
@@ -243,7 +243,7 @@ class Results(Database):
             return StoredGrading(Unit(str(person), str(exercise)), found, None, damaged=True)
 
     def forget(self, unit: Unit) -> None:
-        """As if it had not been graded."""
+        """Remove its grading, as if it had never been graded."""
         with self._writing():
             self._run("DELETE FROM gradings WHERE person = ? AND exercise = ?", unit.person, unit.exercise)
 
@@ -258,7 +258,7 @@ class Results(Database):
 
     @contextlib.contextmanager
     def all_or_nothing(self) -> Iterator[None]:
-        """Whatever is written meanwhile is there as a whole afterwards, or not at all."""
+        """Everything written inside is stored as a whole, or not at all."""
         with self._writing():
             yield
 
@@ -267,7 +267,7 @@ class Results(Database):
 
 
 class NoText(str):
-    """A text of the file that is not UTF-8, as far as it can be read."""
+    """A text in the file that is not UTF-8, as far as it can be read."""
 
 
 def text_of(data: bytes) -> str:
@@ -278,7 +278,7 @@ def text_of(data: bytes) -> str:
 
 
 def read_result(text: object, exercise: str) -> Result:
-    """Raises ValueError or DamagedData for what `record` did not write for that exercise."""
+    """Raises ValueError or DamagedData if `record` did not write this text for that exercise."""
     if isinstance(text, NoText) or not isinstance(text, str):
         raise ValueError("it is not text")
     result = from_json(text, "it")
@@ -340,11 +340,11 @@ _KEY = "asked"
 
 
 class BatchSettings(Struct, frozen=True):
-    """wanted: exercises as they were asked for. exercises: ids of what that came to. began: with a zone.
+    """wanted: exercises as they were asked for. exercises: the ids that this meant. began: with a time zone.
 
     roster: a list of the whole class. title: of the assignment, as reports show it.
-    complete: the course's own was laid beneath submissions that lack something.
-    names: `strict`, or `lenient`: what has another name was graded as if it were named right.
+    complete: whether the course's own files were added to submissions that lack some.
+    names: `strict`, or `lenient`: anything with another name was graded as if it had the right one.
     """
 
     submissions: Path
@@ -364,9 +364,9 @@ def keep_settings(results: Results, noted: BatchSettings) -> None:
 
 
 def settings_of(results: Results) -> BatchSettings:
-    """Raises UsageError when `grade` had not got as far as that."""
+    """Raises UsageError if `grade` did not get as far as storing them."""
     text = results.noted(_KEY)
-    if text is None and not results.submissions():  # these are written later
+    if text is None and not results.submissions():  # submissions are written after it
         raise UsageError("Nothing has been graded there yet.", "Grade the class first.")
     try:
         return codec.from_json(text or "", BatchSettings, FILE)
@@ -379,7 +379,7 @@ _PEOPLE = "people"
 
 
 def keep_people(results: Results, people: Sequence[Person], held: Sequence[str] = ()) -> None:
-    """Beside who handed in what: when, in which group, and whose counts. held: as for `Results.enter`."""
+    """Store the times, the groups, and whose submission counts. held: as for `Results.enter`."""
     before = {one.id: one.renamed for one in people_of(results)}
     kept = [replace(one, renamed=before.get(one.id, ())) if one.id in held else one for one in people]
     results.note(_PEOPLE, codec.to_json(kept).decode())
@@ -389,14 +389,14 @@ _PACKED = "packed"
 
 
 def keep_packed(results: Results, packed: Mapping[str, PackManifest], held: Sequence[str] = ()) -> None:
-    """What `pack` wrote into submissions, by person. held: as for `Results.enter`."""
+    """Store what `pack` wrote into submissions, by person. held: as for `Results.enter`."""
     texts = {person: text for person, text in _packed(results).items() if person in held}
     texts |= {person: codec.to_json(each).decode() for person, each in packed.items()}
     results.note(_PACKED, codec.to_json(texts).decode())
 
 
 def packed_of(results: Results) -> dict[str, PackManifest]:
-    """What `keep_packed` kept, as far as that can be read: of each person by itself."""
+    """What `keep_packed` kept, for each person for whom it can still be read."""
     found = {}
     for person, text in _packed(results).items():
         with contextlib.suppress(DamagedData):

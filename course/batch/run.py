@@ -1,4 +1,4 @@
-"""A class, graded: takes up where an earlier run was ended, however that was."""
+"""Grades a class, and continues where an earlier run ended, however it ended."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from course.model.result import Result, Verdict
 
 
 class Homes:
-    """folder: for the homes. kept: what judging again needs of each submission, beside its recordings."""
+    """Course homes in `folder`. kept: a folder for what regrading needs of them, besides recordings."""
 
     def __init__(self, folder: Path, kept: Path, found: Iterable[Found]) -> None:
         self._folder = folder
@@ -43,7 +43,7 @@ class Homes:
         self._one_at_a_time = threading.Lock()
 
     def take(self, unit: Unit, exercise: Exercise) -> Path:
-        """The home that the unit is graded in. Raises StorageError and Refused."""
+        """The home in which the unit is graded. Raises StorageError and Refused."""
         home = self._folder / unit.person
         with self._one_at_a_time:
             if not self._users[unit.person]:
@@ -57,7 +57,7 @@ class Homes:
         return home
 
     def give_back(self, unit: Unit) -> None:
-        """Once for each `take`."""
+        """Call this once for each `take`."""
         with self._one_at_a_time:
             self._users[unit.person] -= 1
             if not self._users[unit.person]:
@@ -82,7 +82,7 @@ WORK, EVIDENCE, ANSWERS = "work", "evidence", "answers"
 class Batch:
     """out: the results' folder. jobs: how many gradings at once. course: root of the course, None for ours.
 
-    contained: refuse whatever is not.
+    contained: refuse to run submissions uncontained.
     """
 
     out: Path
@@ -94,7 +94,7 @@ class Batch:
 
 @dataclass(frozen=True)
 class BatchProgress:
-    """total: all that is to be graded. before: how many of them an earlier run had graded."""
+    """total: how many units there are. before: how many of them an earlier run had graded."""
 
     total: int
     before: int
@@ -106,21 +106,21 @@ class Rounds(Protocol):
     def __call__(self, next_task: NextTask, *, waiting: int, alone: bool) -> Generator[Graded, None, None]:
         """Gradings as they come, until next_task gives None; whatever ends the iteration ends them.
 
-        waiting: how many tasks there may be. alone: each with nothing beside it on its machine.
+        waiting: how many tasks there may be. alone: each needs a machine to itself.
         """
 
 
 def default_jobs() -> int:
-    """A grading mostly waits for messages: four share a core without disturbing each other's measurements.
+    """A grading mostly waits for messages, so four share a core without disturbing each other's timing.
 
-    With more, bench/batch.py gains nothing, and sees more of them that must be graded again.
+    With more, bench/batch.py does not get faster, and more gradings must be repeated.
     """
     return 4 * len(os.sched_getaffinity(0))
 
 
 @contextlib.contextmanager
 def results_folder(out: Path) -> Iterator[Results]:
-    """Nobody else may grade into it meanwhile. Raises UsageError and StorageError."""
+    """Open the results; nobody else can grade into them meanwhile. Raises UsageError and StorageError."""
     with alone_in(out):
         repair(out)
         with Results.open(out) as results:
@@ -129,7 +129,7 @@ def results_folder(out: Path) -> Iterator[Results]:
 
 
 def _sweep(out: Path) -> None:
-    """Clear the folder of reports and recordings. Submissions may leave deep trees in WORK."""
+    """Remove half-written reports and recordings. Trees that submissions left in WORK are not searched."""
     with storing(f"results cannot be kept in {out}"):
         for folder in (out, *out.glob("*/"), *out.glob(f"{EVIDENCE}/*/")):
             sweep(folder)
@@ -137,7 +137,7 @@ def _sweep(out: Path) -> None:
 
 @contextlib.contextmanager
 def alone_in(out: Path) -> Iterator[None]:
-    """Nobody else grades into the folder meanwhile. Raises UsageError and StorageError."""
+    """Inside this context, nobody else can grade into the folder. Raises UsageError and StorageError."""
     with storing(f"results cannot be kept in {out}"):
         stack = contextlib.ExitStack()
         try:
@@ -156,10 +156,10 @@ def run(
     on_progress: Callable[[BatchProgress, Graded | None], None],
     rounds: Rounds | None = None,
 ) -> None:
-    """Grade what has not been graded yet; each result is in `results` before `on_progress` hears of it.
+    """Grade what has not been graded yet; each result is in `results` before `on_progress` is called.
 
-    rounds: what does the gradings; None for `batch.jobs` workers on this machine, which say nothing.
-    Ctrl+C ends the gradings at once, in order; what was graded stays.
+    rounds: what does the gradings; None for `batch.jobs` workers on this machine, which report nothing.
+    Ctrl+C ends the gradings at once and cleanly; what was graded stays.
     """
     held = [person.id for person in batch.planned.held]
     results.enter([submission_of(found) for found in batch.planned.found], held)
@@ -188,7 +188,7 @@ def _forget_others(out: Path, people: Collection[str]) -> None:
 
 
 def local_rounds(jobs: int, say: Say = lambda text: None) -> Rounds:
-    """Workers of this machine. say: gets what they do at the moment, from several threads."""
+    """Workers on this machine. say: called from several threads with what they are doing."""
 
     def rounds(next_task: NextTask, *, waiting: int, alone: bool) -> Generator[Graded, None, None]:
         return Pool(GRADINGS, 1 if alone else min(jobs, max(1, waiting)), next_task, say).results()
@@ -197,7 +197,7 @@ def local_rounds(jobs: int, say: Say = lambda text: None) -> Rounds:
 
 
 class _Schedule:
-    """First all, several at once; then, one by one, what could not be judged with others beside it."""
+    """First everything, several at once; then, one by one, what could not be judged beside others."""
 
     def __init__(self, batch: Batch, homes: Homes, todo: list[Unit], rounds: Rounds) -> None:
         self._batch = batch
@@ -249,7 +249,7 @@ def _clear(evidence: Path) -> None:
 
 
 def not_laid(unit: Unit, error: CourseError | Refused) -> Graded:
-    """What becomes of a unit that could not even be begun: a fault of ours."""
+    """The result of a unit that could not even be started: an error of ours."""
     if isinstance(error, Refused):
         fault = Feedback(summary=error.finding.what, advice=error.finding.advice)
     else:

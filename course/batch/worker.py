@@ -1,6 +1,6 @@
 """A process that grades: `python -m course.batch.worker DESCRIPTOR`; see `course.child`.
 
-Whatever goes wrong is a result like any other.
+Any failure is a result like any other.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from course.rosenv import cache_dir, find_ros
 
 
 def grade(task: GradingTask, home: Path, helpers: Helpers, say: Progress = lambda text: None) -> Result:
-    """The verdict of this attempt; of the last one, what counts."""
+    """The result of this attempt; after the last attempt, the one that counts."""
     try:
         request = replace(_request(task, home), on_progress=say)
         result = attempt_exercise(request, helpers)
@@ -39,7 +39,7 @@ def grade(task: GradingTask, home: Path, helpers: Helpers, say: Progress = lambd
     except Exception as error:  # noqa: BLE001 - kept and shown; the others of the batch go on
         return _fault(task, our_error(error))
     if task.contained and result.containment not in ("contained", ""):
-        # Nothing of it may count, but it has been run: `grade` looks before it starts the first one.
+        # It has been run, but must not count. (`grade` checks this before it starts the first one.)
         return _fault(task, Feedback(summary=f"It was not contained: {'; '.join(result.notes)}."))
     return result
 
@@ -58,11 +58,11 @@ def _request(task: GradingTask, home: Path) -> Request:
 
 
 def seed_of(person: str, home: Path) -> int:
-    """The learner's own, if their course home came along: their answers belong to it."""
+    """The learner's own if their course home was handed in, because their answers depend on it."""
     if is_home(home):
         try:
             return read_marker(home)
-        except CourseError:  # whatever they made of it
+        except CourseError:  # they may have changed it
             pass
     return seed_of_submission(person)
 

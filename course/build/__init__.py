@@ -1,4 +1,4 @@
-"""Building learners' packages with colcon, away from their folders, and saying why a build failed."""
+"""Builds learners' packages with colcon, outside their folders, and says why a build failed."""
 
 from course.build.build_outcome import BuildFailure, BuildOutcome, InstalledPackage
 from course.build.builder import build

@@ -1,4 +1,4 @@
-"""What all builds of one check may take together, and the room on the disk that is kept for them.
+"""What all builds of one check may take together, and the disk space that is reserved for them.
 
     ROOT/claims.lock    held while somebody claims room
     ROOT/<any>.claim    how many bytes a running build may still write; held by the process that claimed them
@@ -24,18 +24,18 @@ from course.isolation.isolation_plan import BUILD
 
 _MB = 1024 * 1024
 RESERVE = 512 * _MB
-# What a build of the course needs at most. Where so much is not left, a check waits for the others.
+# The most that a build of the course needs. If less than this is left, a check waits for the others.
 ENOUGH = 128 * _MB
 _ASK_AGAIN_SECONDS = 0.2
 
-# Which bound was reached. NO_ROOM is the machine's: the disk had less than a submission may take.
+# Which bound was reached. NO_ROOM is the machine's fault: the disk had less than a submission may take.
 ALL_SECONDS, ALL_CPU, ALL_DISK, NO_ROOM = "all-time", "all-cpu", "all-disk", "no-room"
 _NEVER = float("inf")
 
 
 @dataclass(frozen=True)
 class Bounds:
-    """packages: how many. seconds: of building, packages built at the same time count each.
+    """packages: how many. seconds: of building, added up even for packages that are built at the same time.
 
     cpu: seconds of computing. disk: bytes of all entries, with sources, logs and what was built before.
     """
@@ -63,8 +63,8 @@ class Spent:
 class Budget:
     """Adds up what the builds of one check take; several threads may spend it.
 
-    room: bytes that may be written, where the disk has less than the bounds allow. again: whether it is the
-    second try, after the disk was full. insists: whether nothing less than what the bounds allow will do.
+    room: bytes that may be written, if the disk has less than the bounds allow. again: whether this is the
+    second try, after the disk was full. insists: whether it needs all that the bounds allow.
     """
 
     def __init__(self, bounds: Bounds) -> None:
@@ -77,24 +77,24 @@ class Budget:
         self._found: dict[str, int] = {}
 
     def begin_again(self) -> None:
-        """Time that was spent stays spent."""
+        """Start the second try. Time that was spent stays spent."""
         self.again, self.insists = True, self._reached() == NO_ROOM
         self._built.clear()
         self._found.clear()
         self.room = _NEVER
 
     def found(self, package: str, size: int) -> None:
-        """It was built before, and takes so many bytes."""
+        """Count the bytes of a package that was built before."""
         self._found[package] = size
 
     def wrote(self, package: str, size: int) -> str | None:
-        """A package's build takes so many bytes now; says which bound is reached, if any."""
+        """Note the bytes that a package's build takes now; returns the reached bound, if any."""
         with self._lock:
             self._built[package] = size
             return self._reached()
 
     def spend(self, run: object, package: str, spent: Spent) -> str | None:
-        """A run of a package's build has taken so much so far; says which bound is reached, if any."""
+        """Note what a run of a package's build has taken so far; returns the reached bound, if any."""
         with self._lock:
             self._runs[run] = spent
             self._built[package] = spent.disk
@@ -115,7 +115,7 @@ class Budget:
 def claimed(
     store: Store, budget: Budget, interrupt: Interrupt, on_wait: Callable[[], None]
 ) -> Iterator[None]:
-    """Hold room in the store for what the budget allows; sets `budget.room` where there is less.
+    """Reserve room in the store for what the budget allows; sets `budget.room` if there is less.
 
     Waits while others have claimed all there is; `on_wait` is called once if that takes a while.
     """
@@ -157,7 +157,7 @@ def _write_claim(root: Path, room: int) -> tuple[Path, int, int]:
 
 
 def _claims(root: Path) -> Iterator[int]:
-    """Those of running builds; what others left is removed."""
+    """The claims of running builds (bytes). Files that other builds left behind are removed."""
     for file in root.glob("*.claim"):
         with suppress(OSError, ValueError), file.open("rb") as claim:
             if try_lock(claim.fileno(), shared=True):

@@ -1,6 +1,6 @@
-"""What a build ends with; and what is wrong before anything is built.
+"""How a build ends, and what can be wrong before anything is built.
 
-Packages may be missing, be there twice, need each other in a circle, or have a bad package.xml.
+Packages may be missing or duplicated, need each other in a circle, or have a bad package.xml.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from course.model.feedback import Feedback, Location
 from course.spelling import LOOSELY, nearest
 
 _NOT_SEARCHED = frozenset({"build", "install", "log", "node_modules", "site-packages"})
-# Folders that are searched for a package in the wrong place; packages of a circle that are named.
+# The most folders to search for a misplaced package; the most packages of a circle to name.
 _MOST_SEARCHED, _MOST_SHOWN = 2000, 6
-_DEEPEST = 6  # folders below the course home; a package put in the wrong place does not lie deeper
+_DEEPEST = 6  # levels below the course home; misplaced packages are not deeper than this
 Found = tuple[tuple[Location, ...], str]
 
 
@@ -29,8 +29,8 @@ class InstalledPackage:
     """One package that is ready to be used.
 
     source: its folder, relative to the course home, as the learner knows it.
-    prefix: its install prefix, made for this content alone; nobody writes to it again.
-    cached: it had been built before; seconds: what this build of it took, 0 when cached.
+    prefix: its install prefix, made for this content alone, and never written to again.
+    cached: whether it had been built before. seconds: how long this build took; 0 if cached.
     """
 
     name: str
@@ -42,10 +42,10 @@ class InstalledPackage:
 
 @dataclass(frozen=True)
 class BuildFailure:
-    """A package that cannot be built as it stands, and why. Always the learner's to repair.
+    """A package that cannot be built as it is, and why. It is always the learner's to repair.
 
     kind: a short stable word for the cause ("package-missing", "setup-py", "cmake-syntax", ...).
-    log: everything the build printed, if it came to run at all.
+    log: everything the build printed, if it ran at all.
     """
 
     package: str
@@ -56,7 +56,7 @@ class BuildFailure:
 
 @dataclass(frozen=True)
 class BuildOutcome:
-    """All that was asked for and what it depends on, dependencies first; or as far as it got."""
+    """All that was asked for and its dependencies, dependencies first, as far as the build got."""
 
     packages: tuple[InstalledPackage, ...]
     failure: BuildFailure | None
@@ -145,7 +145,7 @@ def manifest_place(package: Package, tag: str) -> Location:
 
 
 def _leads_out(workspace: Workspace, name: str) -> Found | None:
-    """It may exist behind a link that leads out of the course home. Nobody follows such links."""
+    """It may be behind a link out of the course home. Such links are not followed."""
     source = workspace.root / "src"
     for place in (workspace.root, source, source / name):
         if place.is_symlink() and within(place, workspace.inside) is None:
@@ -173,7 +173,7 @@ def _astray(workspace: Workspace, name: str) -> Found | None:
 
 
 def _marker(workspace: Workspace, folder: Path) -> str | None:
-    """The file because of which colcon does not look into the folder."""
+    """The file that keeps colcon from looking into the folder."""
     above = (one for one in (folder, *folder.parents) if one.is_relative_to(workspace.root))
     marked = (one / name for one in above for name in sorted(IGNORE_MARKERS))
     return next((shown(file, workspace.home) for file in marked if file.exists()), None)
@@ -213,7 +213,7 @@ def _folders(top: Path) -> Iterator[Path]:
 
 
 def _line(file: Path, number: int | None) -> tuple[str, ...]:
-    if number is None:  # then it may be no file that can be read
+    if number is None:  # then the file may be unreadable
         return ()
     lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
     return (lines[number - 1].strip(),) if number <= len(lines) else ()

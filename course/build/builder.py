@@ -1,4 +1,4 @@
-"""Building packages: what is asked for and what it needs, from the store where it can."""
+"""Builds packages and what they need, or takes them from the store."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from course.errors import UsageError
 from course.rosenv import Ros
 
 TIME_LIMIT = 300.0  # seconds for one package
-_WORKERS = 2  # a compiler uses what is left
+_WORKERS = 2  # compilers use the other cores
 _ATTEMPTS = 3
 
 Progress = Callable[[str], None]
@@ -49,11 +49,11 @@ def build(
     keep: ExitStack | None = None,
     sanitized: bool = False,
 ) -> BuildOutcome:
-    """Build the packages `names` of the workspace and the packages of it that they declare to need.
+    """Build the packages `names` of the workspace, and those of its packages on which they depend.
 
-    What was built before from the same content is not built again. What the learner did wrong is in the
-    outcome's failure, and so is what goes beyond `bounds`. What was built or found stays in the store until
-    `keep` is closed (None: until this returns). Raises MissingHere and StorageError for what this machine
+    What was built before from the same content is not built again. Mistakes of the learner, and exceeding
+    `bounds`, are in the outcome's failure. What was built or found stays in the store until `keep` is
+    closed (None: until this returns). Raises MissingHere and StorageError for what this machine
     lacks, and Interrupted when `interrupt` is set from another thread. on_progress may be called from other
     threads. sanitized: compile C++ with the address sanitizer, and with line numbers for its reports.
     """
@@ -124,7 +124,7 @@ class _Build:
         return keys
 
     def _identity(self, package: Package) -> str:
-        """Of all that a build depends on beside packages. Python cannot load interfaces with a sanitizer."""
+        """Identifies what a build needs besides packages. Python cannot load interfaces with a sanitizer."""
         plain = not self.sanitized or not uses_cmake(package) or package.has_interfaces
         return self.ros.identity if plain else f"{self.ros.identity} {SANITIZED}"
 
@@ -204,7 +204,7 @@ class Step:
 
 
 class Unbuildable(Exception):
-    """There is nothing to run yet: the workspace itself is not right."""
+    """Nothing can be built: something is wrong with the workspace itself."""
 
     def __init__(self, failure: BuildFailure) -> None:
         super().__init__(failure.feedback.summary)
@@ -229,7 +229,7 @@ def _add(name: str, workspace: Workspace, steps: dict[str, Step], above: tuple[s
     package = _the_only(name, workspace)
     needed: dict[str, None] = {}
     for dependency in package.dependencies:
-        if workspace.named(dependency.name):  # else it is one of ROS, or of the system
+        if workspace.named(dependency.name):  # otherwise it belongs to ROS or the system
             _add(dependency.name, workspace, steps, (*above, name))
             needed.update(dict.fromkeys((*steps[dependency.name].after, dependency.name)))
     steps[name] = Step(package, tuple(needed))

@@ -1,11 +1,11 @@
 """A C++ build that resumes where the build of a similar package ended: only changed files compile.
 
-Packages are similar if they differ in their sources alone, and in nothing that CMake reads. The earlier build
+Packages are similar if they differ only in their sources, and in nothing that CMake reads. The earlier build
 folder is copied, and make does the rest: it compiles what is older than its sources, and installs.
 
 This is done for a learner's own packages and for the course's, never for submissions (see `PackageBuild`): a
 build folder contains what the programs of one author made. It also requires that CMakeLists.txt consists of
-commands that start CMake, make, and the compiler alone, because make does not know what others have read.
+commands that start only CMake, make, and the compiler, because make does not know what others have read.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _VARIABLES = re.compile(r"CMAKE_(C|CXX)_(STANDARD|STANDARD_REQUIRED|EXTENSIONS)|
 _OBSCURE = re.compile(
     r"\\|\[=*\[|LAUNCHER|RULE_LAUNCH|plugin|wrapper|specs|CONFIGS|file:|@|[\s(\"]-B", re.IGNORECASE
 )
-# How a compiler reads a file without saying so to make.
+# How a compiler can read a file without telling make.
 _READS = re.compile(rb"\.incbin|\.include\b|#\s*embed")
 
 
@@ -79,7 +79,7 @@ def _is_plain(command: str, first: tuple[str, ...]) -> bool:
 def keep_tree(package: str, entry: StoreEntry) -> bool:
     """Prepare a finished build so that others can resume it; return False if that is not possible.
 
-    The compiler's warnings would not be printed again for a file that is not compiled again.
+    It is not after warnings of the compiler, which it would not repeat without compiling the file again.
     """
     shutil.rmtree(entry.build / "tmp", ignore_errors=True)
     hooks = entry.build / package / "ament_cmake_environment_hooks/package.dsv"

@@ -1,7 +1,7 @@
 """One run of colcon for one package: its command line, its environment, and what this machine lacked for it.
 
-A build that failed for want of something on this machine is never the learner's failure. A log says what the
-build likes, so what it says of the machine must be true of it, too.
+A build that failed because this machine lacks something is never the learner's failure. A build can print
+anything, so what its log says about the machine is verified.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from course.errors import CourseError, MissingHere
 from course.rosenv import Ros, node_environment
 from course.rosenv.host import SYSTEM, lacks_library, missing_library
 
-# The log must contain what the tools say, once, and nothing about itself.
+# The log must contain what the tools print, once, and nothing else.
 _EVENT_HANDLERS = (
     "console_direct+",
     *(f"{name}-" for name in ("console_start_end", "console_stderr", "summary", "status", "parallel_status")),
@@ -46,7 +46,7 @@ _SECONDS = 30.0
 
 
 def colcon_command(package: Package, entry: StoreEntry, ros: Ros, env: Mapping[str, str]) -> list[str]:
-    """Build the copy in `entry.src` into `entry.install`, isolated. No symlinks: the copy may go away."""
+    """Builds the copy in `entry.src` into `entry.install`, isolated. No symlinks: the copy may be removed."""
     return [
         *_colcon(ros, env),
         *("--log-base", os.devnull, "build"),
@@ -57,9 +57,9 @@ def colcon_command(package: Package, entry: StoreEntry, ros: Ros, env: Mapping[s
 
 
 def build_environment(ros: Ros, entry: StoreEntry, overlays: Sequence[Path]) -> dict[str, str]:
-    """Only ROS and `overlays`; messages in English, and nothing of the user's settings for tools.
+    """Only ROS and `overlays`; messages in English, and none of the user's settings for tools.
 
-    HOME and TMPDIR lie in the entry's build folder, which goes away with the build.
+    HOME and TMPDIR are in the entry's build folder, which is removed after the build.
     """
     temporary = entry.build / "tmp"
     temporary.mkdir(exist_ok=True)
@@ -72,7 +72,7 @@ def build_environment(ros: Ros, entry: StoreEntry, overlays: Sequence[Path]) -> 
         "TMPDIR": str(temporary),
         "COLCON_HOME": str(temporary),
         "CMAKE_INSTALL_ALWAYS": "1",  # when a build resumes, times in seconds tell CMake too little
-        "PYTHONUNBUFFERED": "1",  # so that lines of several programs stand in their order
+        "PYTHONUNBUFFERED": "1",  # keeps lines of several programs in order
     }
 
 
@@ -81,7 +81,7 @@ def uses_cmake(package: Package) -> bool:
 
 
 def require_tools(package: Package, env: Mapping[str, str]) -> None:
-    """Raise MissingHere when this machine lacks a tool that the package's build type needs."""
+    """Raise MissingHere if this machine lacks a tool that the package's build type needs."""
     if not uses_cmake(package):
         return
     missing = [name for name in _TOOLS if shutil.which(name, path=env.get("PATH", os.defpath)) is None]
@@ -123,7 +123,7 @@ def _kills() -> int | None:
 
 @dataclass(frozen=True)
 class Killed:
-    """Made before a build: tells afterwards whether the kernel has killed anything for want of memory."""
+    """Created before a build; knows afterwards whether the kernel killed anything for lack of memory."""
 
     before: int | None = field(default_factory=_kills)
 
@@ -133,7 +133,7 @@ class Killed:
 
 @dataclass(frozen=True)
 class Machine:
-    """Where builds are kept, and the Python that they use. was_full: whether the disk was, meanwhile."""
+    """Where builds are kept, and the Python that they use. was_full: whether the disk was full meanwhile."""
 
     store: Path
     python: Path
@@ -154,7 +154,7 @@ class Machine:
 
 
 def raise_if_machine(lines: Sequence[str], machine: Machine) -> None:
-    """Raise StorageError or MissingHere when the log says that this machine is at fault, and it is."""
+    """Raise StorageError or MissingHere if the log says that this machine is at fault, and it is."""
     for line in lines:
         fault = _fault(line, machine)
         if fault is not None:

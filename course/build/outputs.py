@@ -1,7 +1,7 @@
 """What a submission's build writes: how much of it, and whether all of it may stay.
 
-A build that writes too much is stopped. Afterwards, what it wrote becomes ours, and nothing stays in it that
-could lead a reader astray.
+A build that writes too much is stopped. Afterwards, what it wrote becomes ours, and anything that could
+lead a reader astray is removed.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from course.isolation.watchdog import DISK
 
 FILES = "files"
 MOST_FILES = 50_000
-# CMake's own folders lie a dozen deep in one another.
+# CMake's own folders are nested a dozen deep.
 MOST_DEPTH = 60
-# Of the 4096 bytes that the kernel takes, so that a name of four bytes a character fits behind it.
+# Characters. The kernel takes 4096 bytes, so another name fits after this, even at four bytes a character.
 LONGEST_PATH = 700
 _EVERY = 1.0
 # A disk with fewer free bytes may be full before it is looked at again.
@@ -38,10 +38,10 @@ class Flaw:
 
 
 def seal(top: Path, within: Path) -> Flaw | None:
-    """All in `top` becomes ours, and readable by everyone; returns the first thing that must not be there.
+    """Make all in `top` ours and readable by everyone; returns the first thing that must not be there.
 
-    Links may lead to what is `within` the folder around it. Flawed links and special files are removed.
-    After "size" the rest is as it was. Nobody may write to the tree meanwhile.
+    Links may lead to anything in `within`, a folder around it. Flawed links and special files are removed.
+    After "size", the rest stays as it was. Nobody may write to the tree meanwhile.
     """
     home, flaw = within.resolve(), None
     for number, (path, status) in enumerate(_entries(top)):
@@ -56,7 +56,7 @@ def seal(top: Path, within: Path) -> Flaw | None:
 
 
 def _entries(top: Path) -> Iterator[tuple[Path, os.stat_result]]:
-    """With an explicit stack, because a deep tree would exceed Python's."""
+    """Everything in a folder. Uses an explicit stack, because a deep tree would exceed Python's."""
     waiting = [top] if top.is_dir() and not top.is_symlink() else []
     while waiting:
         folder = waiting.pop()
@@ -97,7 +97,7 @@ def _take(path: Path, status: os.stat_result) -> None:
 class DiskUsage:
     """Folders on a disk that others use, too. most: bytes for all together.
 
-    total: bytes in them when it was last looked. was_low: whether the disk was ever seen nearly full.
+    total: bytes in them at the last look. was_low: whether the disk was ever seen nearly full.
     """
 
     def __init__(self, tops: Iterable[Path], most: int) -> None:
@@ -108,7 +108,7 @@ class DiskUsage:
         self.was_low = False
 
     def look(self) -> str | None:
-        """What there is too much of, DISK or FILES; says None, too, when it has just been asked."""
+        """What there is too much of, DISK or FILES; None if nothing is, or if it was asked a moment ago."""
         low = any(shutil.disk_usage(top).free < LOW for top in self._tops[:1] if top.exists())
         self.was_low = self.was_low or low
         if time.monotonic() < self._next and not low:
@@ -118,7 +118,7 @@ class DiskUsage:
         return found
 
     def now(self) -> str | None:
-        """The same, looked at in any case. With a stack of our own: Python's ends before deep trees do."""
+        """Like `look`, but never skipped. With an explicit stack, since a deep tree would exceed Python's."""
         waiting = [(str(top), 0) for top in self._tops]
         self.total = number = 0
         while waiting:

@@ -1,4 +1,4 @@
-"""Building one package into its entry of the store, and what the learner is told when it was stopped.
+"""Builds one package into its entry in the store, and tells the learner why a build was stopped.
 
 A build runs foreign code, which sees and writes no more than it needs: see `isolated_build`.
 """
@@ -55,7 +55,7 @@ _LIMITS = {
     DISK: f"wrote more than {BUILD.scratch // _MB} MB of files",
     FILES: f"made more than {MOST_FILES} files, or folders far too deep in one another",
 }
-# What all packages of a check do: each may be fine by itself.
+# What all packages of a check did together: each may be fine by itself.
 _TOGETHER: dict[str | None, Callable[[Bounds], str]] = {
     ALL_SECONDS: lambda bounds: f"took longer than {bounds.seconds:g} s to build",
     ALL_CPU: lambda bounds: f"used more than {bounds.cpu:g} s of computing time",
@@ -74,7 +74,7 @@ RunCommand = Callable[[Sequence[str], Path, Path, float], Ended]
 class PackageBuild:
     """All that one build needs. `needed` and `overlays`: keys and prefixes of the packages it depends on.
 
-    identity: of the ROS in use, and of what C++ is compiled with.
+    identity: identifies the ROS in use, and the options for C++.
     """
 
     package: Package
@@ -95,7 +95,7 @@ class PackageBuild:
         return self.store.entry(self.key)
 
     def build(self) -> InstalledPackage | BuildFailure:
-        """Or find that someone else built it meanwhile. Raises SourcesChanged and Interrupted."""
+        """Build it, unless someone else built it meanwhile. Raises SourcesChanged and Interrupted."""
         name, source = self.package.name, self.package.source
 
         def waiting() -> None:
@@ -133,7 +133,7 @@ class PackageBuild:
         return None
 
     def _run_undisturbed(self, like: str | None) -> BuildFailure | None:
-        """Run the build, and again if one of our processes was killed, which the build could not cause."""
+        """Run the build, and again if one of our processes was killed, which the build itself cannot do."""
         for _ in range(_ATTEMPTS - 1):
             with suppress(Spoilt):
                 return self._run(like)
@@ -141,7 +141,7 @@ class PackageBuild:
         return self._run(like)
 
     def _run(self, like: str | None) -> BuildFailure | None:
-        """like: of the packages whose build folder this build may resume, and that may resume this one."""
+        """like: the key of packages whose build folders this build may resume, and the other way around."""
         entry = self.entry
         copy_sources(entry.kept, entry.kept, entry.src)
         goes_on = like is not None and resumed(
@@ -189,7 +189,7 @@ class PackageBuild:
         return explain_build(build)
 
     def usage(self) -> DiskUsage:
-        """Of all that its runs write."""
+        """How much all of its runs write."""
         return DiskUsage((*self._writable, self.entry.kept, self.entry.log.parent), BUILD.scratch)
 
     def _too_much(self, usage: DiskUsage) -> str | None:
@@ -201,10 +201,10 @@ class PackageBuild:
 
     @contextmanager
     def commands(self, env: Mapping[str, str], usage: DiskUsage) -> Iterator[RunCommand]:
-        """Yields what runs a command: `run(command, cwd, output, time_limit)`. No process of it lives on.
+        """Yield a function `run(command, cwd, output, time_limit)`. No process of the command outlives it.
 
-        What it wrote is another user's, and whatever that user liked: see `seal`. Running a command raises
-        Spoilt when somebody else has killed a process of ours.
+        What the command writes belongs to another user and can be anything: see `seal`. The function raises
+        Spoilt if somebody else has killed a process of ours.
         """
         with isolated_build(self.ros, env, self._writable, self.overlays, BUILD) as plan:
             for folder in self._writable:

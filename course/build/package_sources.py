@@ -1,7 +1,7 @@
-"""Which files make a package, a copy of them, and the key of a build: the same for the same content.
+"""The files of a package, a copy of them, and the key of a build: the same for the same content.
 
-What tools leave behind in a source folder is not part of it. A link within the course home counts as
-what it leads to; one that leads out of it stays a link, so that nothing of the machine is copied.
+What tools leave behind in a source folder does not belong to it. A link within the course home counts as
+its target. One that leads out of it stays a link, so that nothing else on the machine is copied.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ _LEFT_BY_TOOLS = frozenset(
 # What `colcon build` leaves when it is run in the package's own folder.
 _LEFT_BY_COLCON = frozenset({"build", "install", "log"})
 
-# A package of a course has some dozen files. More is an environment or a recording gone astray, and
-# hashing and copying it at every check would take longer than the check. Folders count as files do.
+# A package of a course has a few dozen files. Many more are a misplaced environment or recording, and
+# hashing and copying them at every check would take longer than the check. Folders count, too.
 MOST_FILES = 5000
 MOST_BYTES = 200_000_000
 MOST_DEPTH = 40
-# Goes up when what a build makes of the same sources changes: colcon's options, the layout of an entry.
+# Increased when builds of the same sources change, because of colcon's options or the layout of an entry.
 _FORMAT = "1"
 
 
@@ -46,7 +46,7 @@ class SourcesChanged(Exception):
 
 
 class TooMuch(Exception):
-    """The package's folder contains more than a package can; `largest` is the entry that weighs most."""
+    """The package's folder contains more than a package can; `largest` is the largest thing in it."""
 
     def __init__(self, largest: str) -> None:
         super().__init__(largest)
@@ -87,7 +87,7 @@ def copy_sources(folder: Path, home: Path, to: Path) -> None:
 def _walk(
     folder: Path, prefix: str, home: Path, above: tuple[Path, ...]
 ) -> Iterator[tuple[str, SourceFile | None]]:
-    """The names of all files and folders, with the type of each file."""
+    """The names of all files and folders, each with its SourceFile; None for a folder."""
     if prefix.count("/") > MOST_DEPTH:
         raise TooMuch(prefix.split("/")[0])
     with os.scandir(folder) as entries:
@@ -118,7 +118,7 @@ def _through_link(
 
 
 def within(path: Path, folder: Path | None) -> Path | None:
-    """What the path leads to, with all links followed; None when that is not there, or not in `folder`."""
+    """What the path leads to, with all links followed; None if it does not exist, or is not in `folder`."""
     try:
         target = path.resolve(strict=True)
     except (OSError, RuntimeError):  # it leads nowhere, or in a circle
@@ -133,8 +133,8 @@ def _file(name: str, path: Path, status: os.stat_result) -> SourceFile:
 def content_key(folder: Path, home: Path, dependencies: Iterable[str], identity: str) -> str:
     """32 hexadecimal digits that stand for one build of the package in `folder`.
 
-    dependencies: keys of the workspace packages it depends on; identity: that of the ROS in use.
-    Goes into it: names, contents and executable bits of all source files. Raises TooMuch.
+    dependencies: keys of the workspace packages it depends on. identity: identifies the ROS in use.
+    It covers the names, contents and executable bits of all source files. Raises TooMuch.
     """
     return _key((_FORMAT, identity, *sorted(dependencies)), source_files(folder, home), _content)
 
@@ -146,7 +146,7 @@ def likeness_key(
     identity: str,
     may_differ: Callable[[SourceFile], bool],
 ) -> str:
-    """The same for packages that differ in nothing but the contents of files that may differ."""
+    """A key that is the same for packages that differ only in the contents of files that may differ."""
 
     def content(file: SourceFile) -> bytes:
         return b"" if may_differ(file) else _content(file)

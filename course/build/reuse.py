@@ -1,11 +1,11 @@
-"""A build from an earlier one of a package that differs in what its modules say, and in nothing else.
+"""Makes a build from an earlier one of a package that differs only in the contents of its modules.
 
-Nearly every build is one after a line was changed in a module. colcon asks setup.py three times, and all that
-comes of it is a copy of that module. Some builds are known to do no more than that (see `is_plain`). Then
-the entry of a package like it is copied, and the changed modules are put in their places.
+Nearly every build comes after a line was changed in a module. colcon runs setup.py three times, and the only
+result is a copy of that module. Some builds are known to do no more than that (see `is_plain`). For these,
+the entry of a similar package is copied, and the changed modules are put in their places.
 
-setup.py is a program and may do anything; nearly all say only what `ros2 pkg create` wrote and what ROS's
-tutorials add to it. These are known here by what they consist of. Whatever else there is counts as not plain.
+setup.py is a program and may do anything, but nearly all contain only what `ros2 pkg create` wrote and what
+ROS's tutorials add to it. These are recognized by their parts; anything else counts as not plain.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _IMPORTS = {
     "os": {"path"},
     "os.path": {"join"},
 }
-# They look at names of files alone.
+# They look only at names of files.
 _CALLS = frozenset(
     {"find_packages", "setuptools.find_packages", "glob", "glob.glob", "os.path.join", "path.join", "join"}
 )
@@ -61,9 +61,9 @@ _CONFIGURED = {"develop": {"script_dir", "script-dir"}, "install": {"install_scr
 
 
 def likeness(kept: Path, build_type: str, needed: Iterable[str], identity: str) -> str | None:
-    """What the package in `kept` has in common with those like it; None if its build may do anything.
+    """The key that similar packages share with the one in `kept`; None if its build may do anything.
 
-    needed: keys of the packages that it depends on. identity: of the ROS in use.
+    needed: keys of the packages that it depends on. identity: identifies the ROS in use.
     """
     files = source_files(kept, kept)
     if any(file.link is not None for file in files):
@@ -105,7 +105,7 @@ def _is_as_built(earlier: StoreEntry, key: str, needed: Iterable[str], identity:
 
 
 def reused(store: Store, like: str, key: str, needed: Iterable[str], identity: str) -> bool:
-    """Fills the entry `key` from that of a package like it, if there is one; else all stays as it is."""
+    """Fill the entry `key` from that of a similar package, and return True; or change nothing."""
     entry, other = store.entry(key), store.alike(like)
     earlier = store.entry(other) if other else None
     try:
@@ -125,7 +125,7 @@ def reused(store: Store, like: str, key: str, needed: Iterable[str], identity: s
 
 @dataclass(frozen=True)
 class _Move:
-    """A build has the path of its entry written into some files; keys are equally long."""
+    """The keys to replace in files into which a build wrote the path of its entry. They are equally long."""
 
     old: bytes
     new: bytes
@@ -138,7 +138,7 @@ def _changes(earlier: StoreEntry, entry: StoreEntry) -> dict[str, bytes] | None:
     suspects = {PurePosixPath(name).name for name in changed}
     changes: dict[str, bytes] = {}
     for file in _files(earlier.install):
-        if file.is_symlink():  # whatever made that, it was none of what is known here
+        if file.is_symlink():  # nothing that is known here makes one
             return None
         if file.name not in suspects:
             continue
@@ -177,7 +177,7 @@ def _copy(old: Path, new: Path, move: _Move, changes: dict[str, bytes]) -> None:
             shutil.copymode(file, target)
         else:
             target.write_bytes(file.read_bytes().replace(move.old, move.new))
-            shutil.copystat(file, target)  # what is compiled counts by the age of its module
+            shutil.copystat(file, target)  # Python checks compiled code by its module's age
 
 
 def _compiled(module: str) -> str:
@@ -198,7 +198,7 @@ def _files(top: Path) -> Iterable[Path]:
 
 
 def is_plain(folder: Path, names: Iterable[str]) -> bool:
-    """names: of all files in the package's folder, relative to it."""
+    """Whether the build only copies modules. names: all files in the folder, relative to it."""
     names = frozenset(names)
     return (
         "setup.py" in names
@@ -214,12 +214,12 @@ def _may_be_imported(name: PurePosixPath) -> bool:
     top = name.parts[0]
     if len(name.parts) == 1:
         return name.suffix == ".py" and top != "setup.py"
-    # Of folders it takes those with an __init__.py first, others only when there is nothing else.
+    # It prefers folders with an __init__.py, and takes others only if there is nothing else.
     return name.parts[1:] == ("__init__.py",) and (not top.isidentifier() or _is_known(top))
 
 
 def _is_known(module: str) -> bool:
-    if module == "test":  # Python's own is none that setuptools asks for
+    if module == "test":  # setuptools never asks for Python's own
         return False
     try:
         return importlib.util.find_spec(module) is not None
@@ -230,7 +230,7 @@ def _is_known(module: str) -> bool:
 def _is_plain_setup(file: Path) -> bool:
     try:
         module = parsed(file.read_text(encoding="utf-8"))
-    except UnicodeDecodeError:  # it may say which encoding it is in; colcon looks
+    except UnicodeDecodeError:  # it may declare another encoding; colcon reads that
         return False
     return module is not None and all(_is_plain_statement(statement) for statement in module.body)
 

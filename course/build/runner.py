@@ -1,7 +1,7 @@
 """Runs a program that may hang, flood or fork, so that all of it ends when it must, or when it is called off.
 
 It gets a session of its own. When it ends, is called off, or runs too long, that whole session is killed.
-When we ourselves are killed, the kernel ends what is isolated; else a small guard process kills the session.
+If we are killed ourselves, the kernel ends an isolated program; otherwise, a small guard kills the session.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ MOST_OUTPUT = 32 * 1024**2
 # How often limits are looked at, in seconds.
 _LOOK = 0.25
 
-# Killing process group 0 means one's own: the guard leads the session, so all of it goes. If we are gone
-# before the kernel knows whom to tell ($0 is our number), nothing begins.
+# `kill 0` kills one's own process group. The guard leads the session, so all of it ends. If we have ended
+# before the guard asked the kernel to watch us ($0 is our process id), nothing starts.
 _GUARD = 'trap "kill -KILL 0" TERM; [ "$PPID" = "$0" ] || exit; "$@" & wait "$!"'
 
 
 class Ending(Enum):
-    """Why a program is over."""
+    """Why a program ended."""
 
     EXITED = "exited"
     TOO_LONG = "too long"
@@ -63,9 +63,9 @@ def run(
 ) -> Ended:
     """Run `command` to its end, as the plan says, and write what it prints to the file `output`.
 
-    breach: asked now and then, with the pid of what was started, for a limit that was reached.
-    Raises Interrupted when `interrupt` is set, and OSError when it cannot be started or the disk is full.
-    Raises Spoilt when somebody else has killed a process of ours that it depends on.
+    breach: called now and then with the pid of what was started; returns a limit that was reached.
+    Raises Interrupted when `interrupt` is set, and OSError if it cannot be started or the disk is full.
+    Raises Spoilt if somebody else has killed a process of ours that it depends on.
     No process of its session is alive afterwards.
     """
     began, guarded = time.monotonic(), command if plan else _guarded(command)
@@ -84,7 +84,7 @@ def run(
 
 def _guarded(command: Sequence[str]) -> list[str]:
     setpriv = shutil.which("setpriv")
-    if setpriv is None:  # then only a kill -9 of ours leaves the program to end by itself
+    if setpriv is None:  # then the program outlives us if we are killed with -9
         return list(command)
     return [setpriv, "--pdeathsig", "TERM", "--", "/bin/sh", "-c", _GUARD, str(os.getpid()), *command]
 
@@ -182,7 +182,7 @@ class Interrupt:
         os.close(self._end)
 
     def set(self) -> None:
-        """Wake all who wait, now and later. Setting it twice is fine."""
+        """Wake everyone who waits, now and later. Setting it twice is fine."""
         end, self._other_end = self._other_end, -1
         if end != -1:
             os.close(end)

@@ -1,19 +1,19 @@
 """Builds kept by content: one entry for each key, made at its final place and complete or absent.
 
     ROOT/<key>/src      the copy that was built
-    ROOT/<key>/kept     the same while it is built, out of reach of what the build does to its own
+    ROOT/<key>/kept     a copy of src during the build, which the build cannot change
     ROOT/<key>/install  colcon's install base; it contains the package's prefix, isolated
     ROOT/<key>/log      what the build printed
     ROOT/<key>/build    while it is built; kept if other builds may resume it, see `cmake_reuse`
-    ROOT/<key>/complete written last, by rename: without it the entry is half-made and counts for nothing.
-                        It has a digest of what was installed: an entry that differs is made again
+    ROOT/<key>/complete written last, by rename: without it, the entry is unfinished and is ignored.
+                        It has a digest of what was installed: an entry that differs is built again
     ROOT/<key>.lock     held while the entry is made or removed
     ROOT/<key>.used     held, shared, by everyone who uses the entry: it is not removed meanwhile
     ROOT/<key>.like     the key of an entry whose package differs in its sources alone, see `reuse`
     ROOT/pruned         when the store was last pruned: the age of the file
 
 An entry that is complete is never written to again. Its paths are baked into what was built, so it
-cannot move. When it was last used is the age of `complete`.
+cannot move. The age of `complete` says when it was last used.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from course.files import open_lock, try_lock, wipe, write_atomic
 from course.rosenv import cache_dir
 
 KEEP_BYTES = 2 * 1024**3
-# The log of a failed build is kept this long, for those who want to read it.
+# The log of a failed build is kept this long, for anyone who wants to read it.
 _KEEP_FAILURES = 3600.0
 # Builds of a class come many at once; what they add meanwhile is bounded by their claims.
 _PRUNE_EVERY = 10.0
@@ -84,7 +84,7 @@ class StoreEntry:
         """Whether it can be used, and is what was built; notes the use, so that it is kept."""
         if not self._is_intact("installed", self.install):
             return False
-        with suppress(OSError):  # a store on a read-only disk serves all the same
+        with suppress(OSError):  # a store on a read-only disk is still of use
             os.utime(self.marker)
         return True
 
@@ -121,7 +121,7 @@ class StoreEntry:
         write_atomic(self.marker, json.dumps(noted))
 
     def discard(self) -> None:
-        """Leave nothing of a build that did not finish."""
+        """Remove everything of a build that did not finish."""
         wipe(self.path)
 
     def give_up(self) -> None:
@@ -129,7 +129,7 @@ class StoreEntry:
         wipe(self.src, self.kept, self.build, self.install)
 
     def begin_again(self) -> None:
-        """Room for another run of a build that did not finish: no trace of the first one."""
+        """Prepare another run of a build that did not finish, with no trace of the first one."""
         wipe(self.src, self.build, self.install)
         for folder in (self.build, self.install):
             folder.mkdir()
@@ -139,7 +139,7 @@ class Store:
     """All kept builds of this user. Several processes and threads may use one store at once."""
 
     def __init__(self, root: Path | None = None, keep_bytes: float = KEEP_BYTES) -> None:
-        """keep_bytes: `prune` removes what is beyond that, and not in use."""
+        """keep_bytes: `prune` removes what exceeds this and is not in use."""
         self.root = root or cache_dir(os.environ) / "builds"
         self._keep_bytes = keep_bytes
 
@@ -147,20 +147,20 @@ class Store:
         return StoreEntry(self.root / key)
 
     def alike(self, like: str) -> str | None:
-        """The key of the entry that was noted last for that likeness; it may be gone."""
+        """The key of the entry that was noted last for that likeness; the entry may be gone."""
         with suppress(OSError, ValueError):
             key = self._like_file(like).read_text(encoding="ascii")
             return key if _KEY.fullmatch(key) else None
         return None
 
     def note_alike(self, like: str, key: str) -> None:
-        """To be found by `alike`. Nothing is wrong when that fails: then it is not found."""
+        """Note a key for `alike`. If that fails, nothing is wrong: `alike` does not find it."""
         with suppress(OSError):
             write_atomic(self._like_file(like), key)
 
     @contextmanager
     def locked(self, key: str, interrupt: Interrupt, on_wait: Callable[[], None]) -> Iterator[StoreEntry]:
-        """Hold the entry against everyone else; `on_wait` is called once if that takes a while."""
+        """Lock the entry against everyone else; `on_wait` is called once if that takes a while."""
         lock = self._acquire(self._lock_file(key), interrupt, on_wait)
         try:
             yield self.entry(key)
@@ -169,7 +169,7 @@ class Store:
 
     @contextmanager
     def in_use(self, key: str, interrupt: Interrupt) -> Iterator[None]:
-        """Nobody removes the entry meanwhile, whether it is there already or not."""
+        """Inside this context, nobody removes the entry, whether or not it exists already."""
         try:
             lock = self._acquire(self._use_file(key), interrupt, shared=True)
         except StorageError:  # what cannot be written to cannot be pruned; a build says what is wrong
@@ -215,7 +215,7 @@ class Store:
         self.prune()
 
     def prune(self) -> None:
-        """Remove old failures, and the longest unused entries until the rest fits."""
+        """Remove old failures, and the least recently used entries until the rest fits."""
         now = time.time()
         kept = 0
         removed = False
@@ -230,13 +230,13 @@ class Store:
             self._forget_likes()
 
     def make_room(self, wanted: int) -> None:
-        """Remove entries until so many bytes are free: failures, then the longest unused, of any age."""
-        if self.free() >= wanted:  # nearly always; to read what the entries are takes a while
+        """Remove entries until `wanted` bytes are free: failures, then the least recently used ones."""
+        if self.free() >= wanted:  # nearly always; reading all entries takes a while
             return
         for _, _, key in sorted(self._entries(), key=lambda entry: (entry[1] > 0, entry[0])):
             if self.free() >= wanted:
                 break
-            with suppress(OSError):  # not even a lock file fits any more
+            with suppress(OSError):  # not even a lock file fits anymore
                 self._remove(key)
         self._forget_likes()
 
@@ -255,7 +255,7 @@ class Store:
                 yield *_noted(folder.path), folder.name
 
     def _remove(self, key: str) -> bool:
-        """False if somebody is making or using it."""
+        """Remove an entry; False if somebody is making or using it."""
         files = (self._lock_file(key), self._use_file(key))
         with ExitStack() as stack:
             for file in files:
@@ -339,7 +339,7 @@ def _noted(folder: str) -> tuple[float, int]:
 def digest_of(top: Path) -> str:
     """32 hexadecimal digits of the names, modes and contents of everything below `top`; links by target.
 
-    Raises OSError when something cannot be read.
+    Raises OSError if something cannot be read.
     """
     hashed, start = hashlib.blake2b(digest_size=16), len(str(top)) + 1
     for entry in sorted(_below(str(top)), key=lambda entry: entry.path):

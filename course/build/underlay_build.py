@@ -1,4 +1,4 @@
-"""Building packages of the underlay, when something needs them for the first time."""
+"""Builds packages of the underlay when something needs them for the first time."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from course.errors import OurFault
 from course.rosenv import Ros, add_to_underlay, compiled_of_underlay, missing_of_underlay, underlay_builds
 from course.rosenv.underlay import UnderlayPackage, source_root
 
-# Seconds for a package. They are our own, and end; a busy machine takes its time.
+# Seconds for a package. These are our own, and do end, but a busy machine needs time.
 _TIME_LIMIT = 1800.0
-# Files in which a package's interfaces are named by those who use them.
+# Files in which packages name the interfaces that they use.
 _TEXTS = (".py", ".cpp", ".hpp", ".h", ".msg", ".srv", ".action", ".txt", ".xml")
 _LISTS = ("CMakeLists.txt",)
 _TESTS, _END = re.compile(rb"\s*if\s*\(\s*BUILD_TESTING\b"), re.compile(rb"\s*endif\b")
@@ -32,11 +32,11 @@ def provide(
     on_progress: Progress = lambda text: None,
     interrupt: Interrupt | None = None,
 ) -> None:
-    """Have in place whatever of the underlay the packages `names` of the workspace may need.
+    """Build whatever the packages `names` of the workspace may need from the underlay.
 
     Installed ROS packages can be used without declaring them, so what CMake is told to find counts, too, and
     interfaces that a source file mentions.
-    Costs next to nothing when all is there. Raises what `build_underlay` raises.
+    Takes almost no time if everything is there. Raises what `build_underlay` raises.
     """
     missing = missing_of_underlay(ros)
     if not missing:
@@ -57,9 +57,9 @@ def build_underlay(
     on_progress: Progress = lambda text: None,
     interrupt: Interrupt | None = None,
 ) -> None:
-    """Build these packages of the underlay and put them in place; at once when that was done before.
+    """Build these packages of the underlay and put them in place; quick if that was done before.
 
-    Raises OurFault when one does not build, MissingHere and StorageError for what this machine lacks, and
+    Raises OurFault if one does not build, MissingHere and StorageError for what this machine lacks, and
     Interrupted when `interrupt` is set.
     """
     root, names = source_root(), tuple(names)

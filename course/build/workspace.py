@@ -16,10 +16,10 @@ from course.explain.package_xml import Dependency, Manifest, ManifestFault, gues
 IGNORE_MARKERS = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
 _INTERFACES = "rosidl_interface_packages"
 _COLCON_FOLDERS = frozenset({"build", "install", "log"})
-# A package.xml of a course has about a thousand bytes, and a workspace some dozen folders.
+# A package.xml of a course has about a thousand bytes, and a workspace a few dozen folders.
 _MOST_BYTES = 256 * 1024
 _MOST_FOLDERS = 20_000
-# No more are read; one more than that is found, to tell.
+# The most that are used. One more is read, to notice that there are too many.
 MOST_PACKAGES = 200
 _MANIFEST_IS_SHORT = "It has a few lines; compare it with that of another package."
 
@@ -28,8 +28,8 @@ _MANIFEST_IS_SHORT = "It has a few lines; compare it with that of another packag
 class Package:
     """One package in the workspace.
 
-    folder: where it lies; source: the same, relative to the course home.
-    manifest: None when package.xml cannot be read; then `fault` says why, and `name` is the best guess.
+    folder: its path. source: the same, relative to the course home.
+    manifest: None if package.xml cannot be read; then `fault` says why, and `name` is the best guess.
     """
 
     name: str
@@ -40,7 +40,7 @@ class Package:
 
     @property
     def build_type(self) -> str:
-        """As colcon takes it: a package.xml that does not say is one of the older catkin."""
+        """As colcon sees it: a package.xml that does not state one is for the older catkin."""
         return (self.manifest.build_type if self.manifest else None) or "catkin"
 
     @property
@@ -62,7 +62,7 @@ class Package:
 class Workspace:
     """The packages below `root`: mostly in its src, but colcon looks everywhere.
 
-    home: the course home, which places are shown relative to. inside: see `read_package`.
+    home: the course home; messages show paths relative to it. inside: see `read_package`.
     """
 
     root: Path
@@ -74,9 +74,9 @@ class Workspace:
     def scan(cls, root: Path, home: Path | None = None, *, trusted: bool = False) -> Workspace:
         """Find the packages of the workspace `root`; `home` is the folder above it if not given.
 
-        Nothing is wrong with a workspace that is not there: it has no packages. trusted: packages, and the
-        workspace itself, may be links out of the home, as some keep them in a repository; else what such a
-        link leads to is not looked at.
+        A workspace that does not exist is not an error: it has no packages. trusted: packages, and the
+        workspace itself, may be links out of the home, because some people keep them in a repository;
+        otherwise, such links are not followed.
         """
         home = home or root.parent
         inside = None if trusted else home.resolve()
@@ -84,7 +84,7 @@ class Workspace:
         return cls(root, home, tuple(read_package(folder, home, inside) for folder in folders), inside)
 
     def scan_again(self) -> Workspace:
-        """The same as it is now."""
+        """The same workspace as it is now."""
         return Workspace.scan(self.root, self.home, trusted=self.is_trusted)
 
     @property
@@ -109,13 +109,13 @@ class Workspace:
         return found
 
     def find(self, name: str) -> Package | None:
-        """The package of that name, if it is there once."""
+        """The package of that name, if there is exactly one."""
         found = self.named(name)
         return found[0] if len(found) == 1 else None
 
 
 def read_package(folder: Path, home: Path, inside: Path | None) -> Package:
-    """inside: the folder that links may not lead out of, with all links followed; None for no such one."""
+    """inside: the folder, with all links followed, out of which links must not lead; None if they may."""
     data = _manifest_bytes(folder / "package.xml", inside)
     read = data if isinstance(data, ManifestFault) else read_manifest(data)
     if isinstance(read, ManifestFault):
@@ -141,7 +141,7 @@ def _manifest_bytes(file: Path, inside: Path | None) -> bytes | ManifestFault:
 
 
 def package_folders(top: Path, inside: Path | None) -> Iterator[Path]:
-    """Folders with a package.xml below `top`, sorted. A package inside a package is not one, says colcon.
+    """Folders with a package.xml below `top`, sorted. As for colcon, a package inside another does not count.
 
     inside: see `read_package`.
     """

@@ -33,8 +33,8 @@ EPILOG = (
 class LazyCommand(TyperCommand):
     """A command whose module is imported only when the command is typed, not when it is listed.
 
-    module: in `course.cli`; or, without one of its own, the name of an optional tool. function: its name
-    there, or that of a Typer with commands of its own.
+    module: its name in `course.cli`, or the name of an optional tool. function: its name in the module, or
+    that of a Typer with subcommands.
     """
 
     def __init__(self, name: str, help: str, module: str, function: str, epilog: str = "EXAMPLES") -> None:

@@ -88,7 +88,7 @@ def colcon() -> MachineFinding:
 
 
 def program(name: str, package: str) -> MachineFinding:
-    """A program that building and working need."""
+    """A program that is needed for building or working."""
     command = shutil.which(name)
     if command is None:
         return MachineFinding(name, State.MISSING, "not found", f"Install it: {install(package)}")
@@ -129,7 +129,7 @@ def course_home(options: Options) -> MachineFinding:
 
 
 def storage(name: str, folder: Path) -> MachineFinding:
-    """Whether files can be made in a folder, and whether its disk has room for builds."""
+    """Whether files can be created in a folder, and whether its disk has room for builds."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):

@@ -1,4 +1,4 @@
-"""`evidence`: what `check` recorded, to look at and to take along."""
+"""`evidence`: what `check` recorded, to look at or to export."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The optional tools: packages in `extras/`, beside the engine. Nothing else in it imports them."""
+"""The optional tools: packages in `extras/`, beside the engine. Nothing else in the engine imports them."""
 
 from __future__ import annotations
 

@@ -103,7 +103,7 @@ class ClassRequest:
 
 @dataclass(frozen=True)
 class Execution:
-    """Who grades. jobs: gradings at once, None for the default. contained: refuse to run uncontained.
+    """Where to grade. jobs: gradings at once, None for the default. contained: refuse to run uncontained.
 
     cluster: address of a Dask scheduler, `local` for one of our own, None for this machine's own pool.
     """
@@ -149,7 +149,7 @@ def grade_class(
                     try:
                         _grade_found(course, asked, graders, gradescope, results, again, arrivals)
                         told = ""
-                    except UsageError as error:  # as a typo in deadlines.yaml, until it is corrected
+                    except UsageError as error:  # such as a typo in deadlines.yaml, until it is corrected
                         told = _tell(error, told)
                         arrivals.forget_fresh()
         except KeyboardInterrupt:
@@ -221,7 +221,7 @@ def report_again(course: Course, results: Results, out: Path) -> None:
 
 
 def grade_again(course: Course, out: Path, root: Path | None) -> bool:
-    """Grade what is missing among the results, as it was asked for the first time; see `grade_class`."""
+    """Grade what is missing in the results, with the settings of the first run; see `grade_class`."""
     with results_folder(out) as results:
         before = settings_of(results)
     of = (before.submissions, before.wanted, out, before.single, root)
@@ -334,7 +334,7 @@ def _say_unknown(book: Gradebook) -> None:
         _say(error_console(), f"{told} Write it into deadlines.yaml, under handed_in.")
 
 
-# In place of a scheduler's address: workers of this machine's own.
+# Instead of a scheduler's address: workers on this machine.
 LOCAL = "local"
 
 EXAMPLES = examples(

@@ -1,4 +1,4 @@
-"""`hint`: one further hint each time."""
+"""`hint`: one more hint each time."""
 
 from __future__ import annotations
 

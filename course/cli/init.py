@@ -75,7 +75,7 @@ def home_or_new(console: Console, options: Options) -> CourseHome:
 def make_home(console: Console, place: Path, course: Path | None = None) -> CourseHome:
     """Make a course home, or add missing files to one, and say which of the two it did.
 
-    course: the folder of the course that it is for from now on, unless it is the one that comes along.
+    course: the folder of the course that it is for from now on; None for ros2course's own.
     """
     if course is not None:
         require_course(course)

@@ -28,7 +28,7 @@ def run() -> NoReturn:
 
 
 def main(words: Sequence[str]) -> int:
-    """Run one command line and return its exit code. Nothing but SystemExit's cousins gets through."""
+    """Run one command line and return its exit code. No Exception passes through."""
     _write_any_character()
     try:
         code = _dispatch(words)
@@ -59,7 +59,7 @@ def _dispatch(words: Sequence[str]) -> int:
 
 @contextmanager
 def _loading_early(words: Sequence[str]) -> Iterator[ForkServer | None]:
-    """`check` waits for this process to load, so it starts before this one loads what it needs itself."""
+    """Start early the process that `check` forks from, because `check` has to wait until it has loaded."""
     if "check" not in words or "--help" in words or "-h" in words:
         yield None
         return

@@ -32,7 +32,7 @@ Steps = list[tuple[str, str]]
 
 
 class What(str, Enum):
-    """What can be new."""
+    """What can be made."""
 
     COURSE = "course"
     CHAPTER = "chapter"

@@ -59,7 +59,7 @@ def _play(exercise: Exercise, home: CourseHome) -> None:
         with activity(error_console(), f"starting {exercise.id}") as say:
             environment = play_environment(exercise, find_ros(), stack, on_progress=say)
             nodes = stack.enter_context(mystery_nodes(job, environment, lock))
-        with suppress(KeyboardInterrupt):  # from the moment that it says how to end it
+        with suppress(KeyboardInterrupt):  # from the moment it says how to end it
             _tell(exercise)
             nodes.wait()
     put(open_console(), "\nThe nodes have ended.")

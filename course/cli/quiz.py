@@ -49,7 +49,7 @@ class Asking:
     def run(self, *, again: bool) -> None:
         """Ask what is not answered yet; `again`: also what is wrong, or everything when all is right.
 
-        Leaves a file that cannot be read as it is: judging it says what is wrong with it. Ctrl+C passes
+        A file that cannot be read is left as it is, because judging it reports what is wrong. Ctrl+C passes
         through; what was answered is kept.
         """
         try:
@@ -127,7 +127,7 @@ def keep_first_answers(home: CourseHome, exercise: Exercise, questions: tuple[Qu
         open_ones = ((one, known.to(one.id)) for one in questions if not known.first(one.id))
         return {one.id + FIRST: given.texts for one, given in open_ones if given and is_a_try(one, given)}
 
-    with suppress(Failure):  # of a file that cannot be read; judging it has said so
+    with suppress(Failure):  # the file cannot be read; judging it has reported that
         _change(home, exercise, questions, wrong)
 
 

@@ -100,7 +100,7 @@ def not_passed_yet(session: CourseSession, exercise: Exercise) -> tuple[str, ...
 
 
 def unread(session: CourseSession, lessons: Iterable[Lesson]) -> Iterator[Lesson]:
-    """Those that were not shown yet; each counts as shown once the next one is asked for."""
+    """The lessons not shown yet; each counts as shown once the next one is asked for."""
     for lesson in lessons:
         if not session.progress.chapter_shown(lesson.id):
             yield lesson
@@ -111,12 +111,12 @@ def _current(session: CourseSession) -> Exercise | None:
     name = session.progress.current()
     try:
         return session.course.exercise(name) if name else None
-    except UsageError:  # the progress is of another course, or the exercise is gone from this one
+    except UsageError:  # the progress belongs to another course, or the exercise is gone
         return None
 
 
 def complete_exercise(ctx: typer.Context, incomplete: str) -> list[tuple[str, str]]:
-    """Exercise ids with their titles. In the middle of a command line, a fault only means no help."""
+    """Exercise ids with their titles. During completion, an error only means that there are none."""
     try:
         exercises = course_here(options_of(ctx)).exercises()
     except CourseError:

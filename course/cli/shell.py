@@ -62,7 +62,7 @@ def write_command(home: CourseHome) -> Path:
 
 
 def own_command(not_this: Path) -> str:
-    """The words that run this program from any folder: the launcher, the installed script, or Python."""
+    """The command that runs this program from any folder: the launcher, the installed script, or Python."""
     for candidate in (os.environ.get(LAUNCHER), sys.argv[0]):
         file = Path(candidate or "").absolute()
         if file.name == PROGRAM and file != not_this and os.access(file, os.X_OK) and file.is_file():
@@ -103,7 +103,7 @@ def shell(
     words = ["--rcfile", start, "-i"] if command is None else ["-c", f". {shlex.quote(start)}\n{command}"]
     os.chdir(home.path)
     sys.stdout.flush()
-    # Not a child: job control, signals and the exit code are bash's own.
+    # Replaces this process, so that job control, signals and the exit code are bash's own.
     os.execve(bash, ["bash", *words], _environment(home))
 
 
@@ -148,7 +148,7 @@ def _environment(home: CourseHome) -> dict[str, str]:
 
 
 def _without_own_libraries() -> dict[str, str]:
-    """The environment without what the start-up of Python with ROS wheels puts into it for this process.
+    """The environment without what Python with ROS wheels adds to it when this process starts.
 
     It lists libraries in an order that varies, so two shells would differ; setup.bash has them in order.
     """

@@ -35,6 +35,6 @@ def show(
                 render_lesson(console, read.chapter, read.text)
             render_exercise(console, shown, session.home.path, state)
             if shown.questions:
-                from course.cli.quiz import put_questions  # takes three times as long as all else
+                from course.cli.quiz import put_questions  # takes three times as long as everything else
 
                 put_questions(console, session, shown)

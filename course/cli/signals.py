@@ -16,8 +16,8 @@ _LIKE_INTERRUPT = (signal.SIGTERM, signal.SIGHUP)
 def ended_cleanly() -> Iterator[Callable[[], None]]:
     """Inside this context, a closed terminal or a `kill` ends the command like Ctrl+C, with all it started.
 
-    Yields what a long loop has to call now and then: it raises once more when a signal came and what it
-    raised was lost. Python prints, and forgets, whatever is raised while an object is being destroyed.
+    Yields a function for a long loop to call now and then. It raises again if a signal came and its
+    exception was lost: Python only prints what is raised while an object is being destroyed.
     """
     came: list[int] = []
 
@@ -29,7 +29,7 @@ def ended_cleanly() -> Iterator[Callable[[], None]]:
         if came:
             _raise(came[0])
 
-    # A program that was started in the background ignores Ctrl+C, and continues to do so.
+    # A program that was started in the background ignores Ctrl+C, and must continue to do so.
     ctrl_c = (signal.SIGINT,) if signal.getsignal(signal.SIGINT) is signal.default_int_handler else ()
     before = {number: signal.signal(number, leave) for number in (*ctrl_c, *_LIKE_INTERRUPT)}
     try:

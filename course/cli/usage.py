@@ -1,4 +1,4 @@
-"""The words of the command line: the program's name, examples for help, where options may stand."""
+"""The words of the command line: the program's name, examples for help, and where options may be."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def examples(*pairs: tuple[str, str]) -> str:
 
 
 def global_options_first(words: Sequence[str]) -> list[str]:
-    """`--home DIR` and `--course DIR` may also stand after the command; this moves them before it.
+    """`--home DIR` and `--course DIR` may also follow the command; this moves them before it.
 
     Words after `--` stay, and so does an option without its value, for the parser to complain about.
     """

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from course.validate import Finding
 
 
-_LINES_EVERY = 50  # proofs, where there is no bar
+_LINES_EVERY = 50  # proofs for each line, where there is no progress bar
 
 
 @dataclass(frozen=True)

@@ -93,7 +93,7 @@ def write(recording: Recording, stream: IO[bytes], *, began_ns: int) -> None:
 def load(file: Path) -> Recording:
     """Read a recording back.
 
-    Raises BadRecording if it is not a recording, OtherFormat if it is of another version, and StorageError
+    Raises BadRecording if it is not a recording, OtherFormat if it is from another version, and StorageError
     if it cannot be read.
     """
     try:
@@ -104,7 +104,7 @@ def load(file: Path) -> Recording:
 
 
 def read(data: bytes, file: Path | str) -> Recording:
-    """As `load`, from the bytes of `file`."""
+    """Like `load`, but from the bytes of `file`."""
     try:
         records = tuple(_records(data))
         about = _about(records)

@@ -218,8 +218,8 @@ class ProbeAnswer:
     """The answer to one question of a probe; the question is "" if the probe itself failed.
 
     value: plain JSON data; anything else as its `repr`. type: the name of the value's type. error: the line
-    that names the exception, if one was raised. `file` and `line` then name the line
-    that led to it. `file` is relative to the course home, or absolute outside of it; None if there is none.
+    that names the exception, if one was raised; `file` and `line` then say which line led to it. `file` is
+    relative to the course home, or absolute outside of it; None if there is none.
     """
 
     question: str

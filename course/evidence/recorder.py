@@ -65,7 +65,7 @@ def load_middleware() -> None:
 
 
 class Recorder:
-    """Records ROS into `timeline` between entering and leaving its context."""
+    """Records ROS into `timeline` while its context is open."""
 
     def __init__(self, timeline: Timeline) -> None:
         self.timeline = timeline
@@ -121,7 +121,7 @@ class Recorder:
                 pass
         except ExternalShutdownException:
             pass  # raised by rclpy when our own __exit__ ends it
-        except Exception as error:  # noqa: BLE001 - kept and raised by __exit__: deaf evidence blames nobody
+        except Exception as error:  # noqa: BLE001 - raised by __exit__: a gap must not count against learners
             # A thread that is busy when we close finds its context gone.
             self._error = None if self._closing else error
 

@@ -68,7 +68,7 @@ def read_sources(home: Path, roots: Iterable[str], *, trusted: bool = False) -> 
 
 
 def name_in(home: Path, path: Path) -> str:
-    """A path of the home as texts can hold it, even if its name is not valid UTF-8."""
+    """A path in the home as valid text, even if its name is not valid UTF-8."""
     return os.fsencode(path.relative_to(home)).decode("utf-8", errors="replace")
 
 

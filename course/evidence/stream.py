@@ -1,7 +1,7 @@
 """A stream: rows of numbers, each with the time at which it arrived. Needs no ROS.
 
-Plain Python is fast enough: ten seconds of six numbers at 500 Hz are 30,000, and each question goes through
-them once. numpy comes only with ROS, which a recording can be judged without.
+Plain Python is fast enough: ten seconds of six numbers at 500 Hz are 30,000 values, and each question reads
+them once. numpy comes only with ROS, and a recording can be judged without ROS.
 """
 
 from __future__ import annotations

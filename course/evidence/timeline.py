@@ -40,7 +40,7 @@ class Timeline:
     def when(self, wall_ns: int) -> float:
         """The wall-clock time `wall_ns` (ns since 1970) as seconds of this time line.
 
-        If the wall clock was adjusted meanwhile, so that this is outside of the recording, it is now.
+        If the wall clock was adjusted meanwhile, so that this is outside of the recording, returns `now()`.
         """
         now, wall = self._both_clocks()
         ago = (wall - wall_ns) / 1e9

@@ -1,1 +1,1 @@
-"""The texts of new files, as package data. Their words in `$...` are filled in by `fill`."""
+"""The texts of new files, as package data. `filled` replaces the words in them that begin with `$`."""

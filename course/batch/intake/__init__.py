@@ -1,8 +1,8 @@
-"""Finds the submissions of a class, and what each of them holds; nothing of them is run or imported.
+"""Finds the submissions of a class and what each of them contains, without running or importing any of it.
 
-`find_sources` tells who handed in what, `look` what one submission holds, and `lay_out` makes a fresh
-course home of it. Each step can be done again, and for each submission by itself, in any order and
-in any process.
+`find_sources` finds who handed in what, `look` finds what one submission contains, and `lay_out` makes a
+new course home from it. Each step can be repeated, and done for each submission separately, in any order
+and in any process.
 """
 
 from course.batch.intake.contents import lay_out, look

@@ -17,7 +17,7 @@ from course.home.opening import Remark, visible
 from course.model import replace
 from course.model.gradebook import Person
 
-# Columns by their letters alone, as Canvas, Moodle, Blackboard, Classroom 50 and our own rosters head them.
+# Names of columns in Canvas, Moodle, Blackboard, Classroom 50 and our own rosters, reduced to their letters.
 _ID = ("canvasuserid", "identifier", "id", "idnumber", "username", "emailaddress", "email")
 _OTHER_IDS = ("sisuserid", "sisloginid", "userid", "loginid", "studentid", *_ID)
 _NAME = ("student", "fullname", "name")
@@ -26,7 +26,7 @@ _GROUP = ("group", "groups", "groupname")
 _TIME = ("submitted", "lastmodified(submission)")
 _PARTICIPANT = re.compile(r"Participant (\d+)")
 _FORM = "Export Canvas' gradebook, Moodle's grading worksheet or participants' list, or write id,name,group."
-# Canvas' second row, and the student with which its instructors try things out.
+# Names that are not people's: Canvas' second row, and its test student.
 _NOBODY = ("Points Possible", "Student, Test")
 NOTHING_HANDED_IN = "Nothing was handed in."
 NOT_LISTED = "This person is not on the class list."
@@ -34,7 +34,7 @@ NOT_LISTED = "This person is not on the class list."
 
 @dataclass(frozen=True)
 class Listed:
-    """One line of the list. keys: all ids that it has of the person."""
+    """One line of the list. keys: all ids of the person in it."""
 
     person: Person
     keys: frozenset[str]
@@ -50,7 +50,7 @@ def read_class_list(file: Path) -> tuple[Listed, ...]:
 
 
 def merged(uploads: Uploads, listed: Sequence[Listed]) -> Uploads:
-    """The class: everybody on the list, with what they handed in, and who handed in without being on it."""
+    """The class: everybody on the list, with what they handed in, and anyone else who handed in something."""
     own = _own(uploads.each, listed)
     taken = {upload.person.id for upload in own.values()}
     everybody = [_together(one, own.get(one.person.id)) for one in listed]
@@ -59,9 +59,9 @@ def merged(uploads: Uploads, listed: Sequence[Listed]) -> Uploads:
 
 
 def in_groups(uploads: Uploads) -> Uploads:
-    """Of each group, one submission counts for all of its members: the last one that was handed in.
+    """Let one submission of each group count for all of its members: the last one that was handed in.
 
-    Where that is not known, it is the first one in the order of the class; all members are told.
+    If the times are not known, it is the first one in the order of the class. All members are told.
     """
     groups: dict[str, list[Upload]] = {}
     for upload in uploads.each:
@@ -74,7 +74,7 @@ def in_groups(uploads: Uploads) -> Uploads:
 
 
 def id_of(cell: str) -> str:
-    """The id that people of the class have: 123 for Moodle's `Participant 123`; empty for an empty cell."""
+    """The id of the person in a cell: 123 for Moodle's `Participant 123`; empty for an empty cell."""
     text = cell.strip()
     number = _PARTICIPANT.fullmatch(text)
     return safe_id(number[1] if number else text) if text else ""
@@ -100,7 +100,7 @@ def _listed(row: Mapping[str, str]) -> Listed | None:
 
 
 def _own(uploads: Iterable[Upload], listed: Sequence[Listed]) -> dict[str, Upload]:
-    """Find the listed id by an id, or by a name that only one listed person has."""
+    """Uploads by the id on the list, found by any id, or by a name that only one listed person has."""
     keys = {key: one.person.id for one in listed for key in one.keys}
     count = Counter(_plain(one.person.name) for one in listed)
     names = {_plain(one.person.name): one.person.id for one in listed}
@@ -124,7 +124,7 @@ def _plain(name: str) -> str:
 
 
 def _together(one: Listed, upload: Upload | None) -> Upload:
-    """Keep the list's id, so that its own sheet can be filled in."""
+    """Keep the id on the list, so that the LMS's own sheet can be filled in."""
     if upload is None:
         return Upload(replace(one.person, handed_in=None), "", (), (Remark(NOTHING_HANDED_IN),))
     at = one.person.handed_in or upload.person.handed_in

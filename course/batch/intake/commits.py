@@ -1,4 +1,4 @@
-"""When a clone's last commit was made. Its settings and hooks are the learner's: none of them is read."""
+"""When a clone's last commit was made. Its settings and hooks are the learner's, so they are not read."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SECONDS = 10.0
 
 
 def dated(upload: Upload) -> Upload:
-    """With the time of its last commit, where it is a clone and nothing else tells the time."""
+    """Add the time of its last commit, if it is a clone and its time is not known otherwise."""
     if upload.person.handed_in is not None:
         return upload
     clones = [part.path / ".git" for part in upload.parts if (part.path / ".git" / "HEAD").is_file()]
@@ -28,7 +28,7 @@ def dated(upload: Upload) -> Upload:
 
 
 def committed(folder: Path) -> datetime | None:
-    """folder: `.git`. The committer date of its HEAD, None where it cannot be read."""
+    """The committer date of HEAD; None if it cannot be read. folder: `.git`."""
     try:
         head = _head(folder)
         return _date_of(folder, head) if head else None

@@ -1,4 +1,4 @@
-"""What one submission holds: its archives opened, its files walked; and its files laid as a course home."""
+"""What one submission contains, with its archives opened; and how its files become a course home."""
 
 from __future__ import annotations
 
@@ -43,11 +43,10 @@ NOT_USED = "Other files were not used."
 
 
 def look(source: Upload, opened: Path, exercises: Iterable[Exercise], limits: Limits = USUAL) -> Found:
-    """What `source` holds. Its archives are opened into folders of `opened`, which the caller removes
-    when the submission is laid out; what an earlier look left there is replaced.
+    """What `source` contains. Anything wrong with it is in `Found.findings`.
 
-    What is wrong with the submission is in `Found.findings`. Raises StorageError when the disk does
-    not take it.
+    Its archives are opened into folders of `opened`, and replace what an earlier call left there. The
+    caller removes these folders after the submission is laid out. Raises StorageError for the disk.
     """
     exercises = tuple(exercises)
     looking = _Looking(source, opened, exercises, limits)
@@ -65,7 +64,7 @@ class _Looking:
         self._exercises = exercises
         self._known = tuple(dict.fromkeys(file for exercise in exercises for file in exercise.files))
         self._limits = limits
-        self._taken: list[Path] = []  # archives
+        self._taken: list[Path] = []  # archives that were opened
         self._refused = False
 
     def found(self) -> Found:
@@ -79,7 +78,7 @@ class _Looking:
         return self._made(parts, tree, planned)
 
     def nothing(self, because: Remark) -> Found:
-        """No part of it is taken."""
+        """A submission from which nothing is taken, for this reason."""
         source = self._source
         findings = tuple(dict.fromkeys((because, *source.findings, *self.findings)))
         return Found(source.person, source.shown, SubmissionKind.NOTHING, "", (), (), findings, (), ())
@@ -134,7 +133,7 @@ class _Looking:
         )
 
     def _lacking(self, tree: Tree, planned: Recognized) -> Iterator[Remark]:
-        """Packages of the course that its build needs and that it does not contain."""
+        """Remarks about packages of the course that the submission needs, but does not contain."""
         course = {package for exercise in self._exercises for package in exercise.packages}
         for target, entry in made_of(tree, planned.places):
             if target.endswith("/package.xml") and target.startswith(SRC) and entry.size < LARGEST_MANIFEST:
@@ -160,7 +159,7 @@ class _Looking:
             yield Remark(NOT_OPENED, "Ask for one archive, with the files themselves in it.", where)
 
     def _present(self, tree: Tree, places: Iterable[Placement]) -> tuple[str, ...]:
-        """Exercises with a file of their own, or with all of their files if others share them."""
+        """Exercises with a file that no other exercise has, or with all of their files if all are shared."""
         laid = {target for target, entry in made_of(tree, places) if not entry.folder}
         owners = Counter(file for exercise in self._exercises for file in exercise.files)
         present = []
@@ -196,11 +195,11 @@ UNREADABLE = "Files that may not be read were left out."
 
 
 def lay_out(found: Found, home: Path, limits: Limits = USUAL) -> tuple[Remark, ...]:
-    """Make the folder `home`, whole or not at all; returns what was left out and `look` did not tell.
+    """Make the folder `home`, whole or not at all; returns what else was left out, after `look`.
 
-    There is always the workspace's `src`. Modes are 644, or 755 for programs and folders.
-    Raises StorageError when the disk does not take it, or when something is at `home` already; Refused
-    when the submission has grown meanwhile.
+    It always has the workspace's `src`. Modes are 644, or 755 for programs and folders.
+    Raises StorageError if the disk cannot take it, or if `home` exists already, and Refused if the
+    submission has grown meanwhile.
     """
     notes = Notes()
     with storing(f"the submission of {found.person.id} cannot be laid out"), new_folder(home) as part:

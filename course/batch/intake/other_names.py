@@ -1,4 +1,4 @@
-"""Programs and packages of other names than exercises ask for, told apart by reading their files."""
+"""Programs and packages with names that no exercise asks for, recognized by reading their files."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from course.model import replace
 
 # What tells one node from another.
 _KINDS = ("create_publisher", "create_subscription", "create_service", "create_client")
-# No more packages and programs of a submission are looked into.
+# The most packages, and the most programs, of a submission that are looked into.
 _MOST = 30
 _NAME = re.compile(r"[\w.-]{1,100}", re.ASCII)
 _BYTES = ("utf-8", "surrogateescape")
@@ -37,7 +37,7 @@ UNCLEAR = "It cannot be told which program is meant as {}."
 
 @dataclass(frozen=True)
 class Program:
-    """A console script. exercise: the one that asks for it. kinds: what it creates, of _KINDS.
+    """A console script. exercise: the one that asks for it. kinds: which of _KINDS it creates.
 
     setup: the setup.py that has its entry point.
     """
@@ -55,14 +55,14 @@ class Program:
 
 
 def own_packages(exercise: Exercise) -> Iterator[str]:
-    """Those in which the learner writes for it."""
+    """The packages in which the learner writes for this exercise."""
     for package in exercise.packages:
         if any(file.startswith(f"{exercise.workspace}/src/{package}/") for file in exercise.files):
             yield package
 
 
 def asked_programs(exercise: Exercise) -> Iterator[Program]:
-    """The solution's programs whose modules the exercise asks for, in packages of nothing but programs."""
+    """The solution's programs whose modules the exercise asks for, in packages that contain only programs."""
     for package in own_packages(exercise):
         folder = f"{exercise.workspace}/src/{package}"
         inside = [file.split("/")[3:] for file in exercise.files if file.startswith(f"{folder}/")]
@@ -86,7 +86,7 @@ def _entries(folder: str, setup: str) -> tuple[EntryPoint, ...]:
 
 
 def named_right(found: Found, graded: Iterable[Exercise], every: Sequence[Program]) -> Found:
-    """As if its programs were named as these exercises ask, where only one could be meant. every: asked."""
+    """Rename its programs as these exercises ask, if only one can be meant. every: all that are asked for."""
     ids = {exercise.id for exercise in graded}
     for package in dict.fromkeys(one.package for one in every if one.exercise in ids):
         found = _Naming(found, package, ids, every).named_right()
@@ -127,7 +127,7 @@ class _Naming:
         return self._told_and_written([self._told(*each, done) for each in chosen.items()], done, written)
 
     def _without_setup(self) -> list[Program]:
-        """Those whose modules were handed in alone, and that the setup.py of the course does not name."""
+        """Programs whose modules were handed in alone, and that the course's setup.py does not name."""
         alone = [one for one in self._asked if one.entry.file_in(one.folder) in self._files]
         if not alone or f"{alone[0].folder}/setup.py" in self._files:
             return []
@@ -145,7 +145,7 @@ class _Naming:
         return replace(found, written=(*found.written, *written.items()))
 
     def _could_be(self, asked: Program) -> list[Program]:
-        """By its name. Otherwise those that create what it should create, or about which that is unknown."""
+        """The programs that may be meant: by name, else those that create what it should, or might."""
         by_name = [one for one in self._programs if one.entry.name == asked.entry.name]
         free = [one for one in self._programs if one.entry.name not in self._taken]
         sure = [one for one in free if asked.kinds and asked.kinds <= one.kinds]

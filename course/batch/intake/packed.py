@@ -25,7 +25,7 @@ MANIFEST = f"{STATE}/{PACKED}"
 _SCHEMA = 1
 _LARGEST = 1_000_000  # bytes
 _JUDGED = (Verdict.PASSED, Verdict.NOT_PASSED)
-_VERSIONS = ("ros2course", "python", "ros")  # as `pack` tells them
+_VERSIONS = ("ros2course", "python", "ros")  # as `pack` writes them
 NOT_READ = "The manifest that `pack` wrote cannot be read."
 CHANGED = "Files changed after `pack` had checked them."
 
@@ -36,9 +36,9 @@ def claim_of(result: Result) -> Claim:
 
 
 def needed_files(home: Path, exercises: Sequence[Exercise]) -> tuple[Packed, ...]:
-    """By their paths in the course home: what the exercises ask for, their packages, and what these need.
+    """The files that the exercises ask for, their packages, and what these need, by path in the course home.
 
-    Raises Refused when it is more than `grade` accepts.
+    Raises Refused if it is more than `grade` accepts.
     """
     packages = {*_packages(home, exercises)}
     single = {*_looked_at(home, exercises), f"{STATE}/{MARKER}"}
@@ -63,13 +63,13 @@ def manifest_of(
 
 
 def digest_of(entry: TreeEntry) -> str:
-    """Empty when it cannot be read."""
+    """The SHA-256 of a file; empty if it cannot be read."""
     hashed = hashlib.sha256()
     return hashed.hexdigest() if read_into(entry, hashed.update) else ""
 
 
 def packed_in(laid: Mapping[str, TreeEntry]) -> tuple[PackManifest | None, tuple[Remark, ...]]:
-    """laid: what was handed in, by path in the course home. Remarks name files that changed since."""
+    """The manifest, if any, and remarks about files that changed since. laid: files by path in the home."""
     entry = laid.get(MANIFEST)
     if entry is None or entry.folder:
         return None, ()
@@ -84,7 +84,7 @@ def packed_in(laid: Mapping[str, TreeEntry]) -> tuple[PackManifest | None, tuple
 
 
 def differences(packed: PackManifest, results: Iterable[Result]) -> Iterator[str]:
-    """A sentence for each exercise that ended otherwise for the learner. Errors of ours say nothing."""
+    """A sentence for each exercise with a different result for the learner. Our own errors do not count."""
     told = {claim.exercise: claim for claim in packed.claims if claim.verdict in _JUDGED}
     for result in results:
         claim = told.get(result.exercise)
@@ -120,7 +120,7 @@ def _packages(home: Path, exercises: Iterable[Exercise]) -> Iterator[str]:
     for exercise in exercises:
         workspace = Workspace.scan(home / exercise.workspace, home)
         wanted = list(exercise.packages)
-        for name in wanted:  # which grows
+        for name in wanted:  # it grows meanwhile
             for package in workspace.named(name):
                 yield package.source
                 wanted += (one.name for one in package.dependencies if one.name not in wanted)

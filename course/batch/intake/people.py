@@ -1,4 +1,4 @@
-"""Who handed something in, told by the names that Moodle, Canvas and GitHub Classroom give."""
+"""Who handed in what, judging by the names that Moodle, Canvas and GitHub Classroom give to files."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from course.home.opening import Opened, Remark, archive_stem, is_archive, visibl
 from course.model import replace
 from course.model.gradebook import Person
 
-# Jane Doe_1234567_assignsubmission_file_, with or without a file's name behind it
+# Jane Doe_1234567_assignsubmission_file_, with or without a file's name after it
 _MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_[a-z]+(?:_(?P<file>.*))?", re.DOTALL)
-# doejane_12345_67890_file.zip, doejane_LATE_12345_67890_file-1.zip, doejane_12345_text.html, and where
-# the grading is anonymous LATE_anon_k3Xp9_67890_file.zip
+# doejane_12345_67890_file.zip, doejane_LATE_12345_67890_file-1.zip, doejane_12345_text.html, and
+# LATE_anon_k3Xp9_67890_file.zip if grading is anonymous
 _CANVAS = re.compile(
     r"(?:(?P<name>[^\W_]+)_)?(?P<late>LATE_)?(?(name)(?P<id>\d+)|anon_(?P<anonymous>[^\W_]{5}))_"
     r"(?:(?P<upload>\d+)_(?P<file>.+)|(?P<text>(?:text|link)\.html))",
@@ -38,9 +38,9 @@ _NO_ID = re.compile(r"[^\w.@+-]+")
 
 @dataclass(frozen=True)
 class Label:
-    """What a name tells. file: the name under which the file was handed in, "" for a folder.
+    """What a name says. file: the name under which the file was handed in, "" for a folder.
 
-    upload: a number that is higher for what was uploaded later, 0 where nothing tells.
+    upload: a number that is higher for later uploads; 0 if the name does not say.
     """
 
     person: Person
@@ -50,14 +50,14 @@ class Label:
 
 
 class Lms(str, Enum):
-    """Whose export it is."""
+    """The system that an export comes from."""
 
     MOODLE = "Moodle"
     CANVAS = "Canvas"
 
 
 def lms_id(source: str, lms: Lms) -> str:
-    """The number by which the LMS knows who handed this in, as its export says; "" where nothing tells."""
+    """The LMS's number for the person who handed this in, from the names in its export; "" if unknown."""
     names = source.split(", ")
     if lms is Lms.MOODLE:
         return next((found[1] for found in map(_MOODLE_ID.search, names) if found), "")
@@ -65,7 +65,7 @@ def lms_id(source: str, lms: Lms) -> str:
 
 
 def labels(names: Iterable[str]) -> dict[str, Label]:
-    """For each name of a folder or file in one place, whose it is."""
+    """Whose the folders and files in one place are, by their names."""
     every = tuple(names)
     uploads = Counter(match["upload"] for name in every if (match := _CANVAS.fullmatch(name)))
     return {name: _moodle(name) or _canvas(name, uploads) or _plain(name) for name in every}
@@ -76,12 +76,12 @@ def person(identity: str, name: str, *, late: bool | None = None) -> Person:
 
 
 def iso_moment(text: str) -> datetime:
-    """As datetime.fromisoformat, which knows no `Z` before Python 3.11. Raises ValueError."""
+    """Like datetime.fromisoformat, which does not accept `Z` before Python 3.11. Raises ValueError."""
     return datetime.fromisoformat(re.sub(r"[zZ]$", "+00:00", text))
 
 
 def moment(text: str) -> datetime | None:
-    """A date and a time as rosters (ISO 8601) and Moodle write it; None for anything else."""
+    """A date and a time as rosters (ISO 8601) and Moodle write them; None for anything else."""
     try:
         return iso_moment(text)
     except ValueError:
@@ -95,8 +95,8 @@ def moment(text: str) -> datetime | None:
 
 
 def safe_id(text: str) -> str:
-    """`text` with nothing but letters, digits and `_.@+-`, the same each time, different for different texts
-    as far as they differ in these."""
+    """An id for `text`, always the same, made of letters, digits and `_.@+-`. Texts that differ only in other
+    characters can get the same id."""
     normal = unicodedata.normalize("NFC", text)
     safe = _NO_ID.sub("_", normal).strip("_.@+-")
     if not safe or len(safe.encode()) > _LONGEST_ID:
@@ -111,8 +111,8 @@ def fingerprint(text: str) -> str:
 def assignment(clones: Iterable[str], folder: str) -> str:
     """What the names of GitHub Classroom's clones have in common (`lab1-` of `lab1-jane`), or "".
 
-    `gh classroom clone` names the folder that they lie in `lab1-submissions`; otherwise it is told by
-    the names, if there are two or more.
+    `gh classroom clone` calls the folder that contains them `lab1-submissions`. Without such a folder, it
+    takes two or more names to find out.
     """
     every = tuple(clones)
     named = f"{folder.removesuffix(_SUBMISSIONS)}-"
@@ -131,7 +131,7 @@ def _moodle(name: str) -> Label | None:
 
 def _canvas(name: str, uploads: Counter[str]) -> Label | None:
     match = _CANVAS.fullmatch(name)
-    # Each upload has a number of its own. If one is in several names, they are not names of Canvas.
+    # Each upload has its own number. If several names share one, they are not from Canvas.
     if match is None or (match["upload"] and uploads[match["upload"]] > 1):
         return None
     identity = match["id"] or match["anonymous"]
@@ -152,7 +152,7 @@ LINKED = Remark(
 
 
 def grouped(items: Sequence[Opened], folder: str) -> Uploads:
-    """`items` are folders and files that lie in one place, called `folder`; the order does not matter."""
+    """Uploads from the folders and files in one place, called `folder`. The order does not matter."""
     items = sorted(items, key=lambda item: item.name)
     clones = [item.name for item in items if item.path and (item.path / ".git").exists()]
     told = _clones(labels(item.name for item in items), clones, assignment(clones, folder))
@@ -194,7 +194,7 @@ def _age(label: Label) -> tuple[int, int]:
 
 
 def unique(sources: Iterable[Upload]) -> tuple[Upload, ...]:
-    """Where an id is there twice, those after the first get one made of their own names, and all are told."""
+    """If an id occurs twice, all but the first get one made from their own names, and all are told."""
     every = tuple(sources)
     count = Counter(source.person.id for source in every)
     seen: set[str] = set()

@@ -1,6 +1,6 @@
 """What a submission is, however deeply wrapped, and where its parts belong in a course home.
 
-Of two that could be meant, the one handed in last is taken, then the one least deep, then the first by name.
+Of several candidates, it takes the one handed in last, then the one least deep, then the first by name.
 """
 
 from __future__ import annotations
@@ -35,28 +35,28 @@ class Root:
 
 
 def roots_in(tree: Tree, known: Iterable[str]) -> tuple[Root, ...]:
-    """All that is there, the best first. `known`: files of exercises, relative to a course home."""
+    """All roots in the tree, the best first. `known`: files of exercises, relative to a course home."""
     return tuple(sorted(_Names(tree, known).roots(), key=lambda root: root.order(tree)))
 
 
 def _age(tree: Tree, path: str) -> int:
-    """0 for a file in the newest of several parts."""
+    """0 for a file in the newest of several parts, more for older ones."""
     top = path.partition("/")[0]
     return tree.parts.index(top) if top in tree.parts else 0
 
 
 def sources_of_packages(known: Iterable[str]) -> Mapping[str, str]:
-    """Where exercises have the packages that lie in no ordinary place: by name, the folder above."""
+    """The packages that exercises keep in an unusual place: by name, the folder above each."""
     parts = (PurePosixPath(path).parts for path in known)
     deep = [each for each in parts if len(each) > 3 and each[1] == "src" and each[0] != WORKSPACE]
     return {package: f"{workspace}/{src}" for workspace, src, package, *_ in deep}
 
 
 def loose(paths: Iterable[str], known: Iterable[str]) -> tuple[tuple[Placement, ...], tuple[str, ...]]:
-    """Places for files that were handed in by themselves, and those that could belong to several.
+    """Places for files that were handed in by themselves, and the files that fit several places.
 
-    A file is recognized by its name and its folders, as far as they were handed in, too; else by the
-    one package that the files beside it belong to.
+    A file is recognized by its name, and by its folders if they were handed in, too. Otherwise, it goes
+    into the package of files beside it that have only one place.
     Canvas writes `setup-1.py` for the second try at `setup.py`.
     """
     by_name: dict[str, set[str]] = {}
@@ -115,12 +115,12 @@ class _Names:
             self._below.setdefault(_parent(folder), []).append(folder)
 
     def roots(self, folder: str = "") -> Iterator[Root]:
-        """What is recognized in a folder and below it; nothing inside of what was recognized."""
+        """What is recognized in a folder and below it, but not inside what was recognized."""
         if _join(folder, WORKSPACE) in self._folders or _join(folder, STATE) in self._folders:
             yield Root(SubmissionKind.HOME, folder)
             return
         if any(_join(folder, path) in self._files for path in self._outside):
-            # With no workspace: there may be one of another name in it.
+            # It has no workspace, but there may be one with another name in it.
             yield Root(SubmissionKind.HOME, folder)
         if self._packages.is_one(folder):
             yield Root(SubmissionKind.PACKAGES, folder)
@@ -145,7 +145,7 @@ class Packages:
         return folder in self._below.get(folder, ())
 
     def below(self, folder: str) -> list[str]:
-        """Those in `folder` and below it, sorted; one inside another is none."""
+        """Those in `folder` and below it, sorted; one inside another one does not count."""
         found = self._below.get(folder, [])
         every = set(found)
         return sorted(each for each in found if each == folder or not self._within(each, folder, every))
@@ -183,7 +183,7 @@ UNCLEAR = "Files that could belong to several packages were left out."
 
 @dataclass(frozen=True)
 class Recognized:
-    """The fields of `Found` that names of files decide."""
+    """The fields of `Found` that depend only on names of files."""
 
     kind: SubmissionKind
     root: str
@@ -197,7 +197,7 @@ _NOTHING = Recognized(SubmissionKind.NOTHING, "", (), (), ())
 
 
 def recognize(tree: Tree, known: Iterable[str]) -> Recognized:
-    """known: files of exercises, relative to a course home. Raises Refused for packages without end."""
+    """known: files of exercises, relative to a course home. Raises Refused if there are too many packages."""
     if sum(path.rpartition("/")[2] == "package.xml" for path in tree.files()) > _MOST_PACKAGES:
         what = f"It contains more than {_MOST_PACKAGES:,} packages."
         raise Refused(what, "Ask for the packages of the course only.")
@@ -205,7 +205,7 @@ def recognize(tree: Tree, known: Iterable[str]) -> Recognized:
     roots = roots_in(tree, known)
     planned = _Recognizing(tree, roots, known).recognized() if roots else _NOTHING
     if planned.kind is SubmissionKind.HOME:
-        return planned  # what is misplaced in a home is the learner's to put right
+        return planned  # in a course home, learners must put misplaced files right themselves
     tops = {root.path for root in roots}
     beside = [path for path in tree.files() if tops.isdisjoint(and_above(path))]
     places, unclear = loose(beside, known)
@@ -218,9 +218,9 @@ def recognize(tree: Tree, known: Iterable[str]) -> Recognized:
 
 
 def made_of(tree: Tree, places: Iterable[Placement]) -> Iterable[tuple[str, TreeEntry]]:
-    """Path in the course home, and entry, for all that has a place.
+    """Everything that has a place: its path in the course home, and its entry.
 
-    Where two belong to the same path, it is the first place's.
+    If two belong at the same path, it is the first place's.
     """
     targets: dict[str, list[tuple[int, str]]] = {}
     left_out = set()
@@ -242,7 +242,7 @@ def made_of(tree: Tree, places: Iterable[Placement]) -> Iterable[tuple[str, Tree
 
 
 class _Recognizing:
-    """The best root is laid as it is; of the others, packages that it lacks are added."""
+    """The best root is taken as it is; packages that it lacks are added from the others."""
 
     def __init__(self, tree: Tree, roots: tuple[Root, ...], known: tuple[str, ...]) -> None:
         self._tree = tree
@@ -251,7 +251,7 @@ class _Recognizing:
         self._roots = roots
         self._found = Packages(tree)
         self._places: list[Placement] = []
-        self._packages: dict[str, str] = {}  # by name, where each is
+        self._packages: dict[str, str] = {}  # by name: the folder of each
         self._findings: list[Remark] = []
 
     def recognized(self) -> Recognized:
@@ -280,7 +280,7 @@ class _Recognizing:
         return Recognized(best.kind, path, packages, tuple(self._places), tuple(self._findings), written)
 
     def _unfolded(self) -> tuple[tuple[str, bytes], ...]:
-        """Put files beside a package.xml where the course has them: forms for uploads take no folders.
+        """Move files beside a package.xml to where the course has them: upload forms take no folders.
 
         Returns the empty files that such a Python package needs.
         """
@@ -292,7 +292,7 @@ class _Recognizing:
                 self._findings.append(Remark(FLAT, where=name))
                 # Before the folder as a whole, because the first place counts.
                 self._places[:0] = [Placement(each, f"{place}/{to}") for each, to in moved.items()]
-                # A file of that name belongs into `resource`, and is empty.
+                # A file with the package's name belongs in `resource`, and is empty.
                 self._places += [Placement(each, None) for each in files if each == _join(folder, name)]
                 taken = {*files, *(_join(folder, to) for to in moved.values())}
                 empty = (f"{name}/__init__.py", f"resource/{name}") if _is_python(name, moved) else ()
@@ -304,7 +304,7 @@ class _Recognizing:
         return tuple(written)
 
     def _moved(self, name: str, folder: str, place: str) -> dict[str, str]:
-        """By file beside its package.xml, the path in the package that it is missing at."""
+        """For each misplaced file beside a package.xml: the path in the package where it is missing."""
         files = self._tree.files()
         inside = [path.removeprefix(f"{place}/") for path in self._known if path.startswith(f"{place}/")]
         at = {"setup.py": "setup.py", **{PurePosixPath(path).name: path for path in inside}}
@@ -333,7 +333,7 @@ class _Recognizing:
         return [folder for source in sources for folder in self._found.below(_join(root.path, source))]
 
     def _add(self, folders: Iterable[str], told: set[str]) -> None:
-        """told: homes of which a remark says that they were left out."""
+        """told: homes that another remark reports as left out."""
         twice: dict[str, str] = {}
         for folder in folders:
             name = _package_name(self._tree, folder)

@@ -22,7 +22,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Upload:
-    """All that one person handed in. `shown`: where it lies, safe to show; findings: what is wrong so far."""
+    """All that one person handed in. `shown`: its path, safe to show; findings: what is wrong so far."""
 
     person: Person
     shown: str
@@ -32,7 +32,7 @@ class Upload:
 
 @dataclass(frozen=True)
 class Uploads:
-    """The submissions of a class, by the person's name; findings: about what is nobody's."""
+    """The submissions of a class, by the person's name; findings: about what belongs to nobody."""
 
     each: tuple[Upload, ...]
     findings: tuple[Remark, ...] = ()
@@ -51,7 +51,7 @@ class Claim(Struct, frozen=True):
 class PackManifest(Struct, frozen=True):
     """at: ISO 8601. versions: of ros2course, ROS 2 and Python. files: SHA-256 by path in the course home.
 
-    Those who hand it in can write into it what they like, so nothing counts because of it.
+    Learners can write anything they like into it, so nothing counts because of it.
     """
 
     schema: int
@@ -62,7 +62,7 @@ class PackManifest(Struct, frozen=True):
 
 
 class SubmissionKind(str, Enum):
-    """What a submission is. Its value is how a table shows it."""
+    """What a submission is. The values are texts for tables."""
 
     HOME = "course home"
     WORKSPACE = "workspace"
@@ -74,9 +74,9 @@ class SubmissionKind(str, Enum):
 
 @dataclass(frozen=True)
 class Placement:
-    """Where something of the submission belongs in a course home; "" is all of it, and the home itself.
+    """Where something in the submission belongs in a course home.
 
-    target: None for what is left out.
+    source: "" for all of it. target: "" for the home itself, None for what is left out.
     """
 
     source: str
@@ -85,14 +85,14 @@ class Placement:
 
 @dataclass(frozen=True)
 class Found:
-    """A submission, as far as it can be told without running any of it.
+    """What is known about a submission without running any of it.
 
-    source: where it lies, safe to show. parts: where its files are, archives opened. root: the folder in
+    source: its path, safe to show. parts: where its files are, with archives opened. root: the folder in
     it that was recognized ("" for the submission itself), safe to show. packages: the names of its ROS
     packages. exercises: ids of those whose files are there. places: for `lay_out`.
     findings: what was left out, and why, most serious first. packed: what `pack` wrote.
-    beneath: folders of the course, and where their files go as far as nothing was handed in there.
-    written: files that are laid in place of what was handed in.
+    beneath: folders of the course, and where their files go if nothing was handed in there.
+    written: files that replace what was handed in.
     """
 
     person: Person

@@ -1,4 +1,4 @@
-"""The files of a submission on disk: walked within bounds, links resolved, leftovers passed over."""
+"""The files of a submission on disk: walked within bounds, with links resolved and leftovers skipped."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from course.home.opening import USUAL, Limits, Meter, Notes, Remark, Unsafe, saf
 from course.home.opening.findings import DEEPEST, megabytes
 from course.home.opening.unpack import LINK_OUT, NO_FILE, RENAMED, leads_inside
 
-# What systems, tools and editors leave. `.ros2course` is looked into: see `_KEPT_STATE`.
+# What systems, tools and editors leave behind. `.ros2course` is searched: see `_KEPT_STATE`.
 _LEFT_BY_TOOLS = frozenset(
     "__MACOSX .DS_Store Thumbs.db desktop.ini .git .hg .svn .github __pycache__ .pytest_cache .mypy_cache "
     ".ruff_cache .vscode .idea .venv node_modules".split()
@@ -24,11 +24,11 @@ _LEFT_BY_TOOLS = frozenset(
 _BUILT = frozenset({"build", "install", "log"})
 _BUILT_BESIDE = frozenset({"src", "package.xml"})
 _BUILT_INSIDE = frozenset({"COLCON_IGNORE", ".built_by", "setup.bash"})
-_NO_NAME = re.compile(r"\A\.{0,2}\Z")  # `..`, which is also what is left of `...zip`
+_NO_NAME = re.compile(r"\A\.{0,2}\Z")  # such as `..`, which is what remains of `...zip`
 PACKED = "hand-in.json"  # the manifest of `pack`
 RESULTS = "grades.sqlite3"  # what `grade` writes first
 RESULTS_LEFT_OUT = "Results of `grade` were left out."
-# Each of these makes the folder it is in a submission.
+# A folder that contains one of these is a submission.
 ONE = frozenset({WORKSPACE, STATE, "src", "package.xml"})
 _STEP = 1 << 18
 _KEPT_STATE = frozenset({"home.json", "acts", PACKED})
@@ -36,7 +36,7 @@ _KEPT_STATE = frozenset({"home.json", "acts", PACKED})
 
 @dataclass(frozen=True)
 class TreeEntry:
-    """One file or folder; `path` is where it really lies. size: bytes, 0 for a folder."""
+    """One file or folder; `path` is its real path. size: bytes, 0 for a folder."""
 
     path: Path
     folder: bool
@@ -48,7 +48,7 @@ class TreeEntry:
 class Tree:
     """entries: by relative path, in safe characters, folders before what is in them.
 
-    parts: names of the parts in the order they were given, where there are several.
+    parts: names of the parts, if there are several, in the order in which they were given.
     """
 
     entries: Mapping[str, TreeEntry]
@@ -63,14 +63,14 @@ class Tree:
 
 
 def is_results(folder: Path) -> bool:
-    """Whether `grade` keeps results there. A folder that can be a submission is none, whatever is in it."""
+    """Whether `grade` keeps results there. A folder that can be a submission never counts as such."""
     with contextlib.suppress(OSError):
         return (folder / RESULTS).is_file() and not any(os.path.lexists(folder / name) for name in ONE)
     return False
 
 
 def holds_only_results(folder: Path) -> bool:
-    """Whether folders of results are all that is in it, at any depth."""
+    """Whether it contains nothing but folders of results, at any depth."""
     found = False
     for path, folders, files in os.walk(folder):
         if is_results(Path(path)):
@@ -82,9 +82,9 @@ def holds_only_results(folder: Path) -> bool:
 
 
 def read_into(entry: TreeEntry, take: Callable[[bytes], object]) -> bool:
-    """Give `take` the bytes of a file, no more than were seen of it, whatever became of it since.
+    """Give `take` the bytes of a file, but no more than it had when the tree was read.
 
-    False when it cannot be read, or is not an ordinary file any more.
+    Returns False if it cannot be read, or is no longer an ordinary file.
     """
     try:
         descriptor = os.open(entry.path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
@@ -107,15 +107,15 @@ def _piece(descriptor: int, most: int) -> bytes:
 
 
 def content(entry: TreeEntry) -> bytes | None:
-    """All of a file; None as `read_into` tells."""
+    """The whole content of a file; None if it cannot be read."""
     pieces: list[bytes] = []
     return b"".join(pieces) if read_into(entry, pieces.append) else None
 
 
 def read_tree(parts: Iterable[Part], limits: Limits = USUAL) -> Tree:
-    """All files of the parts. A single folder is the tree itself; of several, each keeps its name.
+    """Read all files of the parts. A single folder is the tree itself; several parts keep their names.
 
-    Raises Refused when it is too much.
+    Raises Refused if it is too much.
     """
     every = tuple(parts)
     walk = _Walk(limits)
@@ -143,7 +143,7 @@ class _Walk:
         return name
 
     def part(self, path: Path, name: str) -> None:
-        """A file, or a folder and all in it; `name` "" for a folder that is all there is."""
+        """Add a file, or a folder with everything in it. name: "" for a single folder."""
         real = Path(os.path.realpath(path))
         if not real.is_dir():
             self._add(real, name, real.parent, ())
@@ -153,7 +153,7 @@ class _Walk:
         self._inside(real, name, real, (real,))
 
     def _inside(self, folder: Path, prefix: str, top: Path, above: tuple[Path, ...]) -> None:
-        """The content of a folder without leftovers. `above`: the real folders down to this one."""
+        """Add what is in a folder, without leftovers. above: the real folders down to this one."""
         try:
             names = self._names(folder)
         except OSError:

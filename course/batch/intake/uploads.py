@@ -36,9 +36,9 @@ _FORM = "its first line names the columns: id, name, path (name may be missing)"
 
 
 def read_roster(file: Path) -> tuple[tuple[Upload, ...], tuple[Remark, ...]]:
-    """One source for each person, in the file's order; findings about lines that are nobody's.
+    """One upload for each person, in the file's order, and findings about lines that are nobody's.
 
-    Relative paths count from the file's folder. Lines of the same id belong together.
+    Paths may be relative to the file's folder. Lines with the same id belong together.
     Raises UsageError for a file that is not a roster.
     """
     people: dict[str, Upload] = {}
@@ -54,7 +54,7 @@ def read_roster(file: Path) -> tuple[tuple[Upload, ...], tuple[Remark, ...]]:
 
 
 def read_table(file: Path) -> list[dict[str, str]]:
-    """The rows of a file with at least two columns, by the heads of these in small letters.
+    """The rows of a file with at least two columns. Each is a dict by column name, in lowercase.
 
     Raises UsageError for a file that is not a table.
     """
@@ -114,7 +114,7 @@ def _source(row: dict[str, str], folder: Path, where: str) -> Upload:
 def _is_there(path: Path) -> bool:
     try:
         return path.exists()
-    except OSError:  # a name that is too long, or a folder that is not ours to look into
+    except OSError:  # the name is too long, or the folder may not be read
         return False
 
 
@@ -135,10 +135,10 @@ _PASSED_OVER = frozenset({"__MACOSX", "Thumbs.db", "desktop.ini"})
 
 
 def find_sources(submissions: Path, opened: Path, limits: Limits = USUAL) -> Uploads:
-    """Who handed in what. A class's zip is opened into the folder `opened`, each person's part by itself;
-    what an earlier call left there is replaced. Folders of results are nobody's.
+    """Who handed in what. Folders of results do not count.
 
-    Raises UsageError when `submissions` is nothing of the kind, and StorageError for the disk.
+    A class's zip is opened into the folder `opened`, each person's part separately, and replaces what an
+    earlier call left there. Raises UsageError if `submissions` is not a class, StorageError for the disk.
     """
     if submissions.is_dir():
         found = _folder(submissions)
@@ -183,13 +183,13 @@ def _folder(folder: Path) -> Uploads:
 
 
 def entries_of(folder: Path) -> list[Path]:
-    """What of a folder counts as handed in: not the results of this or an earlier run. Raises OSError."""
+    """The entries of a folder that count as handed in, without results of any run. Raises OSError."""
     results = _results_in(folder)
     return [path for path in folder.iterdir() if _counts(path.name) and path not in results]
 
 
 def _results_in(folder: Path) -> set[Path]:
-    """Not under a name from an LMS: people in its export always have a row."""
+    """Folders of results, except with a name from an LMS: people in its export always have a row."""
     told = labels(path.name for path in folder.iterdir())
     return {folder / name for name in told if not told[name].is_lms and holds_only_results(folder / name)}
 
@@ -198,7 +198,7 @@ def _opened(path: Path) -> Opened:
     """An entry of a class's folder. It has no path if its link leads to an unreadable place."""
     try:
         path.is_dir()
-    except OSError:  # a name that is too long, or a folder that is not ours to look into
+    except OSError:  # the name is too long, or the folder may not be read
         return Opened(path.name, None, (Remark(LINK_OUT, where=visible(path.name)),))
     return Opened(path.name, path, ())
 
