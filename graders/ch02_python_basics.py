@@ -401,7 +401,9 @@ def exported(recording: Recording) -> None:
             expected="from minimalist_package._minimalist_class import MinimalistClass",
             seen=next((line for line in recording.home.file(INIT).lines if "import" in line), "no import"),
             where=(
-                Location(answer.file, answer.line) if answer is not None and answer.file else Location(INIT),
+                Location(answer.file, answer.line)
+                if answer is not None and answer.file and not answer.file.startswith("/")
+                else Location(INIT),
             ),
             advice=(
                 "Write that line in `minimalist_package/__init__.py`: the names imported there "

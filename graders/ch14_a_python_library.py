@@ -235,7 +235,8 @@ def defined_at(recording: Recording, name: str) -> tuple[Location, ...]:
 def class_(recording: Recording) -> None:
     wanted = given(recording)["NAMES"]
     found = answer(recording, "names")
-    where = place_of_error(recording, "names") or defined_at(recording, CLASS)[:1]
+    defined = (*defined_at(recording, "get_name"), *defined_at(recording, CLASS))
+    where = place_of_error(recording, "names") or defined[:1]
     if found.error:
         raise Failure(broken(recording, f"{CLASS}({wanted[0]!r}).get_name()", found.error, where))
     if found.value == wanted:

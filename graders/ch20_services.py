@@ -141,7 +141,7 @@ def server_starts(recording: Recording) -> None:
 
 @server.check("node_name", f"the node is called /{SERVER_NODE}", needs="starts")
 def server_name(recording: Recording) -> None:
-    expect_node(about_server(recording), f"/{SERVER_NODE}")
+    expect_node(recording, f"/{SERVER_NODE}")
 
 
 @server.check("offers", f"it offers the service {SERVICE}", needs="starts")
@@ -381,7 +381,7 @@ def client_starts(recording: Recording) -> None:
 
 @client.check("node_name", f"the node is called /{CLIENT_NODE}", needs="starts")
 def client_name(recording: Recording) -> None:
-    expect_node(about_client(recording), f"/{CLIENT_NODE}")
+    expect_node(recording, f"/{CLIENT_NODE}")
 
 
 @client.check("uses", f"it has a client of {SERVICE}", needs="starts")

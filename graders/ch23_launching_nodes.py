@@ -21,7 +21,6 @@ from course.api import (
     named,
     replace,
     text_places,
-    timer_places,
 )
 from lib import rover
 
@@ -76,7 +75,13 @@ def topic(recording: Recording) -> None:
         if given
         else f"Add `'topic_name': '{name}'` to `parameters` in the launch file."
     )
-    expect_endpoint(recording, "publisher", TOPIC, remedy=remedy)
+    try:
+        expect_endpoint(recording, "publisher", TOPIC, remedy=remedy)
+    except Failure as failure:
+        if given:
+            raise
+        where = text_places(launch_file(recording, FILE), "parameters=")[:1]
+        raise Failure(replace(failure.feedback, where=where)) from None
     expect_type(recording, "publisher", TOPIC, QUOTE)
 
 
@@ -90,7 +95,7 @@ def rate(recording: Recording) -> None:
         expect_period(recording.topic(TOPIC), PERIOD, advice=advice)
     except Failure as failure:
         given = named(launch_file(recording, FILE), "period")
-        where = given[:1] or timer_places(recording.sources)[:1]
+        where = given[:1] or text_places(launch_file(recording, FILE), "parameters=")[:1]
         raise Failure(replace(failure.feedback, where=where)) from None
 
 

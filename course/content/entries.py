@@ -133,7 +133,8 @@ class Mistake:
     """A mistake that learners make: edits of the reference solution, and how it must be caught.
 
     caught_by: id of the check that must fail. says: texts that its feedback must contain.
-    also_fails: ids of the other checks that rightly fail too; no further ones may.
+    also_fails: ids of the other checks that rightly fail too; no further ones may. leads_to: part of the line
+    that the feedback points at, if it is not a line that the mistake changes; "nowhere" for none.
     """
 
     id: str
@@ -143,6 +144,7 @@ class Mistake:
     caught_by: str
     says: tuple[str, ...]
     also_fails: tuple[str, ...] = ()
+    leads_to: str | None = None
 
 
 @dataclass(frozen=True)

@@ -281,6 +281,11 @@ class MistakeSchema(Strict):
     also_fails: list[Line] = Field(
         default=[], description="a list of ids of other checks that this mistake rightly fails too"
     )
+    leads_to: Line | None = Field(
+        default=None,
+        description="part of the line that the feedback points at, if the mistake doesn't change that line: "
+        "`setup.py`, `create_timer`; or `nowhere`",
+    )
 
 
 class MistakesSchema(Strict):

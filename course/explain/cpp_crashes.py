@@ -73,7 +73,7 @@ def trouble(lines: Sequence[str], sources: Sources) -> Trouble | None:
             place = own_place(found["file"], found["line"], sources)
             return _undefined(found["text"], place, lines[number:], sources)
         if found := _UNCAUGHT.search(line):
-            return _uncaught(found["type"], lines[number : number + 2])
+            return _uncaught(found["type"], lines[number : number + 2], sources)
         if found := _LIBRARY.search(line):
             return _no_library(found["name"], line)
     return None
@@ -100,14 +100,15 @@ def _undefined(text: str, place: Location | None, report: Sequence[str], sources
     return Trouble(summary, advice, place, tuple(report[:1]))
 
 
-def _uncaught(thrown: str, lines: Sequence[str]) -> Trouble:
+def _uncaught(thrown: str, lines: Sequence[str], sources: Sources) -> Trouble:
     said = _WHAT.match(lines[1]) if len(lines) > 1 else None
     words = f" ({said['text'][:60]})" if said and said["text"] != thrown else ""
     summary = f"The program ends with an uncaught exception of type `{thrown}`{words}."
     advice = (
         f"Put the call that throws in `try {{ ... }}`, followed by `catch (const {thrown}& error) {{ ... }}`."
     )
-    return Trouble(summary, advice, None, tuple(lines), thrown)
+    throws = places_of(sources, rf"\bthrow\s+(?:std::)?{re.escape(thrown.removeprefix('std::'))}\b")
+    return Trouble(summary, advice, throws[0] if len(throws) == 1 else None, tuple(lines), thrown)
 
 
 def _no_library(name: str, line: str) -> Trouble:

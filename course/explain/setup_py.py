@@ -65,7 +65,8 @@ def starts_another(sources: Sources, seen: str, wanted: str) -> Cause | None:
     if not wrong:
         return None
     text = f"This entry point starts `{stem}`. The node `{wanted}` is in `{right}`: name that module there."
-    return Cause(text, (wrong[0].where, Location(should[0])))
+    of_another = next((entry for entry in wrong if entry.name != stem), wrong[0])
+    return Cause(text, (of_another.where, Location(should[0])))
 
 
 def entry_points(sources: Sources, package_folder: str) -> tuple[EntryPoint, ...]:

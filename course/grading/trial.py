@@ -55,23 +55,30 @@ def lay_alternative(course: Course, exercise: Exercise, alternative: Alternative
         change_answers(exercise, home, answers, alternative.tree / ALTERNATIVE)
 
 
-def lay_mistake(course: Course, exercise: Exercise, mistake: Mistake, home: Path) -> None:
-    """Copy the reference solution, and make this mistake in it.
+def lay_mistake(course: Course, exercise: Exercise, mistake: Mistake, home: Path) -> dict[str, str]:
+    """Copy the reference solution, make this mistake in it, and return the texts of its files before that.
 
     Raises ContentError if an edit no longer applies to the solution.
     """
     lay_solution(course, exercise, home)
-    apply_mistake(exercise, mistake, home)
+    return apply_mistake(exercise, mistake, home)
 
 
-def apply_mistake(exercise: Exercise, mistake: Mistake, home: Path) -> None:
-    """Make the mistake in a home that contains the reference solution."""
+def apply_mistake(exercise: Exercise, mistake: Mistake, home: Path) -> dict[str, str]:
+    """Make the mistake in a home that contains the reference solution.
+
+    Returns what the files contained before that, if their contents change.
+    """
+    before: dict[str, str] = {}
     for edit in mistake.edits:
         where = exercise.folder / "mistakes.yaml"
         if edit.answers is not None:
             change_answers(exercise, home, edit.answers, where)
         else:
+            if (edit.replace or edit.content) is not None and (home / edit.file).is_file():
+                before.setdefault(edit.file, (home / edit.file).read_text(encoding="utf-8"))
             _apply(edit, mistake, home, where)
+    return before
 
 
 def _standing_on(course: Course, exercise: Exercise) -> tuple[Exercise, ...]:

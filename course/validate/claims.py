@@ -31,7 +31,8 @@ class Claims:
         if proof.kind is ProofKind.STARTER:
             return does_not_pass(result, builds=starter_builds(self._exercises[proof.exercise]))
         if proof.kind is ProofKind.MISTAKE:
-            return is_caught(result, self._mistakes[proof.exercise, proof.name])
+            faults = is_caught(result, self._mistakes[proof.exercise, proof.name])
+            return [*faults, proven.misled] if proven.misled else faults
         return earns_all(result)
 
     def only_follows(self, proven: ProofResult, solution: Result) -> bool:

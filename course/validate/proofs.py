@@ -103,7 +103,7 @@ class ProofTask(Struct, frozen=True):
 class ProofResult(Struct, frozen=True):
     """The result of a task. laid: False if the files to grade could not be put together.
 
-    seconds: from the beginning to the end of the task.
+    seconds: from the beginning to the end of the task. misled: where the feedback points, if that is wrong.
     """
 
     proof: Proof
@@ -112,6 +112,7 @@ class ProofResult(Struct, frozen=True):
     result: Result
     seconds: float
     laid: bool = True
+    misled: str | None = None
 
 
 def _fits(task: ProofTask, proven: ProofResult) -> bool:

@@ -25,6 +25,7 @@ from course.model import replace
 from course.model.feedback import Feedback
 from course.model.result import Result, Verdict, verdict_of
 from course.rosenv import Ros, cache_dir, find_ros
+from course.validate import leads
 from course.validate.claims import words_of
 from course.validate.proofs import Proof, ProofKind, ProofResult, ProofTask
 
@@ -52,30 +53,33 @@ class Prover:
         began = time.monotonic()
         folder = Path(tempfile.mkdtemp(dir=task.folder))
         try:
-            laid, result = self._graded(task, folder)
+            laid, result, misled = self._graded(task, folder)
         finally:
             wipe(folder)
         seconds = round(time.monotonic() - began, 3)
-        return ProofResult(task.proof, task.turn, task.attempt, result, seconds, laid)
+        return ProofResult(task.proof, task.turn, task.attempt, result, seconds, laid, misled)
 
-    def _graded(self, task: ProofTask, folder: Path) -> tuple[bool, Result]:
+    def _graded(self, task: ProofTask, folder: Path) -> tuple[bool, Result, str | None]:
         laid = False
         home = folder / "home"
         home.mkdir()
         try:
             course = self._opened(task.course)
             exercise = course.exercise(task.proof.exercise)
-            lay(course, exercise, task.proof, home, self._mistakes_of)
+            before = lay(course, exercise, task.proof, home, self._mistakes_of)
             laid = True
             evidence = Path(task.evidence or folder / "recording.mcap")
-            result = self._checked(exercise, home, evidence, self._says(exercise, task.proof))
-            return laid, _predicted(exercise, result) if task.proof.kind is ProofKind.SOLUTION else result
+            mistake = self._mistake(exercise, task.proof)
+            result = self._checked(exercise, home, evidence, mistake.says if mistake else ())
+            if task.proof.kind is ProofKind.SOLUTION:
+                result = _predicted(exercise, result)
+            return laid, result, leads.misled(result, mistake, before, home) if mistake else None
         except MissingHere as error:
-            return laid, _without_verdict(task, Verdict.NOT_AVAILABLE, _told(error))
+            return laid, _without_verdict(task, Verdict.NOT_AVAILABLE, _told(error)), None
         except CourseError as error:
-            return laid, _without_verdict(task, Verdict.OUR_ERROR, _told(error))
+            return laid, _without_verdict(task, Verdict.OUR_ERROR, _told(error)), None
         except Exception as error:  # noqa: BLE001 - an author's code may raise anything, which is reported
-            return laid, _without_verdict(task, Verdict.OUR_ERROR, our_error(error))
+            return laid, _without_verdict(task, Verdict.OUR_ERROR, our_error(error)), None
 
     def _opened(self, root: str) -> Course:
         if self._course is None or str(self._course.root) != root:
@@ -95,10 +99,10 @@ class Prover:
         )
         return attempt_exercise(request, self._helpers)
 
-    def _says(self, exercise: Exercise, proof: Proof) -> tuple[str, ...]:
+    def _mistake(self, exercise: Exercise, proof: Proof) -> Mistake | None:
         if proof.kind is not ProofKind.MISTAKE:
-            return ()
-        return next(one.says for one in self._mistakes_of(exercise) if one.id == proof.name)
+            return None
+        return next(one for one in self._mistakes_of(exercise) if one.id == proof.name)
 
     def _mistakes_of(self, exercise: Exercise) -> Iterable[Mistake]:
         if exercise.folder not in self._mistakes:
@@ -116,18 +120,22 @@ def lay(
     proof: Proof,
     home: Path,
     mistakes_of: Callable[[Exercise], Iterable[Mistake]] = Exercise.mistakes,
-) -> None:
-    """Put the files that the proof grades into the empty folder `home`. Raises CourseError if that fails."""
+) -> dict[str, str]:
+    """Put the files that the proof grades into the empty folder `home`. Raises CourseError if that fails.
+
+    Returns what files contained before a mistake was made in them.
+    """
     if proof.kind is ProofKind.SOLUTION:
         trial.lay_solution(course, exercise, home)
     elif proof.kind is ProofKind.STARTER:
         trial.lay_starter(course, exercise, home)
     elif proof.kind is ProofKind.MISTAKE:
         mistake = next(mistake for mistake in mistakes_of(exercise) if mistake.id == proof.name)
-        trial.lay_mistake(course, exercise, mistake, home)
+        return trial.lay_mistake(course, exercise, mistake, home)
     else:
         other = next(other for other in exercise.alternatives() if other.name == proof.name)
         trial.lay_alternative(course, exercise, other, home)
+    return {}
 
 
 def _predicted(exercise: Exercise, result: Result) -> Result:

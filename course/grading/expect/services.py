@@ -11,6 +11,7 @@ from course.explain.observed import unproven
 from course.explain.parameter_causes import named
 from course.explain.python_code import calls
 from course.explain.service_causes import no_response, sleeping, spin_in_callback
+from course.grading.expect.endpoints import made_in
 from course.model.events import Side
 from course.model.feedback import Failure, Feedback, Location
 from course.model.graph import Service
@@ -43,7 +44,7 @@ def expect_service(recording: Recording, side: Side, name: str, *, remedy: str) 
             summary=f"No node {_VERBS[side]} the service `{name}`.",
             expected=f"a {side} of {name}",
             seen=f"the node {_VERBS[side]} {listed(names, 'no service')}",
-            where=makers,
+            where=makers or made_in(recording),
             advice=remedy,
         )
     )
