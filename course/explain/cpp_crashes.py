@@ -173,6 +173,8 @@ _KNOWN = (
     (r"ParameterType|ParameterUninitialized",
      "A parameter has the type of its default value: `0.5` is a double, `1` an integer, `\"0.5\"` a string."),
 )  # fmt: skip
+# Where to look for some of them.
+_AT = {_KNOWN[3][0]: r"\bmain\s*\(", _KNOWN[4][0]: r"\bshared_from_this\s*\("}
 # The same for errors that depend on a value: here the advice also names the line, if it is known.
 _WRONG_VALUES = (
     (r"_M_range_check|array::at",
@@ -284,9 +286,11 @@ def _why_thrown(found: Trouble, said: str, sources: Sources, notes: Iterable[Obs
         return Cause("`rclcpp::shutdown()` comes before `rclcpp::spin`: move it to the end of `main`.", early)
     for words, advice in _KNOWN:
         if re.search(words, said):
-            return Cause(advice)
+            return Cause(advice, places_of(sources, _AT[words])[:1] if words in _AT else ())
     told = " ".join(found.details)
     advice = next((advice for words, advice in _WRONG_VALUES if re.search(words, told)), found.advice)
+    if found.where:
+        return Cause(advice, (found.where,))
     return _located(advice, notes, sources)
 
 
