@@ -20,7 +20,8 @@ _STEPS = {
     ProofKind.SOLUTION: "correct the solution or the grader: the reference solution must earn all points",
     ProofKind.ALTERNATIVE: "correct the grader, or the alternative: a right way must earn all points",
     ProofKind.STARTER: "leave something to do in the starter, or let a check look at it",
-    ProofKind.MISTAKE: "correct the grader, or what the mistake claims: `caught_by`, `says`, `also_fails`",
+    ProofKind.MISTAKE: "correct the grader, or what the mistake claims: `caught_by`, `says`, `also_fails`, "
+    "`leads_to`",
 }
 _GRADER = "correct this line of the grader, then validate again"
 _STEADY = "let the check depend on nothing that changes by itself: timing, order, chance"
