@@ -81,7 +81,7 @@ def publisher_name(recording: Recording) -> None:
 @publisher.check("topic_exists", f"it has a publisher on {TOPIC}", needs="starts")
 def topic_exists(recording: Recording) -> None:
     remedy = f"Create it: `self.create_publisher(AmazingQuote, '{TOPIC}', 10)`."
-    expect_endpoint(recording, "publisher", TOPIC, remedy=remedy)
+    expect_endpoint(about(recording, PACKAGE, PUBLISHER, PUBLISHER), "publisher", TOPIC, remedy=remedy)
 
 
 @publisher.check("right_type", f"the topic's type is {QUOTE}", needs="topic_exists")
@@ -204,7 +204,7 @@ def subscriber_name(recording: Recording) -> None:
 @subscriber.check("subscribes", f"it has a subscription on {TOPIC}", needs="starts")
 def subscribes(recording: Recording) -> None:
     remedy = f"Create it: `self.create_subscription(AmazingQuote, '{TOPIC}', callback, 10)`."
-    expect_endpoint(recording, "subscription", TOPIC, remedy=remedy)
+    expect_endpoint(about(recording, PACKAGE, SUBSCRIBER, SUBSCRIBER), "subscription", TOPIC, remedy=remedy)
 
 
 @subscriber.check("right_type", f"the topic's type is {QUOTE}", needs="subscribes")
@@ -318,14 +318,14 @@ def sensor_name(recording: Recording) -> None:
 @sensor.check("publishes", f"it publishes on {rover.RANGE}", needs="starts")
 def sensor_publishes(recording: Recording) -> None:
     remedy = f"Create a publisher: `self.create_publisher(Range, '{rover.RANGE}', 10)`."
-    expect_endpoint(recording, "publisher", rover.RANGE, remedy=remedy)
+    expect_endpoint(about_sensor(recording), "publisher", rover.RANGE, remedy=remedy)
     expect_type(recording, "publisher", rover.RANGE, rover.RANGE_TYPE)
 
 
 @sensor.check("subscribes", f"it subscribes to {rover.COMMAND}", needs="starts")
 def sensor_subscribes(recording: Recording) -> None:
     remedy = f"Create it: `self.create_subscription(Twist, '{rover.COMMAND}', self.command_callback, 10)`."
-    expect_endpoint(recording, "subscription", rover.COMMAND, remedy=remedy)
+    expect_endpoint(about_sensor(recording), "subscription", rover.COMMAND, remedy=remedy)
     expect_type(recording, "subscription", rover.COMMAND, rover.COMMAND_TYPE)
     expect_qos(recording, rover.COMMAND)
 

@@ -581,7 +581,7 @@ def controller_name(recording: Recording) -> None:
 @controller.check("subscribes", f"it subscribes to {rover.RANGE}", needs="starts")
 def controller_subscribes(recording: Recording) -> None:
     remedy = f"Subscribe: `self.create_subscription(Range, '{rover.RANGE}', self.range_callback, 10)`."
-    expect_endpoint(recording, "subscription", rover.RANGE, remedy=remedy)
+    expect_endpoint(about_controller(recording), "subscription", rover.RANGE, remedy=remedy)
     expect_type(recording, "subscription", rover.RANGE, rover.RANGE_TYPE)
     expect_qos(recording, rover.RANGE)
 
@@ -589,7 +589,7 @@ def controller_subscribes(recording: Recording) -> None:
 @controller.check("publishes", f"it publishes on {rover.COMMAND}", needs="starts")
 def controller_publishes(recording: Recording) -> None:
     remedy = f"Create a publisher: `self.create_publisher(Twist, '{rover.COMMAND}', 10)`."
-    expect_endpoint(recording, "publisher", rover.COMMAND, remedy=remedy)
+    expect_endpoint(about_controller(recording), "publisher", rover.COMMAND, remedy=remedy)
     expect_type(recording, "publisher", rover.COMMAND, rover.COMMAND_TYPE)
 
 

@@ -240,7 +240,7 @@ def defaults(recording: Recording) -> None:
 @parameters.check("topic_exists", f"by default it publishes on {TOPIC}", needs="starts")
 def topic_exists(recording: Recording) -> None:
     remedy = "Make a publisher on the topic in the parameter `topic_name`."
-    expect_endpoint(recording, "publisher", TOPIC, remedy=remedy)
+    expect_endpoint(node_alone(recording), "publisher", TOPIC, remedy=remedy)
 
 
 @parameters.check("right_type", f"the topic's type is {QUOTE}", needs="topic_exists")
