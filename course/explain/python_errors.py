@@ -148,7 +148,9 @@ def _moved(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
 
 def _of_a_package(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     neighbor = _neighbor(words["name"], evidence.packages, evidence.sources)
-    return Proven({"neighbor": neighbor}) if neighbor else None
+    entry = None if symptom.where else _entry_for(words["name"], evidence.packages, evidence.sources)
+    where = entry.where if entry else symptom.where
+    return Proven({"neighbor": neighbor}, (where,) if where else ()) if neighbor else None
 
 
 _MODULES = {"Node": "rclpy.node", "Parameter": "rclpy.parameter", "QoSProfile": "rclpy.qos"}
