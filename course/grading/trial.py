@@ -76,7 +76,8 @@ def apply_mistake(exercise: Exercise, mistake: Mistake, home: Path) -> dict[str,
             change_answers(exercise, home, edit.answers, where)
         else:
             if (edit.replace or edit.content) is not None and (home / edit.file).is_file():
-                before.setdefault(edit.file, (home / edit.file).read_text(encoding="utf-8"))
+                text = (home / edit.file).read_text(encoding="utf-8", errors="replace")
+                before.setdefault(edit.file, text)
             _apply(edit, mistake, home, where)
     return before
 

@@ -23,7 +23,7 @@ def misled(result: Result, mistake: Mistake, before: Mapping[str, str], home: Pa
     places = check.feedback.where
     points = f"`{check.id}` points at {listed(list(map(str, places)), 'no place')}"
     if mistake.leads_to == NOWHERE:
-        return f"{points}, so `leads_to` is no longer true" if places else None
+        return None
     if mistake.leads_to:
         found = any(mistake.leads_to in f"{place.file}: {_line(home, place)}" for place in places)
         return None if found else f'{points}, not at "{mistake.leads_to}"'
