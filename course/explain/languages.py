@@ -155,7 +155,7 @@ class Python(Language):
             return Cause(text, self.entry(sources))
         once = tuple(call.where for call in calls(sources, "spin_once"))
         if any(calls(sources, name) for name in ("spin", "rclcpp_spin_some")) or (
-            once and _in_a_loop(sources, once[0])
+            once and _loop_around(sources, once[0])
         ):
             return None
         if once:
@@ -217,12 +217,12 @@ def _loops_around_try(sources: Sources) -> Iterator[Location]:
             yield Location(file, node.lineno)
 
 
-def _in_a_loop(sources: Sources, place: Location) -> bool:
-    return any(
-        node.lineno <= (place.line or 0) <= (node.end_lineno or 0)
-        for file, node in nodes(sources)
-        if file == place.file and isinstance(node, ast.While | ast.For)
-    )
+def _loop_around(sources: Sources, place: Location) -> Location | None:
+    for file, node in nodes(sources):
+        if file == place.file and isinstance(node, ast.While | ast.For):
+            if node.lineno <= (place.line or 0) <= (node.end_lineno or 0):
+                return Location(file, node.lineno)
+    return None
 
 
 def _at_the_end(found: Crash, recording: Recording) -> Cause:
@@ -233,12 +233,16 @@ def _at_the_end(found: Crash, recording: Recording) -> Cause:
     known = explain(entries, [Symptom(found.error, found.where)], evidence)
     if known:
         return Cause(known.remedy, known.where)
-    where = (found.where,) if found.where else ()
     own_loop = not calls(recording.sources, "spin") and any(
         calls(recording.sources, name) for name in ("rclcpp_spin_some", "spin_once")
     )
-    advice = _WITH_LOOP if own_loop or not recording.packages.built else _WITH_SPIN
-    return spin_in_a_thread(recording.sources) or Cause(advice, where)
+    in_loop = own_loop or not recording.packages.built
+    where = found.where
+    if where:  # Ctrl+C may come at any line
+        spins = (call.where for call in calls(recording.sources, "spin") if call.where.file == where.file)
+        where = (_loop_around(recording.sources, where) if in_loop else next(spins, None)) or where
+    advice = _WITH_LOOP if in_loop else _WITH_SPIN
+    return spin_in_a_thread(recording.sources) or Cause(advice, (where,) if where else ())
 
 
 def _unhandled(found: Crash, cause: Cause) -> Feedback:
