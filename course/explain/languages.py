@@ -218,11 +218,11 @@ def _loops_around_try(sources: Sources) -> Iterator[Location]:
 
 
 def _loop_around(sources: Sources, place: Location) -> Location | None:
-    for file, node in nodes(sources):
-        if file == place.file and isinstance(node, ast.While | ast.For):
-            if node.lineno <= (place.line or 0) <= (node.end_lineno or 0):
-                return Location(file, node.lineno)
-    return None
+    loops = (
+        node for file, node in nodes(sources) if file == place.file and isinstance(node, ast.While | ast.For)
+    )
+    found = (loop for loop in loops if loop.lineno <= (place.line or 0) <= (loop.end_lineno or 0))
+    return next((Location(place.file, loop.lineno) for loop in found), None)
 
 
 def _at_the_end(found: Crash, recording: Recording) -> Cause:
