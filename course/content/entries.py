@@ -134,7 +134,7 @@ class Mistake:
 
     caught_by: id of the check that must fail. says: texts that its feedback must contain.
     also_fails: ids of the other checks that rightly fail too; no further ones may. leads_to: part of the line
-    that the feedback points at, if it is not a line that the mistake changes; "nowhere" for none.
+    that the feedback points at, if it is not a line that the mistake changes.
     """
 
     id: str

@@ -284,7 +284,7 @@ class MistakeSchema(Strict):
     leads_to: Line | None = Field(
         default=None,
         description="part of the line that the feedback points at, if the mistake doesn't change that line: "
-        "`setup.py`, `create_timer`; or `nowhere`",
+        "`setup.py`, `create_timer`",
     )
 
 

@@ -11,7 +11,6 @@ from course.model.feedback import Location
 from course.model.result import Outcome, Result
 from course.spelling import listed
 
-NOWHERE = "nowhere"
 _NEAR = 3  # lines: a learner sees them together
 
 
@@ -21,14 +20,12 @@ def misled(result: Result, mistake: Mistake, before: Mapping[str, str], home: Pa
     if check is None or check.outcome is not Outcome.FAILED or check.feedback is None:
         return None
     places = check.feedback.where
-    points = f"`{check.id}` points at {listed(list(map(str, places)), 'no place')}"
-    if mistake.leads_to == NOWHERE:
-        return None
+    points = f"`{check.id}` points at {listed(list(map(str, places)), 'no line')}"
     if mistake.leads_to:
         found = any(mistake.leads_to in f"{place.file}: {_line(home, place)}" for place in places)
         return None if found else f'{points}, not at "{mistake.leads_to}"'
     changed = {file: [*_changed(text, _text(home / file))] for file, text in before.items()}
-    if not any(changed.values()) or any(_near(place, changed) for place in places):
+    if not places or not any(changed.values()) or any(_near(place, changed) for place in places):
         return None
     return f"{points}, not at what the mistake changes. If that is right, say so in `leads_to`"
 
