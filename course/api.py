@@ -57,7 +57,7 @@ from course.grading.expect.launches import (
     launch_file,
 )
 from course.grading.expect.logs import expect_logged
-from course.grading.expect.manifests import expect_build_type, expect_dependency, expect_manifest, expect_tag
+from course.grading.expect.manifests import expect_build_type, expect_dependency, expect_manifest
 from course.grading.expect.native import expect_compiled, expect_no_warnings, expect_sound, native_answer
 from course.grading.expect.one_program import about
 from course.grading.expect.parameters import expect_declared, expect_parameter, expect_set

@@ -14,11 +14,10 @@ from course.api import (
     Location,
     Recording,
     commands,
-    expect_tag,
     nearest,
     text_places,
 )
-from lib.interfaces import Section, compare, interface_file
+from lib.interfaces import Section, compare, expect_tag, interface_file
 
 PACKAGE = "package_with_interfaces"
 MESSAGE = f"{PACKAGE}/msg/AmazingQuote"

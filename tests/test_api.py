@@ -28,7 +28,7 @@ expect_launch_file expect_launch_interrupt expect_launch_parameter expect_launch
 expect_lines expect_logged expect_manifest expect_mode expect_no_warnings expect_node
 expect_own_launch_parameter expect_parameter expect_period expect_qos expect_ran expect_running
 expect_same_definition expect_same_service expect_service expect_service_type expect_set expect_shell
-expect_sound expect_tag expect_text expect_type expect_yaml first_error functions launch_file learners_file
+expect_sound expect_text expect_type expect_yaml first_error functions launch_file learners_file
 listed misspelled_group named native_answer nearest not_configured not_made packages_place places_of read_once
 read_setup_cfg replace seconds slips text_places timer_places trees words
 """.split()

@@ -1,11 +1,11 @@
-"""Reads .msg and .srv files, to say how they differ from the task."""
+"""A package of interfaces: how its .msg and .srv files differ from the task, and what package.xml lacks."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
 
-from course.api import Feedback, Location, Sources, listed, nearest
+from course.api import Failure, Feedback, Location, Recording, Sources, expect_manifest, listed, nearest
 
 Section = tuple[tuple[str, str], ...]
 _FIELD = re.compile(r"^\s*(?P<type>[A-Za-z][\w/]*(?:<=\d+)?(?:\[[^\]]*\])?)\s+(?P<name>\w+)\s*(?P<rest>.*)$")
@@ -27,6 +27,26 @@ class InterfaceFile:
 
     file: str
     sections: tuple[tuple[Field, ...], ...]
+
+
+def expect_tag(
+    recording: Recording, package: str, tags: tuple[str, ...], value: str, *, purpose: str
+) -> None:
+    """Check that package.xml has an element with one of these tags and this text."""
+    found = expect_manifest(recording, package)
+    if found.depends(value, *tags):
+        return
+    elsewhere = [tag for tag, text in found.tags if text == value]
+    written = f"<{tags[0]}>{value}</{tags[0]}>"
+    raise Failure(
+        Feedback(
+            summary=f"package.xml does not contain `{written}`: {purpose}.",
+            expected=written,
+            seen=f"<{elsewhere[0]}>{value}</{elsewhere[0]}>" if elsewhere else None,
+            where=(found.place_of(value) or found.where,),
+            advice=f"Add the line `{written}` to package.xml.",
+        )
+    )
 
 
 def interface_file(sources: Sources, package: str, kind: str, short: str) -> InterfaceFile | None:

@@ -6,8 +6,9 @@ import pytest
 
 from course.evidence.sources import Sources
 from course.model.feedback import Feedback
-from lib.interfaces import Section, compare, interface_file
+from lib.interfaces import Section, compare, expect_tag, interface_file
 from tests.golden import golden
+from tests.grading.expect.conftest import said, told, with_manifest
 
 PACKAGE = "words"
 MESSAGE: Section = (("int32", "id"), ("string", "text"), ("string", "author"))
@@ -99,3 +100,19 @@ def test_what_was_seen_is_written_as_what_was_expected() -> None:
 )
 def test_the_first_difference_of_a_service(text: str) -> None:
     golden(service(text))
+
+
+def test_an_element_that_is_there() -> None:
+    recording = with_manifest("<build_depend>gen</build_depend>")
+    assert said(expect_tag, recording, "talk", ("depend", "build_depend"), "gen", purpose="x") is None
+
+
+def test_an_element_that_is_not_there() -> None:
+    golden(
+        told(expect_tag, with_manifest(), "talk", ("member_of_group", "other"), "group", purpose="it tells")
+    )
+
+
+def test_an_element_under_another_tag() -> None:
+    recording = with_manifest("<depend>group_more</depend>", "<group_depend>group</group_depend>")
+    golden(told(expect_tag, recording, "talk", ("member_of_group",), "group", purpose="x"))
