@@ -44,7 +44,6 @@ from course.grading.expect.endpoints import (
     expect_endpoint,
     expect_node,
     expect_qos,
-    expect_same_definition,
     expect_type,
 )
 from course.grading.expect.launches import (
@@ -72,7 +71,6 @@ from course.grading.expect.programs import (
 )
 from course.grading.expect.services import (
     expect_answers,
-    expect_same_service,
     expect_service,
     expect_service_type,
 )

@@ -1,4 +1,4 @@
-"""A package of interfaces: how its .msg and .srv files differ from the task, and what package.xml lacks."""
+"""Interfaces: how .msg and .srv files and their types differ from the task, and what package.xml lacks."""
 
 from __future__ import annotations
 
@@ -47,6 +47,36 @@ def expect_tag(
             advice=f"Add the line `{written}` to package.xml.",
         )
     )
+
+
+def expect_same_definition(
+    recording: Recording, kind: str, topic: str, type_name: str, type_hash: str, *, advice: str
+) -> None:
+    """Expect that the type with this name was built from the definition that the course uses.
+
+    kind: `publisher` or `subscription`. advice: tells the learner where to find that definition.
+    """
+    own = (one for one in recording.seen_endpoints() if (one.topic, one.kind) == (topic, kind))
+    if any(one.type == type_name and one.type_hash != type_hash for one in own):
+        raise Failure(_other_fields(type_name, advice))
+
+
+def expect_same_service(
+    recording: Recording, name: str, type_name: str, hashes: tuple[str, str], *, advice: str
+) -> None:
+    """Expect that the server was built from the definition that the course uses.
+
+    hashes: of the request and the response. advice: tells the learner where to find that definition.
+    """
+    own = (one for one in recording.seen_graph().services if (one.name, one.type) == (name, type_name))
+    # Without a server, there are no hashes.
+    if any((one.request_hash, one.response_hash) not in (hashes, ("", "")) for one in own):
+        raise Failure(_other_fields(type_name, advice))
+
+
+def _other_fields(type_name: str, advice: str) -> Feedback:
+    summary = f"Your `{type_name}` does not have the fields that the exercise asks for."
+    return Feedback(summary=summary, advice=advice)
 
 
 def interface_file(sources: Sources, package: str, kind: str, short: str) -> InterfaceFile | None:

@@ -95,23 +95,6 @@ def expect_type(recording: Recording, kind: Kind, topic: str, type_name: str) ->
     )
 
 
-def expect_same_definition(
-    recording: Recording, kind: Kind, topic: str, type_name: str, type_hash: str, *, advice: str
-) -> None:
-    """Check that the type with this name was built from the definition that the course uses.
-
-    advice: tells the learner where to find that definition.
-    """
-    for endpoint in _on(recording, kind, topic):
-        if endpoint.type == type_name and endpoint.type_hash != type_hash:
-            raise Failure(
-                Feedback(
-                    summary=f"Your `{type_name}` does not have the fields that the exercise asks for.",
-                    advice=advice,
-                )
-            )
-
-
 def expect_qos(
     recording: Recording,
     topic: str,

@@ -10,7 +10,6 @@ from course.grading.expect.endpoints import (
     expect_endpoint,
     expect_node,
     expect_qos,
-    expect_same_definition,
     expect_type,
 )
 from course.model.events import GraphSeen
@@ -95,7 +94,6 @@ def test_the_other_end_of_the_topic_does_not_count() -> None:
 
 def test_the_right_type() -> None:
     assert said(expect_type, seen(end()), "publisher", TOPIC, QUOTE) is None
-    assert said(expect_same_definition, seen(end()), "publisher", TOPIC, QUOTE, HASH, advice="x") is None
 
 
 def test_one_wrong_type_among_two() -> None:
@@ -106,11 +104,6 @@ def test_one_wrong_type_among_two() -> None:
 def test_types_of_the_other_end_do_not_count() -> None:
     recording = seen(end(), end(kind="subscription", type_name="std_msgs/msg/String"))
     assert said(expect_type, recording, "publisher", TOPIC, QUOTE) is None
-
-
-def test_another_definition_of_the_same_name() -> None:
-    arguments = ("publisher", TOPIC, QUOTE, "RIHS01_2")
-    golden(told(expect_same_definition, seen(end()), *arguments, advice="Look at chapter 3."))
 
 
 # QoS
