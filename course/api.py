@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING
 
 from course.arena.arena import Arena
 from course.arena.process import Process
-from course.content.document import Document
-from course.errors import OurFault
+from course.content.document import Document, parse_document
+from course.errors import ContentError, OurFault
 from course.evidence.home_files import HomeFile
 from course.evidence.packages import BuiltPackage
 from course.evidence.process_view import ProbeAnswer, ProcessView
@@ -76,7 +76,6 @@ from course.grading.expect.services import (
 )
 from course.grading.expect.shell import BASHRC, complaints, expect_ran, expect_shell
 from course.grading.expect.text_files import expect_file, expect_lines, expect_mode, expect_text
-from course.grading.expect.yaml_files import expect_yaml
 from course.grading.mystery import AllOf, Mystery, Number, OneOf, Text
 from course.grading.stimulus import words
 from course.model import replace
