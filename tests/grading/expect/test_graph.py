@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from course.errors import OurFault
 from course.evidence.recording import Recording
 from course.grading.expect.endpoints import (
     expect_endpoint,
@@ -124,27 +123,3 @@ def test_qos_that_asks_for_too_much(qos: dict[str, object]) -> None:
 def test_qos_of_publishers_and_other_topics_does_not_count() -> None:
     others = (end(durability="transient_local"), end("/other", "subscription", durability="transient_local"))
     assert said(expect_qos, seen(*others), TOPIC) is None
-
-
-def test_qos_that_asks_for_what_is_offered() -> None:
-    kept = seen(end(kind="subscription", durability="transient_local", deadline=0.5))
-    offered = {"durability": "transient_local", "deadline": 0.5}
-    assert said(expect_qos, kept, TOPIC, offered=offered) is None
-    assert said(expect_qos, seen(end(kind="subscription")), TOPIC, offered=offered) is None
-    slower = {"durability": "transient_local", "deadline": 1.0}
-    golden(told(expect_qos, kept, TOPIC, offered=slower))
-    eager = seen(end(kind="subscription"), code=CODE)
-    golden(told(expect_qos, eager, TOPIC, offered={"reliability": "best_effort"}))
-
-
-def test_qos_that_offers_what_is_requested() -> None:
-    requested = {"durability": "transient_local"}
-    assert said(expect_qos, seen(end(durability="transient_local")), TOPIC, requested=requested) is None
-    golden(told(expect_qos, seen(end(), code=CODE), TOPIC, requested=requested))
-    golden(told(expect_qos, seen(end(reliability="best_effort"), code=CODE), TOPIC, requested={}))
-
-
-@pytest.mark.parametrize("policies", [{"durability": "transient"}, {"history": "x"}, {"deadline": "1"}])
-def test_qos_that_does_not_exist(policies: dict[str, str]) -> None:
-    with pytest.raises(OurFault, match="no QoS policy"):
-        expect_qos(seen(end()), TOPIC, offered=policies)
