@@ -117,21 +117,14 @@ class HomePrograms:
         finally:
             shell.close()
 
-    def python(
-        self,
-        file: str,
-        *args: str,
-        name: str | None = None,
-        cwd: str | None = None,
-        env: Mapping[str, str] | None = None,
-    ) -> Process | None:
-        """Start `python3 file args...` in its own terminal; `file` is relative to the course home.
+    def python(self, file: str, *args: str, name: str | None = None) -> Process | None:
+        """Start `python3 file args...` in its own terminal and folder; `file` is relative to the course home.
 
-        cwd: the folder of the home to start it in; the file's own by default. name: what the recording
-        calls it; the file's name by default. If there is no such file, this is recorded, and None returned.
+        name: what the recording calls it; the file's name by default. If there is no such file, this is
+        recorded, and None returned.
         """
         command = (self._python, str(self.home / file), *args)
-        return self._start_file(file, command, name, cwd, env)
+        return self._start_file(file, command, name, {})
 
     def python_module(
         self,
@@ -172,7 +165,7 @@ class HomePrograms:
         self, file: str, *args: str, name: str | None = None, env: Mapping[str, str] | None = None
     ) -> Process | None:
         """Start `./file args...` in the file's folder, by its mode and first line; else like `python`."""
-        return self._start_file(file, (f"./{Path(file).name}", *args), name, None, env)
+        return self._start_file(file, (f"./{Path(file).name}", *args), name, env or {})
 
     def probe(
         self, code: str | Path, *, name: str = "probe", cwd: str = "", timeout: float = PROBE_TIME
@@ -281,12 +274,7 @@ class HomePrograms:
         return found
 
     def _start_file(
-        self,
-        file: str,
-        command: Sequence[str],
-        name: str | None,
-        cwd: str | None,
-        env: Mapping[str, str] | None,
+        self, file: str, command: Sequence[str], name: str | None, env: Mapping[str, str]
     ) -> Process | None:
         path = self._inside(file)
         name = name or path.name
@@ -294,8 +282,8 @@ class HomePrograms:
         if not (self.files.is_file(file) or self.files.is_link(file)):
             self.timeline.add(ProgramMissing(self.timeline.now(), name, file))
             return None
-        folder = path.parent if cwd is None else self._inside(cwd)
-        return self._launch(name, command, {**self._programs(), **(env or {})}, folder, through=self._at_home)
+        environment = {**self._programs(), **env}
+        return self._launch(name, command, environment, path.parent, through=self._at_home)
 
     def _inside(self, path: str) -> Path:
         if Path(path).is_absolute() or ".." in Path(path).parts:

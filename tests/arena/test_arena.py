@@ -152,9 +152,8 @@ def test_until_ends_as_soon_as_the_condition_holds(play: Play) -> None:
 def test_until_ends_with_the_program(play: Play) -> None:
     program = play.arena.start("true", name="it")
     began = time.monotonic()
-    assert not play.arena.until(lambda: False, timeout=WAIT, while_running=program, name="a message")
+    assert not play.arena.until(lambda: False, timeout=WAIT, while_running=program)
     assert time.monotonic() - began < WAIT / 2
-    assert [mark.name for mark in play.events(Marked)] == ["gave up: a message"]
 
 
 def test_until_sees_what_the_program_wrote_last(play: Play) -> None:
@@ -175,7 +174,7 @@ class Speaker:
             self.timeline.add(OutputLine(self.timeline.now(), "echo", data))
 
 
-def test_say_waits_for_each_answer_and_no_longer_than_told(play: Play) -> None:
+def test_say_waits_for_each_answer_but_not_for_long(play: Play) -> None:
     speaker = Speaker(play.arena.timeline)
     asked: list[tuple[str, int]] = []
 
@@ -185,8 +184,8 @@ def test_say_waits_for_each_answer_and_no_longer_than_told(play: Play) -> None:
 
     messages = [{"data": text} for text in ("a", "silence", "b")]
     began = time.monotonic()
-    play.arena.say(cast("Any", speaker), messages, is_answered, timeout=0.2)
-    assert time.monotonic() - began >= 0.2
+    play.arena.say(cast("Any", speaker), messages, is_answered)
+    assert 1.0 <= time.monotonic() - began < WAIT
     assert speaker.said == ["a", "silence", "b"]
     assert {("a", 1), ("silence", 2), ("b", 3)} == set(asked)
 
