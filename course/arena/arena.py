@@ -49,8 +49,6 @@ if TYPE_CHECKING:
 # The course asks for 3 s; the rest is slack for a busy machine.
 INTERRUPT_GRACE = 4.0
 _ANSWER_TIME = 1.0
-TYPE_PROBE = "type probe"
-_TYPE_PROBE = Path(__file__).with_name("type_probe.py")
 
 
 class Arena(HomePrograms):
@@ -214,14 +212,6 @@ class Arena(HomePrograms):
         path = Path(built.prefix, file) if built else None
         text = _beginning(path) if path and path.is_file() else None
         self.timeline.add(FileKept(self.timeline.now(), file, text))
-
-    def probe_types(self, *types: str) -> Process:
-        """Start a program of the course that offers endpoints of these types as the learner built them.
-
-        The n-th type (from 0) gets a publisher or service `/probe/tN`; the graph then shows the hash of its
-        definition. Prints `missing <type>` for each type that cannot be imported.
-        """
-        return self.start(self._python, str(_TYPE_PROBE), *types, name=TYPE_PROBE)
 
     def mark(self, name: str, detail: str = "") -> None:
         """Name this moment in the recording."""
