@@ -13,6 +13,7 @@ from rich.text import Text
 from course.model.result import Result
 from course.report import activity, sanitize
 from course.report.console import put, put_prose
+from course.spelling import counted
 
 if TYPE_CHECKING:
     from course.grading.judge.regraded import Move
@@ -47,12 +48,8 @@ def render_plan(console: Console, rows: Sequence[SubmissionRow], remarks: Sequen
     graded = sum(bool(row.exercises) for row in rows)
     gradings = sum(len(row.exercises) for row in rows)
     put(console)
-    found = f"{_counted(len(rows), 'submission')}, {graded} of them with something to grade"
-    put(console, f"{found}: {_counted(gradings, 'grading')}.")
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+    found = f"{counted(len(rows), 'submission')}, {graded} of them with something to grade"
+    put(console, f"{found}: {counted(gradings, 'grading')}.")
 
 
 def _exercises(ids: Sequence[str]) -> str:
