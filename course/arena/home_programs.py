@@ -25,6 +25,7 @@ from course.isolation.domains import Domains
 from course.isolation.isolation_plan import Starter
 from course.isolation.sandbox import start_here
 from course.model.events import Marked, ProcessExited, ProgramMissing
+from course.rosenv.host import require
 
 _DOMAIN = "ROS_DOMAIN_ID"
 _ONLY_ROS = ("ROS_LOG_DIR", "RCUTILS_COLORIZED_OUTPUT", "ROS_PYTHON_CHECK_FIELDS", "ROS2COURSE_ARENA")
@@ -207,7 +208,7 @@ class HomePrograms:
 
     def require(self, *tools: str) -> None:
         """Raise MissingHere, with the install command, if this machine lacks any of these tools."""
-        toolchain.require(tools, self._plain_programs().get("PATH", ""))
+        require(tools, self._plain_programs().get("PATH", ""))
 
     def tool(
         self,
@@ -223,7 +224,7 @@ class HomePrograms:
         Raises MissingHere, with the install command, if the tool is not installed.
         """
         environment = {**toolchain.compiling(self._plain_programs()), **(env or {})}
-        toolchain.require(command[:1], environment.get("PATH", ""))
+        require(command[:1], environment.get("PATH", ""))
         process = self._launch(name, command, environment, self._inside(cwd), through=self._at_home)
         if not process.wait(timeout):
             process.close()
