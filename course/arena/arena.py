@@ -12,17 +12,15 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, cast
 
 from course.arena.arena_node import ArenaNode, NoRos
 from course.arena.command_lines import ParameterValue, command_for, ros_args
 from course.arena.cpp_programs import CppPrograms
-from course.arena.home_programs import HomePrograms
+from course.arena.home_programs import HomePrograms, Surroundings
 from course.arena.lateness import Lateness, measured_lateness
 from course.arena.mystery_nodes import our_environment, start_in_arena
 from course.arena.process import Process, started_by, still_there
-from course.arena.scratch_home import OpenPlace, Place
 from course.errors import OurFault
 from course.evidence.acts import MYSTERY
 from course.evidence.packages import BuiltPackages
@@ -55,29 +53,17 @@ class Arena(HomePrograms):
     """Where the learner's nodes run under observation.
 
     ros: the arena's own ROS node (`arena.ros.subscribe`). cpp: the learner's C++ (`arena.cpp.compile`).
-    packages: what was built. environment: for the learner's programs. python: the interpreter that runs
-    Python nodes. folder: a scratch folder; its `home` is their HOME. plain: the environment for programs
-    that need no ROS. learners_home: the course home itself. ours, place, another: see `HomePrograms`.
-    lateness: measures delays caused by this machine; None if no check needs that.
+    packages: what was built. lateness: measures delays caused by this machine; None if no check needs that.
     """
 
     def __init__(
         self,
         recorder: Recorder,
         packages: BuiltPackages,
-        environment: Mapping[str, str],
-        python: str,
-        folder: Path,
-        plain: Mapping[str, str] = MappingProxyType({}),
-        learners_home: Path | None = None,
-        ours: Path | None = None,
-        place: Place | None = None,
-        another: OpenPlace | None = None,
+        given: Surroundings,
         lateness: Lateness | None = None,
     ) -> None:
-        super().__init__(
-            recorder.timeline, environment, plain, python, folder, learners_home, ours, place, another
-        )
+        super().__init__(recorder.timeline, given)
         self.ros = ArenaNode(recorder)
         self.cpp = CppPrograms(self)
         self._lateness = lateness
@@ -288,28 +274,20 @@ def _no_ros(timeline: Timeline) -> contextlib.AbstractContextManager[Recorder]:
 def open_arena(
     timeline: Timeline,
     packages: BuiltPackages,
-    environment: Mapping[str, str],
-    python: str,
-    folder: Path,
+    given: Surroundings,
     *,
-    plain: Mapping[str, str] = MappingProxyType({}),
     ros: bool = True,
-    learners_home: Path | None = None,
-    ours: Path | None = None,
-    place: Place | None = None,
-    another: OpenPlace | None = None,
     groups: Sequence[Path] = (),
 ) -> Iterator[Arena]:
     """Open an arena whose recorder is listening before any program starts; without a recorder if not `ros`.
 
     Without a `place`, programs run in `folder` without a sandbox. groups: the programs' control groups.
     """
-    given = (packages, environment, python, folder, plain, learners_home, ours, place, another)
     with (
         measured_lateness(timeline, groups) as lateness,
         _recorder(timeline) if ros else _no_ros(timeline) as recorder,
     ):
-        arena = Arena(recorder, *given, lateness)
+        arena = Arena(recorder, packages, given, lateness)
         try:
             yield arena
         finally:

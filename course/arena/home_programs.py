@@ -9,6 +9,7 @@ import contextlib
 import shutil
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from pathlib import Path
 from types import MappingProxyType
@@ -31,8 +32,9 @@ _DOMAIN = "ROS_DOMAIN_ID"
 _ONLY_ROS = ("ROS_LOG_DIR", "RCUTILS_COLORIZED_OUTPUT", "ROS_PYTHON_CHECK_FIELDS", "ROS2COURSE_ARENA")
 
 
-class HomePrograms:
-    """The part of an arena that starts programs in the copy of the course home.
+@dataclass(frozen=True)
+class Surroundings:
+    """What an arena's programs get.
 
     environment: with ROS and the learner's packages. plain: without them. python: the interpreter for
     programs of the course. folder: a scratch folder, by the path that programs use. learners_home: the
@@ -40,29 +42,31 @@ class HomePrograms:
     default in `folder`, without a sandbox. another: opens further places.
     """
 
-    def __init__(
-        self,
-        timeline: Timeline,
-        environment: Mapping[str, str],
-        plain: Mapping[str, str],
-        python: str,
-        folder: Path,
-        learners_home: Path | None = None,
-        ours: Path | None = None,
-        place: Place | None = None,
-        another: OpenPlace | None = None,
-    ) -> None:
+    environment: Mapping[str, str]
+    python: str
+    folder: Path
+    plain: Mapping[str, str] = field(default_factory=dict)
+    learners_home: Path | None = None
+    ours: Path | None = None
+    place: Place | None = None
+    another: OpenPlace | None = None
+
+
+class HomePrograms:
+    """The part of an arena that starts programs in the copy of the course home."""
+
+    def __init__(self, timeline: Timeline, given: Surroundings) -> None:
         self.timeline = timeline
-        self._ours = ours or folder
-        self._place = place or Place(start_here, ScratchHome(folder))
-        self._another = another
-        self._learners_home = learners_home or folder / HOME
-        self._environment = environment
-        self._plain = plain
-        self._python = python
-        self._folder = folder
+        self._ours = given.ours or given.folder
+        self._place = given.place or Place(start_here, ScratchHome(given.folder))
+        self._another = given.another
+        self._learners_home = given.learners_home or given.folder / HOME
+        self._environment = given.environment
+        self._plain = given.plain
+        self._python = given.python
+        self._folder = given.folder
         self._processes: list[Process] = []
-        if place is None:
+        if given.place is None:
             self.home.mkdir(parents=True, exist_ok=True)
 
     @property

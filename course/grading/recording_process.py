@@ -33,6 +33,7 @@ from typing import NoReturn
 
 import course
 from course.arena.arena import open_arena
+from course.arena.home_programs import Surroundings
 from course.arena.scratch_home import HOME, Place, ScratchHome, lay_home, place_without_sandbox
 from course.child import end_with_parent
 from course.errors import DamagedData, MissingHere
@@ -276,15 +277,17 @@ def _record(
             open_arena(
                 timeline,
                 task.packages,
-                _watching(task, sources, folder) if task.observed else task.environment,
-                task.python,
-                folder / PROGRAMS,
-                plain=task.plain,
+                Surroundings(
+                    _watching(task, sources, folder) if task.observed else task.environment,
+                    task.python,
+                    folder / PROGRAMS,
+                    task.plain,
+                    home,
+                    _ours(folder),
+                    place,
+                    open_place,
+                ),
                 ros=grader.ros,
-                learners_home=home,
-                ours=_ours(folder),
-                place=place,
-                another=open_place,
                 groups=_groups(task),
             ) as arena,
         ):

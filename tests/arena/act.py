@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 from course.arena.arena import open_arena
+from course.arena.home_programs import Surroundings
 from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.evidence.recording import Recording
 from course.evidence.timeline import Timeline
@@ -69,7 +70,7 @@ packages = BuiltPackages((BuiltPackage("talk", "src/talk", str(prefix), ("talker
 found: dict[str, object] = {}
 timeline = Timeline()
 
-with open_arena(timeline, packages, environment, str(ros.python), folder / "scratch") as arena:
+with open_arena(timeline, packages, Surroundings(environment, str(ros.python), folder / "scratch")) as arena:
     asked = arena.ros.parameters("/other")
     node = arena.run("talk", "talker", params={**STRINGS, **OTHERS}, node_name="other")
     found["available"] = arena.until(lambda: asked.available, timeout=WAIT, while_running=node)

@@ -14,6 +14,7 @@ from typing import Any, cast
 import pytest
 
 from course.arena.arena import Arena
+from course.arena.home_programs import Surroundings
 from course.errors import OurFault
 from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.evidence.recording import ROSOUT, ROSOUT_TYPE
@@ -67,7 +68,7 @@ def play(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Play]:
     folder = tmp_path / "scratch"
     folder.mkdir()
     environment = {"PATH": "/usr/bin:/bin", "GIVEN": "from the environment", "HOME": "/nowhere"}
-    arena = Arena(cast(Any, NoRecorder()), packages, environment, sys.executable, folder)
+    arena = Arena(cast(Any, NoRecorder()), packages, Surroundings(environment, sys.executable, folder))
     yield Play(arena, prefix)
     arena.close()
 
@@ -132,7 +133,8 @@ def test_a_launch_file_is_started_as_ros2_launch_does(play: Play, tmp_path: Path
     command.write_text('#!/bin/sh\necho "$@"\n')
     command.chmod(0o755)
     path = f"{command.parent}:/usr/bin:/bin"
-    arena = Arena(cast(Any, NoRecorder()), BuiltPackages(), {"PATH": path}, sys.executable, tmp_path)
+    given = Surroundings({"PATH": path}, sys.executable, tmp_path)
+    arena = Arena(cast(Any, NoRecorder()), BuiltPackages(), given)
     program = arena.launch("talk", "talk_launch.py", speed="2 m/s")
     assert program.wait(WAIT)
     assert program.name == "talk_launch.py"
