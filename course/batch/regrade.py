@@ -76,7 +76,7 @@ class _Regrading:
 
     def run(self, on_progress: Callable[[int, int], None], jobs: int | None) -> Regraded:
         done = 0
-        with self._results.all_or_nothing():
+        with self._results.writing():
             for key, judged in self._judged(jobs):
                 self._take(key, judged)
                 done += 1
@@ -145,6 +145,6 @@ def _exercise(course: Course, name: str) -> Exercise:
 
 def forget_lacking(results: Results, lacking: tuple[Lacking, ...]) -> None:
     """Forget these gradings, so that the next `grade` does them again."""
-    with results.all_or_nothing():
+    with results.writing():
         for one in lacking:
             results.forget(Unit(one.person, one.exercise))
