@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING
 
 from course.arena.arena import Arena
 from course.arena.process import Process
-from course.content.document import Document
-from course.errors import OurFault
+from course.content.document import Document, parse_document
+from course.errors import ContentError, OurFault
 from course.evidence.home_files import HomeFile
 from course.evidence.packages import BuiltPackage
 from course.evidence.process_view import ProbeAnswer, ProcessView
@@ -44,7 +44,6 @@ from course.grading.expect.endpoints import (
     expect_endpoint,
     expect_node,
     expect_qos,
-    expect_same_definition,
     expect_type,
 )
 from course.grading.expect.launches import (
@@ -57,7 +56,7 @@ from course.grading.expect.launches import (
     launch_file,
 )
 from course.grading.expect.logs import expect_logged
-from course.grading.expect.manifests import expect_build_type, expect_dependency, expect_manifest, expect_tag
+from course.grading.expect.manifests import expect_build_type, expect_dependency, expect_manifest
 from course.grading.expect.native import expect_compiled, expect_no_warnings, expect_sound, native_answer
 from course.grading.expect.one_program import about
 from course.grading.expect.parameters import expect_declared, expect_parameter, expect_set
@@ -72,13 +71,11 @@ from course.grading.expect.programs import (
 )
 from course.grading.expect.services import (
     expect_answers,
-    expect_same_service,
     expect_service,
     expect_service_type,
 )
 from course.grading.expect.shell import BASHRC, complaints, expect_ran, expect_shell
 from course.grading.expect.text_files import expect_file, expect_lines, expect_mode, expect_text
-from course.grading.expect.yaml_files import expect_yaml
 from course.grading.mystery import AllOf, Mystery, Number, OneOf, Text
 from course.grading.stimulus import words
 from course.model import replace

@@ -39,8 +39,8 @@ class Database:
             return self._database.execute(statement, values).fetchall()
 
     @contextlib.contextmanager
-    def _writing(self) -> Iterator[None]:
-        """A transaction, or part of one that is open already; waits for another process that writes."""
+    def writing(self) -> Iterator[None]:
+        """A transaction (all or nothing), or part of one that is open; waits for other writers."""
         if self._is_writing():
             yield
             return

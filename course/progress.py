@@ -80,7 +80,7 @@ class Progress(Database):
 
         counts = result.verdict in (Verdict.PASSED, Verdict.NOT_PASSED)
         row = (result.exercise, now(), result.verdict.value, counts, result.points, result.max_points)
-        with self._writing():
+        with self.writing():
             self._run(
                 "INSERT INTO attempts (exercise, at, verdict, counts, points, max_points, result)"
                 " VALUES (?, ?, ?, ?, ?, ?, ?)",
@@ -141,7 +141,7 @@ class Progress(Database):
     def record_review(self, exercise: str, question: str, *, right: bool) -> None:
         """Store whether a question was answered right in a review."""
         row = (exercise, question, -1 if right else 1)
-        with self._writing():
+        with self.writing():
             self._run(
                 "INSERT INTO reviews (exercise, question, wrong) VALUES (?, ?, ?)"
                 " ON CONFLICT (exercise, question) DO UPDATE SET wrong = wrong + excluded.wrong",
@@ -160,7 +160,7 @@ class Progress(Database):
 
     def set_current(self, exercise: str) -> None:
         """Also marks the exercise as begun."""
-        with self._writing():
+        with self.writing():
             self._run("INSERT OR REPLACE INTO current (one, exercise) VALUES (1, ?)", exercise)
             self._stamp(exercise, "begun_at")
 
@@ -168,7 +168,7 @@ class Progress(Database):
         """Index of the hint to show now, from 0. Each call moves on by one, until the last hint."""
         if total < 1:
             raise ValueError("an exercise without hints has no next one")
-        with self._writing():
+        with self.writing():
             shown = min(self._hints(exercise) + 1, total)
             self._run(
                 "INSERT INTO exercises (exercise, hints) VALUES (?, ?)"
@@ -187,7 +187,7 @@ class Progress(Database):
         return self._value("SELECT 1 FROM chapters_shown WHERE slug = ?", slug) is not None
 
     def mark_chapter_shown(self, slug: str) -> None:
-        with self._writing():
+        with self.writing():
             self._run("INSERT OR IGNORE INTO chapters_shown (slug, at) VALUES (?, ?)", slug, now())
 
     def _hints(self, exercise: str) -> int:

@@ -47,6 +47,16 @@ def listed(names: Iterable[str], empty: str = "none") -> str:
     return quoted[0] if len(quoted) == 1 else f"{', '.join(quoted[:-1])} and {quoted[-1]}"
 
 
+def counted(count: int, noun: str) -> str:
+    """`1 line`, `2 lines`."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+def in_one_line(text: str) -> str:
+    """The text with each run of blanks and line ends as one blank."""
+    return " ".join(text.split())
+
+
 def _one_typo(one: str, other: str) -> bool:
     """Whether one letter is missing, extra or wrong, or two are swapped."""
     shared = min(len(one), len(other))

@@ -6,6 +6,8 @@ the .msg and .srv files only to say what is different.
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from course.api import (
     Arena,
     Failure,
@@ -14,11 +16,10 @@ from course.api import (
     Location,
     Recording,
     commands,
-    expect_tag,
     nearest,
     text_places,
 )
-from lib.interfaces import Section, compare, interface_file
+from lib.interfaces import Section, compare, expect_tag, interface_file
 
 PACKAGE = "package_with_interfaces"
 MESSAGE = f"{PACKAGE}/msg/AmazingQuote"
@@ -38,6 +39,7 @@ SERVICES = (
     ("/probe/t1", SERVICE, (REQUEST_HASH, RESPONSE_HASH), (REQUEST_FIELDS, RESPONSE_FIELDS)),
     ("/probe/t2", NEWER, (ADD_REQUEST_HASH, ADD_RESPONSE_HASH), (ADD_REQUEST_FIELDS, ADD_RESPONSE_FIELDS)),
 )
+PROBE = Path(__file__).with_name("probes") / "ch17_types.py"
 PROBES = [name for name, *_ in SERVICES]
 EXPORTS = f"share/{PACKAGE}/cmake/ament_cmake_export_dependencies-extras.cmake"
 CMAKE = "CMakeLists.txt"
@@ -49,7 +51,7 @@ interfaces = Grader("17-interfaces")
 def offer_the_types(arena: Arena) -> None:
     """Use the learner's types in a program of ours. The graph shows their hashes."""
     arena.keep(PACKAGE, EXPORTS)
-    probe = arena.probe_types(MESSAGE, SERVICE, NEWER)
+    probe = arena.companion(PROBE, MESSAGE, SERVICE, NEWER, name="type probe")
     if arena.until(lambda: arena.printed("ready"), timeout=15, while_running=probe):
         missing = arena.printed("missing ")
         arena.until(lambda: len(hashes_in(arena)) + missing >= 3, timeout=5, while_running=probe)

@@ -26,7 +26,6 @@ from course.api import (
     expect_period,
     expect_qos,
     expect_running,
-    expect_same_definition,
     expect_type,
     slips,
     text_places,
@@ -34,6 +33,7 @@ from course.api import (
 )
 from lib import rover
 from lib.deliveries import expect_contents, expect_deliveries, first_reaction
+from lib.interfaces import expect_same_definition
 
 if TYPE_CHECKING:
     from course.api import Listener

@@ -32,7 +32,6 @@ from course.api import (
     expect_period,
     expect_qos,
     expect_running,
-    expect_same_service,
     expect_service,
     expect_service_type,
     expect_type,
@@ -45,6 +44,7 @@ from lib import rover
 from lib.callers import expect_answers_logged, expect_calls, expect_patience, expect_waiting
 from lib.counts import expect_counted, has_number
 from lib.deliveries import first_reaction
+from lib.interfaces import expect_same_service
 
 PACKAGE = "python_package_that_uses_the_services"
 INTERFACES = "package_with_interfaces"

@@ -35,7 +35,6 @@ from course.api import (
     expect_parameter,
     expect_period,
     expect_running,
-    expect_same_definition,
     expect_set,
     expect_type,
     launch_file,
@@ -44,6 +43,7 @@ from course.api import (
     words,
 )
 from lib.configured import expect_followed, expect_period_kept, expect_texts
+from lib.interfaces import expect_same_definition
 
 if TYPE_CHECKING:
     from course.api import Listener

@@ -25,10 +25,10 @@ from course.api import (
     Process,
     Recording,
     expect_text,
-    expect_yaml,
     listed,
     nearest,
 )
+from lib.yaml_files import expect_yaml
 
 FOLDER = "docker_tutorial"
 

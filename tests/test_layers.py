@@ -37,7 +37,7 @@ NEIGHBORS = {("report", "grading"), ("progress", "grading")}
 # Libraries that only these modules may import: a module itself, or a room with all that is in it.
 # Others may name a type of theirs under TYPE_CHECKING.
 HOMES = {
-    "rclpy": ("course.evidence.recorder", "course.arena.type_probe", "course.arena.mystery_program"),
+    "rclpy": ("course.evidence.recorder", "course.arena.mystery_program"),
     "rich": ("course.report", "course.watch"),
     "typer": ("course.cli",),
     "jinja2": ("course.report.page",),

@@ -353,7 +353,7 @@ def test_what_is_read_for_writing_cannot_change_meanwhile(
 ) -> None:
     monkeypatch.setattr("course.progress.BUSY_SECONDS", 0.05)
     with Progress.open(state) as one, Progress.open(state) as other:
-        with one._writing(), pytest.raises(StorageError, match="locked"):
+        with one.writing(), pytest.raises(StorageError, match="locked"):
             other.next_hint("18-publisher", 3)
         assert other.next_hint("18-publisher", 3) == 0
 
@@ -361,7 +361,7 @@ def test_what_is_read_for_writing_cannot_change_meanwhile(
 def test_an_error_in_between_leaves_all_as_it_was(state: Path) -> None:
     with Progress.open(state) as progress:
         progress.set_current("18-publisher")
-        with pytest.raises(ZeroDivisionError), progress._writing():
+        with pytest.raises(ZeroDivisionError), progress.writing():
             progress._run("DELETE FROM current")
             raise ZeroDivisionError
         assert progress.current() == "18-publisher"

@@ -12,17 +12,15 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, cast
 
 from course.arena.arena_node import ArenaNode, NoRos
 from course.arena.command_lines import ParameterValue, command_for, ros_args
 from course.arena.cpp_programs import CppPrograms
-from course.arena.home_programs import HomePrograms
+from course.arena.home_programs import HomePrograms, Surroundings
 from course.arena.lateness import Lateness, measured_lateness
 from course.arena.mystery_nodes import our_environment, start_in_arena
 from course.arena.process import Process, started_by, still_there
-from course.arena.scratch_home import OpenPlace, Place
 from course.errors import OurFault
 from course.evidence.acts import MYSTERY
 from course.evidence.packages import BuiltPackages
@@ -48,37 +46,24 @@ if TYPE_CHECKING:
 
 # The course asks for 3 s; the rest is slack for a busy machine.
 INTERRUPT_GRACE = 4.0
-TYPE_PROBE = "type probe"
-_TYPE_PROBE = Path(__file__).with_name("type_probe.py")
+_ANSWER_TIME = 1.0
 
 
 class Arena(HomePrograms):
     """Where the learner's nodes run under observation.
 
     ros: the arena's own ROS node (`arena.ros.subscribe`). cpp: the learner's C++ (`arena.cpp.compile`).
-    packages: what was built. environment: for the learner's programs. python: the interpreter that runs
-    Python nodes. folder: a scratch folder; its `home` is their HOME. plain: the environment for programs
-    that need no ROS. learners_home: the course home itself. ours, place, another: see `HomePrograms`.
-    lateness: measures delays caused by this machine; None if no check needs that.
+    packages: what was built. lateness: measures delays caused by this machine; None if no check needs that.
     """
 
     def __init__(
         self,
         recorder: Recorder,
         packages: BuiltPackages,
-        environment: Mapping[str, str],
-        python: str,
-        folder: Path,
-        plain: Mapping[str, str] = MappingProxyType({}),
-        learners_home: Path | None = None,
-        ours: Path | None = None,
-        place: Place | None = None,
-        another: OpenPlace | None = None,
+        given: Surroundings,
         lateness: Lateness | None = None,
     ) -> None:
-        super().__init__(
-            recorder.timeline, environment, plain, python, folder, learners_home, ours, place, another
-        )
+        super().__init__(recorder.timeline, given)
         self.ros = ArenaNode(recorder)
         self.cpp = CppPrograms(self)
         self._lateness = lateness
@@ -115,13 +100,13 @@ class Arena(HomePrograms):
         command = command_for(Path(built.prefix), package, executable, self._python)
         return self.start(*command, *args, *ros_args(params, remaps, node_name), name=name, env=env)
 
-    def launch(self, package: str, file: str, *, name: str | None = None, **arguments: str) -> Process:
+    def launch(self, package: str, file: str, **arguments: str) -> Process:
         """Start `ros2 launch package file argument:=value...`, which itself reports anything missing.
 
-        name: what the recording calls it; the file's name by default.
+        The recording calls it by the file's name.
         """
         given = (f"{key}:={value}" for key, value in arguments.items())
-        return self.start("ros2", "launch", package, file, *given, name=name or file)
+        return self.start("ros2", "launch", package, file, *given, name=file)
 
     def start(self, *command: str, name: str, env: Mapping[str, str] | None = None) -> Process:
         """Start any command in its own terminal, with the learner's packages on top of ROS."""
@@ -145,23 +130,17 @@ class Arena(HomePrograms):
         *,
         timeout: float,
         while_running: Process | None = None,
-        name: str = "",
     ) -> bool:
         """Wait until `condition()` is true and return True; False after `timeout` s or when the program ends.
 
-        condition: must be quick, and depend only on what the arena has seen so far. name: if the condition
-        never becomes true, the recording gets the mark `gave up: NAME`, for the checks.
+        condition: must be quick, and depend only on what the arena has seen so far.
         """
 
         def settled() -> bool:
             return bool(condition()) or bool(while_running and not while_running.running)
 
         self.timeline.wait_until(settled, timeout)
-        if condition():
-            return True
-        if name:
-            self.timeline.add(Marked(self.timeline.now(), f"gave up: {name}"))
-        return False
+        return bool(condition())
 
     def say(
         self,
@@ -169,19 +148,18 @@ class Arena(HomePrograms):
         messages: Iterable[Mapping[str, Any]],
         answered: Callable[[Mapping[str, Any]], Any],
         *,
-        timeout: float = 1.0,
         while_running: Process | None = None,
     ) -> None:
         """Publish messages one by one, each after the previous one was answered; see `recording.reactions`.
 
         messages: the fields of each. answered: called with these fields; returns true once the answer has
-        been seen; quick, as in `until`. After `timeout` s without an answer, the next message is sent.
+        been seen; quick, as in `until`. After 1 s without an answer, the next message is sent.
         """
         for fields in messages:
             if while_running and not while_running.running:
                 return
             speaker.publish(**fields)
-            self.until(partial(answered, fields), timeout=timeout, while_running=while_running)
+            self.until(partial(answered, fields), timeout=_ANSWER_TIME, while_running=while_running)
 
     def interrupt(self, process: Process | None, grace: float = INTERRUPT_GRACE) -> None:
         """Press Ctrl+C in this program's terminal, and kill it if it is still running after `grace` seconds.
@@ -220,14 +198,6 @@ class Arena(HomePrograms):
         path = Path(built.prefix, file) if built else None
         text = _beginning(path) if path and path.is_file() else None
         self.timeline.add(FileKept(self.timeline.now(), file, text))
-
-    def probe_types(self, *types: str) -> Process:
-        """Start a program of the course that offers endpoints of these types as the learner built them.
-
-        The n-th type (from 0) gets a publisher or service `/probe/tN`; the graph then shows the hash of its
-        definition. Prints `missing <type>` for each type that cannot be imported.
-        """
-        return self.start(self._python, str(_TYPE_PROBE), *types, name=TYPE_PROBE)
 
     def mark(self, name: str, detail: str = "") -> None:
         """Name this moment in the recording."""
@@ -304,28 +274,20 @@ def _no_ros(timeline: Timeline) -> contextlib.AbstractContextManager[Recorder]:
 def open_arena(
     timeline: Timeline,
     packages: BuiltPackages,
-    environment: Mapping[str, str],
-    python: str,
-    folder: Path,
+    given: Surroundings,
     *,
-    plain: Mapping[str, str] = MappingProxyType({}),
     ros: bool = True,
-    learners_home: Path | None = None,
-    ours: Path | None = None,
-    place: Place | None = None,
-    another: OpenPlace | None = None,
     groups: Sequence[Path] = (),
 ) -> Iterator[Arena]:
     """Open an arena whose recorder is listening before any program starts; without a recorder if not `ros`.
 
     Without a `place`, programs run in `folder` without a sandbox. groups: the programs' control groups.
     """
-    given = (packages, environment, python, folder, plain, learners_home, ours, place, another)
     with (
         measured_lateness(timeline, groups) as lateness,
         _recorder(timeline) if ros else _no_ros(timeline) as recorder,
     ):
-        arena = Arena(recorder, *given, lateness)
+        arena = Arena(recorder, packages, given, lateness)
         try:
             yield arena
         finally:

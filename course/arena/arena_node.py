@@ -41,9 +41,9 @@ class ArenaNode:
         """Create a publisher of the arena; reliable and volatile by default."""
         return self._recorder.publisher(topic, type_name, **qos)
 
-    def client(self, service: str, type_name: str, *, name: str | None = None) -> Client:
+    def client(self, service: str, type_name: str) -> Client:
         """Create a client of the arena for a service (full name) of type `pkg/srv/Type`."""
-        return self._recorder.client(service, type_name, name)
+        return self._recorder.client(service, type_name)
 
     def serve(self, service: str, type_name: str, answer: Answer) -> Server:
         """Offer a service; `answer` gets each request and returns response fields, or None to not answer."""

@@ -18,7 +18,7 @@ from course.arena.probe import collect_answers
 from course.arena.process import Process
 from course.errors import OurFault
 from course.model.events import OutputLine, ProgramMissing
-from course.rosenv.host import require_libraries
+from course.rosenv.host import require, require_libraries
 
 _CHECKED = "sanitizers"
 BUILD_TIME = 90.0
@@ -182,7 +182,7 @@ class CppPrograms:
 
     def _cmake(self, *arguments: str, name: str) -> bool:
         environment = toolchain.compiling(self._home._programs())
-        toolchain.require(("cmake",), environment.get("PATH", ""))
+        require(("cmake",), environment.get("PATH", ""))
         command = (*_BEHIND_OTHERS, "cmake", *arguments)
         return self._home.tool(*command, name=name, env=environment, timeout=BUILD_TIME)
 

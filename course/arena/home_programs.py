@@ -9,6 +9,7 @@ import contextlib
 import shutil
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from pathlib import Path
 from types import MappingProxyType
@@ -25,13 +26,15 @@ from course.isolation.domains import Domains
 from course.isolation.isolation_plan import Starter
 from course.isolation.sandbox import start_here
 from course.model.events import Marked, ProcessExited, ProgramMissing
+from course.rosenv.host import require
 
 _DOMAIN = "ROS_DOMAIN_ID"
 _ONLY_ROS = ("ROS_LOG_DIR", "RCUTILS_COLORIZED_OUTPUT", "ROS_PYTHON_CHECK_FIELDS", "ROS2COURSE_ARENA")
 
 
-class HomePrograms:
-    """The part of an arena that starts programs in the copy of the course home.
+@dataclass(frozen=True)
+class Surroundings:
+    """What an arena's programs get.
 
     environment: with ROS and the learner's packages. plain: without them. python: the interpreter for
     programs of the course. folder: a scratch folder, by the path that programs use. learners_home: the
@@ -39,29 +42,31 @@ class HomePrograms:
     default in `folder`, without a sandbox. another: opens further places.
     """
 
-    def __init__(
-        self,
-        timeline: Timeline,
-        environment: Mapping[str, str],
-        plain: Mapping[str, str],
-        python: str,
-        folder: Path,
-        learners_home: Path | None = None,
-        ours: Path | None = None,
-        place: Place | None = None,
-        another: OpenPlace | None = None,
-    ) -> None:
+    environment: Mapping[str, str]
+    python: str
+    folder: Path
+    plain: Mapping[str, str] = field(default_factory=dict)
+    learners_home: Path | None = None
+    ours: Path | None = None
+    place: Place | None = None
+    another: OpenPlace | None = None
+
+
+class HomePrograms:
+    """The part of an arena that starts programs in the copy of the course home."""
+
+    def __init__(self, timeline: Timeline, given: Surroundings) -> None:
         self.timeline = timeline
-        self._ours = ours or folder
-        self._place = place or Place(start_here, ScratchHome(folder))
-        self._another = another
-        self._learners_home = learners_home or folder / HOME
-        self._environment = environment
-        self._plain = plain
-        self._python = python
-        self._folder = folder
+        self._ours = given.ours or given.folder
+        self._place = given.place or Place(start_here, ScratchHome(given.folder))
+        self._another = given.another
+        self._learners_home = given.learners_home or given.folder / HOME
+        self._environment = given.environment
+        self._plain = given.plain
+        self._python = given.python
+        self._folder = given.folder
         self._processes: list[Process] = []
-        if place is None:
+        if given.place is None:
             self.home.mkdir(parents=True, exist_ok=True)
 
     @property
@@ -117,21 +122,14 @@ class HomePrograms:
         finally:
             shell.close()
 
-    def python(
-        self,
-        file: str,
-        *args: str,
-        name: str | None = None,
-        cwd: str | None = None,
-        env: Mapping[str, str] | None = None,
-    ) -> Process | None:
-        """Start `python3 file args...` in its own terminal; `file` is relative to the course home.
+    def python(self, file: str, *args: str, name: str | None = None) -> Process | None:
+        """Start `python3 file args...` in its own terminal and folder; `file` is relative to the course home.
 
-        cwd: the folder of the home to start it in; the file's own by default. name: what the recording
-        calls it; the file's name by default. If there is no such file, this is recorded, and None returned.
+        name: what the recording calls it; the file's name by default. If there is no such file, this is
+        recorded, and None returned.
         """
         command = (self._python, str(self.home / file), *args)
-        return self._start_file(file, command, name, cwd, env)
+        return self._start_file(file, command, name, {})
 
     def python_module(
         self,
@@ -172,7 +170,7 @@ class HomePrograms:
         self, file: str, *args: str, name: str | None = None, env: Mapping[str, str] | None = None
     ) -> Process | None:
         """Start `./file args...` in the file's folder, by its mode and first line; else like `python`."""
-        return self._start_file(file, (f"./{Path(file).name}", *args), name, None, env)
+        return self._start_file(file, (f"./{Path(file).name}", *args), name, env or {})
 
     def probe(
         self, code: str | Path, *, name: str = "probe", cwd: str = "", timeout: float = PROBE_TIME
@@ -214,7 +212,7 @@ class HomePrograms:
 
     def require(self, *tools: str) -> None:
         """Raise MissingHere, with the install command, if this machine lacks any of these tools."""
-        toolchain.require(tools, self._plain_programs().get("PATH", ""))
+        require(tools, self._plain_programs().get("PATH", ""))
 
     def tool(
         self,
@@ -230,7 +228,7 @@ class HomePrograms:
         Raises MissingHere, with the install command, if the tool is not installed.
         """
         environment = {**toolchain.compiling(self._plain_programs()), **(env or {})}
-        toolchain.require(command[:1], environment.get("PATH", ""))
+        require(command[:1], environment.get("PATH", ""))
         process = self._launch(name, command, environment, self._inside(cwd), through=self._at_home)
         if not process.wait(timeout):
             process.close()
@@ -281,12 +279,7 @@ class HomePrograms:
         return found
 
     def _start_file(
-        self,
-        file: str,
-        command: Sequence[str],
-        name: str | None,
-        cwd: str | None,
-        env: Mapping[str, str] | None,
+        self, file: str, command: Sequence[str], name: str | None, env: Mapping[str, str]
     ) -> Process | None:
         path = self._inside(file)
         name = name or path.name
@@ -294,8 +287,8 @@ class HomePrograms:
         if not (self.files.is_file(file) or self.files.is_link(file)):
             self.timeline.add(ProgramMissing(self.timeline.now(), name, file))
             return None
-        folder = path.parent if cwd is None else self._inside(cwd)
-        return self._launch(name, command, {**self._programs(), **(env or {})}, folder, through=self._at_home)
+        environment = {**self._programs(), **env}
+        return self._launch(name, command, environment, path.parent, through=self._at_home)
 
     def _inside(self, path: str) -> Path:
         if Path(path).is_absolute() or ".." in Path(path).parts:

@@ -1,8 +1,9 @@
 """A mystery of a course: its module, its seed, and the log of what the learner did.
 
-The module has `draw(seed) -> plan`, and `play(plan, acts) -> nodes`. `play` writes the log, which later
-checks read. Learners can edit it, like everything in their home. It saves honest learners from doing things
-twice, and proves nothing about dishonest ones.
+The module has `draw(seed) -> plan`, which is pure and has everything random in it, and
+`play(plan, acts) -> nodes`, which needs ROS. `play` writes the log, which later checks read. Learners can
+edit it, like everything in their home. It saves honest learners from doing things twice, and proves nothing
+about dishonest ones.
 """
 
 from __future__ import annotations
@@ -12,9 +13,9 @@ import importlib.util
 import json
 import os
 import sys
-from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from course.errors import OurFault
@@ -31,14 +32,6 @@ MAX_BYTES = 1024 * 1024
 
 
 @dataclass(frozen=True)
-class MysteryModule:
-    """draw: pure; everything random in the mystery. play: creates the nodes; needs ROS."""
-
-    draw: Callable[[int], Any]
-    play: Callable[..., Any]
-
-
-@dataclass(frozen=True)
 class MysteryJob:
     """What to play. log: the file for acts; None prints each act as a line of JSON."""
 
@@ -48,7 +41,7 @@ class MysteryJob:
     log: str | None = None
 
 
-def load_mystery(file: Path) -> MysteryModule:
+def load_mystery(file: Path) -> ModuleType:
     """Import the file. Raises OurFault if it is not a mystery, and whatever the file itself raises."""
     is_package = file.name == "__init__.py"
     exercise = file.parent.name if is_package else file.stem
@@ -63,7 +56,7 @@ def load_mystery(file: Path) -> MysteryModule:
     for function in ("draw", "play"):
         if not callable(getattr(module, function, None)):
             raise OurFault(f"{file} has no function `{function}`", f"Write `def {function}(...)` in it.")
-    return MysteryModule(module.draw, module.play)
+    return module
 
 
 def seed_for(exercise: str, seed: int) -> int:

@@ -19,8 +19,6 @@ ASK = CPP / "ask.hpp"
 # Names the descriptor for a program's answers: see `cpp/ask.hpp`.
 ANSWERS = "ROS2COURSE_ANSWERS"
 
-# The Debian packages of the tools that scenarios start.
-_PACKAGES = {"g++": "g++", "cmake": "cmake", "make": "make"}
 _EIGEN = Path("/usr/include/eigen3")
 _WARNINGS = ("-Wall", "-Wextra", "-Wpedantic")
 _SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer")
@@ -28,17 +26,6 @@ _NO_SANITIZERS = re.compile(r"cannot find (?:-l|\S*lib)(?:asan|ubsan)\b|lib(?:as
 _RANDOM_BITS = Path("/proc/sys/vm/mmap_rnd_bits")
 # The most that the address sanitizers of all compilers in use can handle.
 _MOST_RANDOM_BITS = 28
-
-
-def require(tools: Iterable[str], path: str) -> None:
-    """Raise MissingHere if one of these tools is not on this PATH."""
-    missing = [tool for tool in tools if shutil.which(tool, path=path) is None]
-    if missing:
-        names = " and ".join(missing)
-        packages = " ".join(_PACKAGES.get(tool, tool) for tool in missing)
-        raise MissingHere(
-            f"This exercise needs {names}, which this machine lacks.", f"sudo apt install {packages}"
-        )
 
 
 def compile_command(

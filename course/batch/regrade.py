@@ -15,26 +15,13 @@ from course.content import Course, Exercise
 from course.errors import OurFault, UsageError
 from course.grading.attempts import doubt_of
 from course.grading.judge.judges import StoredRecording, rejudge
-from course.grading.judge.regraded import Move, lacks, moves, regraded
+from course.grading.judge.regraded import lacks, moves, regraded
 from course.grading.load import runs_programs
 from course.grading.protocol import Judged, Unjudged, UnjudgedCause
 from course.model.result import Doubt, Result, Verdict
+from course.report.batch import Moved
 
 Key = tuple[str, str]
-
-
-@dataclass(frozen=True)
-class Moved:
-    """A grading whose marks changed. person, name: the learner's."""
-
-    person: str
-    name: str
-    exercise: str
-    before: float
-    after: float
-    moves: tuple[Move, ...]
-    most_before: float = 0
-    most_after: float = 0
 
 
 @dataclass(frozen=True)
@@ -89,7 +76,7 @@ class _Regrading:
 
     def run(self, on_progress: Callable[[int, int], None], jobs: int | None) -> Regraded:
         done = 0
-        with self._results.all_or_nothing():
+        with self._results.writing():
             for key, judged in self._judged(jobs):
                 self._take(key, judged)
                 done += 1
@@ -144,11 +131,8 @@ class _Regrading:
             self._results.record(graded, package.__version__, stored.evidence)
         what = moves(before, after)
         if what:
-            name = self._names[unit.person]
-            most = (before.max_points, after.max_points)
-            self._moved.append(
-                Moved(unit.person, name, unit.exercise, before.points, after.points, what, *most)
-            )
+            marks = (before.points, after.points, before.max_points, after.max_points)
+            self._moved.append(Moved(unit.person, self._names[unit.person], unit.exercise, *marks, what))
 
 
 def _exercise(course: Course, name: str) -> Exercise:
@@ -161,6 +145,6 @@ def _exercise(course: Course, name: str) -> Exercise:
 
 def forget_lacking(results: Results, lacking: tuple[Lacking, ...]) -> None:
     """Forget these gradings, so that the next `grade` does them again."""
-    with results.all_or_nothing():
+    with results.writing():
         for one in lacking:
             results.forget(Unit(one.person, one.exercise))

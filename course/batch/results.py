@@ -134,7 +134,7 @@ class Results(Database):
 
     def note(self, key: str, value: str) -> None:
         """Keep something about the batch as a whole."""
-        with self._writing():
+        with self.writing():
             self._run("INSERT OR REPLACE INTO batch VALUES (?, ?)", key, value)
 
     def noted(self, key: str) -> str | None:
@@ -147,7 +147,7 @@ class Results(Database):
 
         held: people whose submission is not to be read yet; what is known about them stays.
         """
-        with self._writing():
+        with self.writing():
             now = {*(one.person for one in submissions), *held}
             known = {}
             for row, person, digest in self._run("SELECT rowid, person, digest FROM submissions"):
@@ -172,7 +172,7 @@ class Results(Database):
             *(result.points, result.max_points, result.containment, graded.seconds, result.timing.lag),
             *(version, evidence, to_json(result)),
         )
-        with self._writing():
+        with self.writing():
             self._run("DELETE FROM gradings WHERE person = ? AND exercise = ?", unit.person, unit.exercise)
             self._run(f"INSERT INTO gradings VALUES ({', '.join('?' * len(row))})", *row)
             for place, check in enumerate(result.checks):
@@ -195,7 +195,7 @@ class Results(Database):
     def drop_damaged(self) -> list[tuple[str, str]]:
         """Forget the damaged gradings, so that they are graded again; returns them."""
         dropped = self.damaged()
-        with self._writing():
+        with self.writing():
             for row in self._run(_KEYS):
                 if self._stored(*row).damaged:
                     self._run("DELETE FROM gradings WHERE rowid = ?", row[0])
@@ -244,7 +244,7 @@ class Results(Database):
 
     def forget(self, unit: Unit) -> None:
         """Remove its grading, as if it had never been graded."""
-        with self._writing():
+        with self.writing():
             self._run("DELETE FROM gradings WHERE person = ? AND exercise = ?", unit.person, unit.exercise)
 
     @contextlib.contextmanager
@@ -255,12 +255,6 @@ class Results(Database):
             yield
         finally:
             self._run("ROLLBACK")
-
-    @contextlib.contextmanager
-    def all_or_nothing(self) -> Iterator[None]:
-        """Everything written inside is stored as a whole, or not at all."""
-        with self._writing():
-            yield
 
     def _refusals(self) -> contextlib.AbstractContextManager[None]:
         return storage(Path(FILE))

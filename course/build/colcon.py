@@ -21,7 +21,7 @@ from course.build.store import StoreEntry, disk_full
 from course.build.workspace import Package
 from course.errors import CourseError, MissingHere
 from course.rosenv import Ros, node_environment
-from course.rosenv.host import SYSTEM, lacks_library, missing_library
+from course.rosenv.host import SYSTEM, lacks_library, missing_library, require
 
 # The log must contain what the tools print, once, and nothing else.
 _EVENT_HANDLERS = (
@@ -30,8 +30,8 @@ _EVENT_HANDLERS = (
     *(f"{name}-" for name in ("terminal_title", "desktop_notification")),
 )
 
-# What each kind of package is built with, beyond Python, and the Debian package that brings it.
-_TOOLS = {"cmake": "cmake", "make": "make", "cc": "gcc", "c++": "g++"}
+# What packages in C++ are built with.
+_TOOLS = ("cmake", "make", "cc", "c++")
 _FULL = re.compile(r"No space left on device|Disk quota exceeded")
 _MEMORY = re.compile(r"Killed signal terminated program|Cannot allocate memory|out of memory allocating")
 _PYTHON_HEADERS = re.compile(
@@ -82,12 +82,8 @@ def uses_cmake(package: Package) -> bool:
 
 def require_tools(package: Package, env: Mapping[str, str]) -> None:
     """Raise MissingHere if this machine lacks a tool that the package's build type needs."""
-    if not uses_cmake(package):
-        return
-    missing = [name for name in _TOOLS if shutil.which(name, path=env.get("PATH", os.defpath)) is None]
-    if missing:
-        what = f"Building {package.name} needs {_joined(missing)}, which this machine lacks."
-        raise MissingHere(what, f"sudo apt install {' '.join(_TOOLS[name] for name in missing)}")
+    if uses_cmake(package):
+        require(_TOOLS, env.get("PATH", os.defpath), f"Building {package.name}")
 
 
 def _cmake_arguments(ros: Ros) -> tuple[str, ...]:
@@ -106,10 +102,6 @@ def _colcon(ros: Ros, env: Mapping[str, str]) -> list[str]:
         "Building packages needs colcon, which this machine lacks.",
         "sudo apt install python3-colcon-common-extensions",
     )
-
-
-def _joined(names: Sequence[str]) -> str:
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
 def _kills() -> int | None:

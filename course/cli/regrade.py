@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from course.batch.class_page import decisions_in
-from course.batch.regrade import Moved, Regraded, forget_lacking
+from course.batch.regrade import Regraded, forget_lacking
 from course.batch.regrade import regrade as judge_again
 from course.batch.results import FILE, Results, people_of, settings_of
 from course.batch.run import results_folder
@@ -19,7 +19,7 @@ from course.cli.session import course_of
 from course.cli.usage import examples, typed
 from course.errors import UsageError
 from course.report.activity import activity
-from course.report.batch import MovedRow, render_lacking, render_moves
+from course.report.batch import render_lacking, render_moves
 from course.report.console import error_console, open_console, put
 
 EXAMPLES = examples(
@@ -88,16 +88,10 @@ def _judge_again(
 
 def _show(found: Regraded, out: Path, *, rerun: bool) -> None:
     console = open_console()
-    render_moves(console, [_row(one) for one in found.moved], found.judged)
+    render_moves(console, found.moved, found.judged)
     lacking = [(one.person, one.exercise, one.why) for one in found.lacking]
     command = "it is done now." if rerun else f"`{typed('regrade')} {shlex.quote(str(out))} --rerun`"
     render_lacking(console, lacking, command)
-
-
-def _row(moved: Moved) -> MovedRow:
-    reasons = [f"{move.title}: {move.why}" for move in moved.moves]
-    marks = (moved.before, moved.after, moved.most_before, moved.most_after)
-    return MovedRow(moved.name, moved.exercise, *marks, reasons)
 
 
 def _grade_anew(options: Options, out: Path) -> None:

@@ -79,7 +79,7 @@ def read_document(file: Path) -> Document:
 
 
 def parse_document(file: Path, text: str) -> Document:
-    """Like `read_document`, for the text of a file that was already read."""
+    """Parse the text of this file. Raises ContentError when it is not YAML."""
     try:
         return _parse(file, text)
     except yaml.MarkedYAMLError as error:

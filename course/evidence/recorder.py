@@ -163,9 +163,9 @@ class Recorder:
         if not infrastructure(topic):
             self.timeline.add(Joined(self.timeline.now(), topic, type_name, end))
 
-    def client(self, service: str, type_name: str, name: str | None = None) -> Client:
+    def client(self, service: str, type_name: str) -> Client:
         """A client of our own."""
-        return Client(self, service, type_name, name)
+        return Client(self, service, type_name)
 
     def serve(self, service: str, type_name: str, answer: Answer) -> Server:
         """A server of our own."""

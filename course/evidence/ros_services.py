@@ -43,17 +43,17 @@ class RosSide(Protocol):
 class Client:
     """Calls a service. Many calls may be in progress at once; an ordinary server queues only ten.
 
-    type_name: `pkg/srv/Type`. name: what the recording calls this client.
+    type_name: `pkg/srv/Type`. name: what the recording calls it.
     """
 
-    def __init__(self, recorder: RosSide, service: str, type_name: str, name: str | None = None) -> None:
+    def __init__(self, recorder: RosSide, service: str, type_name: str) -> None:
         self._recorder = recorder
         self._number = next(recorder.numbers)
         self._class = _service_class(recorder, type_name)
         self._client = recorder.node.create_client(self._class, service, qos_profile=recorder.service_profile)
         self.service = service
         self.type = type_name
-        self.name = name or f"client {self._number}"
+        self.name = f"client {self._number}"
         self.calls: list[Call] = []
         recorder.watch(lambda: self.available)
 

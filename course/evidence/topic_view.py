@@ -97,3 +97,10 @@ class TopicView:
 def seconds(value: float) -> str:
     """A duration for people: `0.50 s`, `2.3 ms`."""
     return f"{value * 1000:.2g} ms" if value < 0.01 else f"{value:.2f} s"
+
+
+def hertz(period: float) -> str:
+    """The rate of what comes once per `period` (s), for people: `2 Hz`."""
+    if period <= 0:
+        return "all at once"
+    return f"{1 / period:.0f} Hz" if period <= 0.001 else f"{1 / period:.3g} Hz"

@@ -8,9 +8,7 @@ from __future__ import annotations
 
 import ast
 import re
-from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
-from typing import ClassVar
 
 from course.evidence.process_view import ProcessView
 from course.evidence.recording import Recording
@@ -33,65 +31,6 @@ from course.explain.python_slips import (
 from course.model import replace
 from course.model.events import Observed
 from course.model.feedback import Feedback, Location, Spoilt
-
-
-class Language(ABC):
-    """One language. All texts are shown to a learner; `Cause.text` is advice."""
-
-    spin: ClassVar[str]  # what keeps a node running
-    log_info: ClassVar[str]  # how a line is logged
-    at_the_end: ClassVar[str]  # how a program ends with exit code 0
-    comes_to_an_end: ClassVar[str]  # how a program ends by itself
-    after_ctrl_c: ClassVar[str]  # how a program ends with exit code 0 after Ctrl+C
-
-    @abstractmethod
-    def places(self, sources: Sources, name: str) -> tuple[Location, ...]:
-        """Where a function or method of this name is called."""
-
-    @abstractmethod
-    def entry(self, sources: Sources) -> tuple[Location, ...]:
-        """Where `main` is defined; at most one place."""
-
-    @abstractmethod
-    def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
-        """The error that ended the program, if one did, when it ended by itself."""
-
-    @abstractmethod
-    def unhandled(self, recording: Recording, view: ProcessView, asked: float) -> Feedback | None:
-        """The error after Ctrl+C, pressed at the time `asked`. Raises Spoilt for an error in ROS itself."""
-
-    @abstractmethod
-    def to_keep_running(self, recording: Recording) -> Cause | None:
-        """Why a node's program ended by itself, without an error that reached Python or the C++ runtime."""
-
-    @abstractmethod
-    def deaf(self, sources: Sources) -> Cause:
-        """Why Ctrl+C does not end the program."""
-
-    @abstractmethod
-    def to_name_a_node(self, name: str) -> str:
-        """Advice: how to give a node its name (no slash)."""
-
-    @abstractmethod
-    def to_use_a_type(self, maker: str, package: str, name: str) -> str:
-        """Advice: how to give `maker` (`create_publisher`) the message type package/msg/name."""
-
-    @abstractmethod
-    def logged_at(self, sources: Sources, level: str) -> tuple[Location, ...]:
-        """Where something is logged at this level (`WARN`)."""
-
-    @abstractmethod
-    def printed(self, sources: Sources) -> tuple[str, tuple[Location, ...]]:
-        """What the code calls to print only to the terminal, and where."""
-
-    @abstractmethod
-    def other_words(self, text: str, sources: Sources) -> Cause | None:
-        """Why a logged line has unexpected words, if they show what went wrong."""
-
-    @abstractmethod
-    def silent(self, sources: Sources) -> Cause | None:
-        """Why a node logs nothing although it is running, if known."""
-
 
 _WITH_SPIN = "Put `rclpy.spin(node)` in a `try:` block, and add `except KeyboardInterrupt:` with `pass`."
 _WITH_LOOP = (
@@ -116,28 +55,37 @@ _SHUT_DOWN_IN_BETWEEN = re.compile(
 )
 
 
-class Python(Language):
-    spin = "rclpy.spin"
-    log_info = "self.get_logger().info(...)"
+class Python:
+    """Python, and what `Cpp` has for C++. All texts are shown to a learner; `Cause.text` is advice."""
+
+    spin = "rclpy.spin"  # what keeps a node running
+    log_info = "self.get_logger().info(...)"  # how a line is logged
+    # how a program ends with exit code 0
     at_the_end = (
         "The value that `main` returns becomes the exit code, and a string counts as 1: return nothing. "
         "Call `sys.exit()` with no number, or with 0."
     )
+    # how a program ends by itself
     comes_to_an_end = "`main` must end: look for an endless loop, or for an `input()` that waits."
+    # how a program ends with exit code 0 after Ctrl+C
     after_ctrl_c = "Let `main` end after `except KeyboardInterrupt:`, with no number in `sys.exit()`."
 
     def places(self, sources: Sources, name: str) -> tuple[Location, ...]:
+        """Where a function or method of this name is called."""
         return tuple(call.where for call in calls(sources, name))
 
     def entry(self, sources: Sources) -> tuple[Location, ...]:
+        """Where `main` is defined; at most one place."""
         found = ((file, node) for file, node in nodes(sources) if isinstance(node, ast.FunctionDef))
         return tuple(Location(file, node.lineno) for file, node in found if node.name == "main")[:1]
 
     def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
+        """The error that ended the program, if one did, when it ended by itself."""
         found = crash(view.traceback(), recording.packages, recording.sources)
         return crash_feedback(found, recording.packages, recording.sources) if found else None
 
     def unhandled(self, recording: Recording, view: ProcessView, asked: float) -> Feedback | None:
+        """The error after Ctrl+C, pressed at the time `asked`. Raises Spoilt for an error in ROS itself."""
         traceback = view.traceback(after=asked)
         found = crash(traceback, recording.packages, recording.sources)
         if found and _SHUT_DOWN_IN_BETWEEN.search(found.error) and _raised_by_rclpy(traceback):
@@ -146,6 +94,7 @@ class Python(Language):
         return _unhandled(found, _at_the_end(found, recording)) if found else None
 
     def to_keep_running(self, recording: Recording) -> Cause | None:
+        """Why a node's program ended by itself, without an error that reached Python or the C++ runtime."""
         sources = recording.sources
         return first(sources, uncalled, shut_down_inside, spin_in_a_thread) or self._not_spun(sources)
 
@@ -169,26 +118,33 @@ class Python(Language):
         )
 
     def deaf(self, sources: Sources) -> Cause:
+        """Why Ctrl+C does not end the program."""
         known = spin_in_a_thread(sources) or _sleeps_at_the_end(sources)
         return known or Cause(_DEAF, (*self.places(sources, "signal"), *_loops_around_try(sources))[:2])
 
     def to_name_a_node(self, name: str) -> str:
+        """Advice: how to give a node its name (no slash)."""
         return f"Give the node its name in `__init__` of its class: `super().__init__('{name}')`."
 
     def to_use_a_type(self, maker: str, package: str, name: str) -> str:
+        """Advice: how to give `maker` (`create_publisher`) the message type package/msg/name."""
         return f"Import it with `from {package}.msg import {name}`, and pass it first to `{maker}`."
 
     def logged_at(self, sources: Sources, level: str) -> tuple[Location, ...]:
+        """Where something is logged at this level (`WARN`)."""
         names = ("warn", "warning") if level == "WARN" else (level.lower(),)
         return tuple(place for name in names for place in self.places(sources, name))
 
     def printed(self, sources: Sources) -> tuple[str, tuple[Location, ...]]:
+        """What the code calls to print only to the terminal, and where."""
         return "print", self.places(sources, "print")
 
     def other_words(self, text: str, sources: Sources) -> Cause | None:
+        """Why a logged line has unexpected words, if they show what went wrong."""
         return Cause(_BRACES) if "{" in text else None
 
     def silent(self, sources: Sources) -> Cause | None:
+        """Why a node logs nothing although it is running, if known."""
         listens = calls(sources, "create_subscription") and not calls(sources, "create_timer")
         return first(sources, *(() if listens else (python_timer_cause,)), never_spun)
 
@@ -279,7 +235,7 @@ _IN_THE_TEXT = (
 )  # fmt: skip
 
 
-class Cpp(Language):
+class Cpp:
     spin = "rclcpp::spin"
     log_info = "RCLCPP_INFO_STREAM(get_logger(), ...)"
     at_the_end = "The value that `main` returns is the exit code: `return 0;` means success."
@@ -366,6 +322,7 @@ def _without_node(sources: Sources) -> Cause | None:
     return Cause("The executor has no node: call `executor.add_node(node);` before it spins.", made[:1])
 
 
+Language = Python | Cpp
 _PYTHON, _CPP = Python(), Cpp()
 
 

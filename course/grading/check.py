@@ -156,9 +156,7 @@ def attempt_exercise(request: Request, helpers: Helpers) -> Result:
             reference_packages, exercise, ros, request.store, request.on_progress, stop, keep
         ).result()
         # It starts while the learner's packages are still being built.
-        with Supervisor(
-            where, node_environment(ros, reference), fork_server=helpers.fork_server
-        ) as supervisor:
+        with Supervisor(where, node_environment(ros, reference), helpers.fork_server) as supervisor:
             outcome = learners.result()
             built = time.monotonic()
             helpers.judge.prepare(exercise)
@@ -215,7 +213,7 @@ def _with_causes(
     # Whatever goes wrong here, the verdict stands.
     with (
         contextlib.suppress(CourseError),
-        Supervisor(where, judged.environment, judged.recording, helpers.fork_server) as supervisor,
+        Supervisor(where, judged.environment, helpers.fork_server, judged.recording) as supervisor,
     ):
         recorded = supervisor.record(replace(task(), observed=True), left, request.on_progress)
         again = _judged(recorded, supervisor, helpers.judge, request)

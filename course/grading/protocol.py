@@ -6,7 +6,6 @@ gets portions of recordings, and gives one answer for each recording.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from enum import Enum
 
@@ -142,16 +141,10 @@ class Judged(Struct, frozen=True, tag_field="kind", tag="judged"):
     scenario: ScenarioState
 
 
-class Channel:
-    """The recording process's end of the pipe. When the pipe is full, `tell` blocks until it is read."""
-
-    def __init__(self, descriptor: int) -> None:
-        self._descriptor = descriptor
-
-    def tell(self, message: Stage | RecordingOutcome) -> None:
-        rest = codec.to_json(message) + b"\n"
-        while rest:
-            rest = rest[os.write(self._descriptor, rest) :]
+def tell(descriptor: int, message: Stage | RecordingOutcome) -> None:
+    """Send it from the recording process. When the pipe is full, this blocks until it is read."""
+    with open(descriptor, "wb", closefd=False) as stream:
+        stream.write(codec.to_json(message) + b"\n")
 
 
 def read_message(line: bytes) -> Stage | RecordingOutcome:

@@ -33,6 +33,7 @@ from typing import NoReturn
 
 import course
 from course.arena.arena import open_arena
+from course.arena.home_programs import Surroundings
 from course.arena.scratch_home import HOME, Place, ScratchHome, lay_home, place_without_sandbox
 from course.child import end_with_parent
 from course.errors import DamagedData, MissingHere
@@ -46,7 +47,7 @@ from course.files import wipe
 from course.grading.author import Grader
 from course.grading.load import load_grader
 from course.grading.outcomes import doubt_about, our_error
-from course.grading.protocol import Channel, Fork, RecordingOutcome, RecordingTask, Stage
+from course.grading.protocol import Fork, RecordingOutcome, RecordingTask, Stage, tell
 from course.grading.scenario_digest import scenario_digest
 from course.isolation.identity import cpu_seconds
 from course.isolation.isolation_plan import PROGRAMS, IsolationPlan, for_sanitizers
@@ -178,7 +179,6 @@ def record() -> int:
     launcher = fork_launcher()  # before there is a second thread
     results, file = int(sys.argv[1]), int(sys.argv[2])
     judged = int(sys.argv[4]) if len(sys.argv) > 4 else None
-    channel = Channel(results)
     adopt_orphans()
     line = sys.stdin.buffer.readline()
     if not line:
@@ -187,7 +187,7 @@ def record() -> int:
     folder = Path(sys.argv[3])
     threading.Thread(target=_end_with_parent, args=(folder,), daemon=True).start()
     try:
-        channel.tell(_outcome(task, channel, file, folder, launcher, judged))
+        tell(results, _outcome(task, results, file, folder, launcher, judged))
     finally:
         end_descendants()
         wipe(folder)
@@ -213,14 +213,14 @@ def _end_with_parent(folder: Path) -> None:
 
 def _outcome(
     task: RecordingTask,
-    channel: Channel,
+    results: int,
     file: int,
     folder: Path,
     launcher: socket.socket,
     judged: int | None,
 ) -> RecordingOutcome:
     try:
-        recording, lag = _record(task, channel, folder, launcher)
+        recording, lag = _record(task, results, folder, launcher)
         used = cpu_seconds(_groups(task))
         if judged is not None:
             recording = _with_notes(judged, recording)
@@ -255,7 +255,7 @@ def _groups(task: RecordingTask) -> list[Path]:
 
 
 def _record(
-    task: RecordingTask, channel: Channel, folder: Path, launcher: socket.socket
+    task: RecordingTask, results: int, folder: Path, launcher: socket.socket
 ) -> tuple[Recording, float]:
     """Run the scenario if there is one; return the recording, and how busy the machine was (s)."""
     grader = load_grader(Path(task.grader), task.exercise)
@@ -269,7 +269,7 @@ def _record(
     for event in _told(task):
         timeline.add(event)
     if grader.scenario_function is not None and task.packages.failure is None:
-        channel.tell(Stage("watching your program", running=True))
+        tell(results, Stage("watching your program", running=True))
         laid = (*looked_at, *read_entries(home, (".bashrc",)))
         open_place = partial(_open_place, task, grader, folder, launcher, timeline, laid)
         with (
@@ -277,15 +277,17 @@ def _record(
             open_arena(
                 timeline,
                 task.packages,
-                _watching(task, sources, folder) if task.observed else task.environment,
-                task.python,
-                folder / PROGRAMS,
-                plain=task.plain,
+                Surroundings(
+                    _watching(task, sources, folder) if task.observed else task.environment,
+                    task.python,
+                    folder / PROGRAMS,
+                    task.plain,
+                    home,
+                    _ours(folder),
+                    place,
+                    open_place,
+                ),
                 ros=grader.ros,
-                learners_home=home,
-                ours=_ours(folder),
-                place=place,
-                another=open_place,
                 groups=_groups(task),
             ) as arena,
         ):

@@ -120,7 +120,7 @@ class ForkServer:
 class Supervisor:
     """Owns one recording process between entering and leaving its context.
 
-    fork_server: what it is forked from; None to start one for this process only.
+    fork_server: what it is forked from.
     recording: the file that it writes. It has no name, so nobody else finds it, and it never outlives us.
     environment: the process's. judged: the recording that a run adds notes to when it looks for a cause.
     """
@@ -129,8 +129,8 @@ class Supervisor:
         self,
         where: Isolation,
         environment: Mapping[str, str],
+        fork_server: ForkServer,
         judged: IO[bytes] | None = None,
-        fork_server: ForkServer | None = None,
     ) -> None:
         self._where = where
         self._fork_server = fork_server
@@ -178,9 +178,6 @@ class Supervisor:
             wipe(Path(folder))
 
     def _start(self, stack: contextlib.ExitStack) -> None:
-        self._fork_server = fork_server = self._fork_server or stack.enter_context(
-            contextlib.closing(ForkServer())
-        )
         holder = None
         if self._where.plan is not None:
             try:
@@ -193,9 +190,8 @@ class Supervisor:
             read_end, self._tasks = _pipe(theirs, stack)
             judged = (self._judged.fileno(),) if self._judged else ()
             given = (read_end, self._log.fileno(), write_end, self.recording.fileno(), *judged)
-            stack.enter_context(
-                fork_server.forked(Fork(self._own_environment(), self._folder, holder), given)
-            )
+            fork = Fork(self._own_environment(), self._folder, holder)
+            stack.enter_context(self._fork_server.forked(fork, given))
 
     def record(
         self, task: RecordingTask, time_limit: float, on_progress: Callable[[str], None]
@@ -233,7 +229,6 @@ class Supervisor:
                 on_progress(message.text)
 
     def _fault(self, what: str) -> RecordingOutcome:
-        assert self._fork_server is not None
         tail = (*_last_lines(self._fork_server.log), *_last_lines(self._log))[-_LOG_LINES:]
         advice = "This is the course's error, not yours. The attempt does not count. Try again."
         doubt = Doubt.SPOILT if self._running else None

@@ -10,10 +10,10 @@ from pathlib import Path
 from course.errors import MissingHere, OurFault
 from course.files import wipe
 from course.rosenv import find_ros, node_environment, plain_environment
+from course.rosenv.host import require
 
 _TIME = 120.0
 _PREFIX = "-DCMAKE_INSTALL_PREFIX="
-_CMAKE_TOOLS = ("cmake", "make", "g++")
 
 
 def build_in_place(folder: Path, options: Sequence[str] = ()) -> None:
@@ -36,10 +36,7 @@ def build_in_place(folder: Path, options: Sequence[str] = ()) -> None:
 
 def _install(project: Path, options: Sequence[str]) -> None:
     environment = plain_environment(find_ros())
-    missing = [tool for tool in _CMAKE_TOOLS if shutil.which(tool, path=environment["PATH"]) is None]
-    if missing:
-        what = f"Building {project.name} needs {' and '.join(missing)}, which this machine lacks."
-        raise MissingHere(what, f"sudo apt install {' '.join(missing)}")
+    require(("cmake", "make", "g++"), environment["PATH"], f"Building {project.name}")
     prefixes = (option.removeprefix(_PREFIX) for option in options if option.startswith(_PREFIX))
     for folder in (project / "build", *map(Path, prefixes)):
         wipe(folder)

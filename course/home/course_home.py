@@ -6,7 +6,7 @@ import contextlib
 import json
 import os
 import secrets
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -136,26 +136,24 @@ BASHRC = """\
 # bash reads this file each time you open a terminal in your course home.
 # It is yours. The lessons will ask you to add lines at its end.
 """
-OnNew = Callable[[Path], None]
 
 
-def create_home(path: Path, *, on_new: OnNew | None = None) -> CourseHome:
+def create_home(path: Path) -> CourseHome:
     """Make `path` a course home, or complete the one that is there.
 
-    on_new: called with each folder and file that was made. A second call makes nothing.
-    Raises UsageError if the path cannot be a course home, StorageError if it cannot be written.
+    A second call makes nothing. Raises UsageError if the path cannot be a course home, StorageError if it
+    cannot be written.
     """
     home = CourseHome(Path(os.path.normpath(path.absolute())))
     _refuse(home.path)
-    tell = on_new or (lambda _new: None)
     with storing(f"the course home {home.path} cannot be made"):
         for folder in ("", *FOLDERS, STATE):
-            _make_folder(home.path, folder, tell)
+            (inside(home.path, folder) if folder else home.path).mkdir(parents=True, exist_ok=True)
         with home.lock():
             sweep(home.path)
             sweep(home.state)
-            _make_file(home.path, ".bashrc", BASHRC, tell)
-            _make_marker(home, tell)  # last: a home with a marker is complete
+            write_new(inside(home.path, ".bashrc"), BASHRC.encode())
+            _make_marker(home)  # last: a home with a marker is complete
     return home
 
 
@@ -182,25 +180,12 @@ def _is_own_home(path: Path) -> bool:
     return path.exists() and Path.home().exists() and path.samefile(Path.home())
 
 
-def _make_folder(home: Path, name: str, tell: OnNew) -> None:
-    folder = inside(home, name) if name else home
-    if not folder.is_dir():
-        folder.mkdir(parents=True, exist_ok=True)
-        tell(folder)
-
-
-def _make_file(home: Path, name: str, content: str, tell: OnNew) -> None:
-    file = inside(home, name)
-    if write_new(file, content.encode()):
-        tell(file)
-
-
-def _make_marker(home: CourseHome, tell: OnNew) -> None:
+def _make_marker(home: CourseHome) -> None:
     """Keep a damaged marker under another name. Its seed is lost, so draw a new one."""
     if _damaged(home.path):
         (home.state / MARKER).replace(home.state / f"home.damaged-{secrets.token_hex(4)}.json")
     content = json.dumps({"schema": SCHEMA_VERSION, "seed": secrets.randbits(63)}, indent=2)
-    _make_file(home.path, f"{STATE}/{MARKER}", content + "\n", tell)
+    write_new(inside(home.path, f"{STATE}/{MARKER}"), f"{content}\n".encode())
 
 
 _COURSE_FILE = "course.txt"

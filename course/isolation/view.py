@@ -62,7 +62,7 @@ _PACKAGES = frozenset(
 )
 # Seconds after which links that nobody has used are removed.
 _UNUSED = 7 * 86400.0
-_OURS = tuple(Path(course.__file__).parent / "arena" / name for name in ("probe_program.py", "type_probe.py"))
+_OURS = (Path(course.__file__).parent / "arena/probe_program.py",)
 
 
 @dataclass(frozen=True)

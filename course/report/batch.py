@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.table import Table
@@ -12,6 +13,10 @@ from rich.text import Text
 from course.model.result import Result
 from course.report import activity, sanitize
 from course.report.console import put, put_prose
+from course.spelling import counted
+
+if TYPE_CHECKING:
+    from course.grading.judge.regraded import Move
 
 
 @dataclass(frozen=True)
@@ -43,12 +48,8 @@ def render_plan(console: Console, rows: Sequence[SubmissionRow], remarks: Sequen
     graded = sum(bool(row.exercises) for row in rows)
     gradings = sum(len(row.exercises) for row in rows)
     put(console)
-    found = f"{_counted(len(rows), 'submission')}, {graded} of them with something to grade"
-    put(console, f"{found}: {_counted(gradings, 'grading')}.")
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+    found = f"{counted(len(rows), 'submission')}, {graded} of them with something to grade"
+    put(console, f"{found}: {counted(gradings, 'grading')}.")
 
 
 def _exercises(ids: Sequence[str]) -> str:
@@ -80,34 +81,35 @@ def render_end(
 
 
 @dataclass(frozen=True)
-class MovedRow:
-    """One grading. name: whose it is. reasons: one line for each check whose result changed.
+class Moved:
+    """A grading whose marks changed. person, name: the learner's. moves: the checks whose result changed.
 
     before, after: points. most_before, most_after: the maximum.
     """
 
+    person: str
     name: str
     exercise: str
     before: float
     after: float
     most_before: float
     most_after: float
-    reasons: Sequence[str]
+    moves: Sequence[Move]
 
     @property
     def same(self) -> bool:
         return (self.before, self.most_before) == (self.after, self.most_after)
 
 
-def render_moves(console: Console, rows: Sequence[MovedRow], judged: int) -> None:
+def render_moves(console: Console, rows: Sequence[Moved], judged: int) -> None:
     """Each grading that changed, with the reasons below it, and a last line."""
     width = max((len(sanitize.one_line(row.name)) for row in rows), default=0)
     for row in rows:
         who = sanitize.one_line(row.name).ljust(width)
         marks = _marks(row)
         put(console, Text(f"  {who}  {sanitize.one_line(row.exercise)}  {marks}"))
-        for reason in row.reasons:
-            put_prose(console, sanitize.paragraph(reason), first="      ")
+        for move in row.moves:
+            put_prose(console, sanitize.paragraph(f"{move.title}: {move.why}"), first="      ")
     if rows:
         put(console)
     moved = sum(not row.same for row in rows)
@@ -117,7 +119,7 @@ def render_moves(console: Console, rows: Sequence[MovedRow], judged: int) -> Non
     put(console, f"{judged} gradings were judged again; {told}.")
 
 
-def _marks(row: MovedRow) -> str:
+def _marks(row: Moved) -> str:
     after = f"{row.after:g} of {row.most_after:g}"
     return f"{after}, as before" if row.same else f"{row.before:g} of {row.most_before:g} → {after}"
 

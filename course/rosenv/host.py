@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
 import sysconfig
 from collections.abc import Iterable
@@ -140,3 +141,15 @@ def require_libraries(names: Iterable[str], system: Iterable[Path] = SYSTEM) -> 
     for name in names:
         if lacks_library(name, system):
             raise missing_library(name)
+
+
+_DEBIAN = {"cc": "gcc", "c++": "g++"}  # Debian packages whose names are not the tool's
+
+
+def require(tools: Iterable[str], path: str, what: str = "This exercise") -> None:
+    """Raise MissingHere, with the command that installs them, if any of these tools is not on this PATH."""
+    missing = [tool for tool in tools if shutil.which(tool, path=path) is None]
+    if missing:
+        names = missing[0] if len(missing) == 1 else f"{', '.join(missing[:-1])} and {missing[-1]}"
+        packages = " ".join(_DEBIAN.get(tool, tool) for tool in missing)
+        raise MissingHere(f"{what} needs {names}, which this machine lacks.", f"sudo apt install {packages}")

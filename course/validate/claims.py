@@ -10,6 +10,7 @@ from course.grading.attempts import ATTEMPTS, MOST_LAG, deserves_another
 from course.grading.author import BUILDS
 from course.model.feedback import Feedback, Location
 from course.model.result import CheckResult, Outcome, Result, Verdict
+from course.spelling import in_one_line
 from course.validate.proofs import Proof, ProofKind, ProofResult, starter_builds
 
 
@@ -132,7 +133,7 @@ def _slips(result: Result, mistake: Mistake) -> Iterator[str]:
         said = words_of(by_id[mistake.caught_by].feedback)
         for word in mistake.says:
             if word not in said:
-                yield f'`{mistake.caught_by}` does not say "{word}", but: {_one_line(said)}'
+                yield f'`{mistake.caught_by}` does not say "{word}", but: {in_one_line(said)}'
     yield from _others(mistake, by_id, failed)
     # If only bonus checks fail, the exercise passes. Our own errors are reported above.
     wanted = Verdict.PASSED if all(by_id[name].bonus for name in failed) else Verdict.NOT_PASSED
@@ -142,7 +143,7 @@ def _slips(result: Result, mistake: Mistake) -> Iterator[str]:
 
 def _others(mistake: Mistake, by_id: dict[str, CheckResult], failed: frozenset[str]) -> Iterator[str]:
     for name in sorted(failed - {mistake.caught_by, *mistake.also_fails}):
-        yield f"it fails `{name}`, too: {_one_line(words_of(by_id[name].feedback))}"
+        yield f"it fails `{name}`, too: {in_one_line(words_of(by_id[name].feedback))}"
     for name in sorted({*mistake.also_fails} - failed - {mistake.caught_by}):
         yield f"it does not fail `{name}`, which `also_fails` names"
 
@@ -156,10 +157,10 @@ def _instead(name: str, by_id: dict[str, CheckResult]) -> str:
 
 def _errors(result: Result) -> Iterator[str]:
     if result.fault:
-        yield f"it could not be judged: {_one_line(words_of(result.fault))}"
+        yield f"it could not be judged: {in_one_line(words_of(result.fault))}"
     for check in result.checks:
         if check.outcome is Outcome.ERROR:
-            yield f"`{check.id}` could not be judged: {_one_line(words_of(check.feedback))}"
+            yield f"`{check.id}` could not be judged: {in_one_line(words_of(check.feedback))}"
 
 
 def _ended(check: CheckResult) -> str:
@@ -167,8 +168,4 @@ def _ended(check: CheckResult) -> str:
     how = {Outcome.SKIPPED: "was skipped", Outcome.NOT_APPLICABLE: "was not applicable"}.get(
         check.outcome, check.outcome.value
     )
-    return f"{how}: {_one_line(because)}" if because and check.outcome is not Outcome.PASSED else how
-
-
-def _one_line(text: str) -> str:
-    return " ".join(text.split())
+    return f"{how}: {in_one_line(because)}" if because and check.outcome is not Outcome.PASSED else how

@@ -41,7 +41,7 @@ class Checks:
         self._spare: CheckProcess | None = None
 
     def start(self, exercise: Exercise) -> int:
-        """See `updates.Checking`."""
+        """Start a check, and call off a running one. Returns the number in its messages."""
         self.stop()
         if self._busy is not None and self._spare is None:
             self._spare = CheckProcess()
@@ -53,7 +53,7 @@ class Checks:
         return self._number
 
     def stop(self) -> None:
-        """See `updates.Checking`."""
+        """Call off the running check, if any."""
         self._wanted = None
         if self._busy is not None and not self._busy.is_called_off:
             self._busy.call_off()

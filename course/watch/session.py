@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING
 
 from course.content import Exercise
 from course.content.layout import answers_file
@@ -16,7 +17,6 @@ from course.watch.updates import (
     AllPassed,
     Begun,
     Checked,
-    Checking,
     Key,
     Learner,
     Look,
@@ -25,6 +25,9 @@ from course.watch.updates import (
     Saved,
     what_changed,
 )
+
+if TYPE_CHECKING:
+    from course.watch.checks import Checks
 
 
 class OwnFiles:
@@ -73,7 +76,7 @@ class Session:
     def __init__(
         self,
         learner: Learner,
-        checking: Checking,
+        checking: Checks,
         begun: Begun,
         page: Callable[[], int],
         ask: Callable[[Exercise], bool],

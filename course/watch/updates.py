@@ -250,13 +250,3 @@ class Learner(Protocol):
 
     def ask(self, exercise: Exercise) -> None:
         """Ask the questions of a quiz on the terminal, which nothing else uses meanwhile."""
-
-
-class Checking(Protocol):
-    """Runs one check at a time."""
-
-    def start(self, exercise: Exercise) -> int:
-        """Start a check, and call off a running one. Returns the number in its messages."""
-
-    def stop(self) -> None:
-        """Call off the running check, if any."""

@@ -1,11 +1,11 @@
-"""Reads .msg and .srv files, to say how they differ from the task."""
+"""Interfaces: how .msg and .srv files and their types differ from the task, and what package.xml lacks."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
 
-from course.api import Feedback, Location, Sources, listed, nearest
+from course.api import Failure, Feedback, Location, Recording, Sources, expect_manifest, listed, nearest
 
 Section = tuple[tuple[str, str], ...]
 _FIELD = re.compile(r"^\s*(?P<type>[A-Za-z][\w/]*(?:<=\d+)?(?:\[[^\]]*\])?)\s+(?P<name>\w+)\s*(?P<rest>.*)$")
@@ -27,6 +27,56 @@ class InterfaceFile:
 
     file: str
     sections: tuple[tuple[Field, ...], ...]
+
+
+def expect_tag(
+    recording: Recording, package: str, tags: tuple[str, ...], value: str, *, purpose: str
+) -> None:
+    """Check that package.xml has an element with one of these tags and this text."""
+    found = expect_manifest(recording, package)
+    if found.depends(value, *tags):
+        return
+    elsewhere = [tag for tag, text in found.tags if text == value]
+    written = f"<{tags[0]}>{value}</{tags[0]}>"
+    raise Failure(
+        Feedback(
+            summary=f"package.xml does not contain `{written}`: {purpose}.",
+            expected=written,
+            seen=f"<{elsewhere[0]}>{value}</{elsewhere[0]}>" if elsewhere else None,
+            where=(found.place_of(value) or found.where,),
+            advice=f"Add the line `{written}` to package.xml.",
+        )
+    )
+
+
+def expect_same_definition(
+    recording: Recording, kind: str, topic: str, type_name: str, type_hash: str, *, advice: str
+) -> None:
+    """Expect that the type with this name was built from the definition that the course uses.
+
+    kind: `publisher` or `subscription`. advice: tells the learner where to find that definition.
+    """
+    own = (one for one in recording.seen_endpoints() if (one.topic, one.kind) == (topic, kind))
+    if any(one.type == type_name and one.type_hash != type_hash for one in own):
+        raise Failure(_other_fields(type_name, advice))
+
+
+def expect_same_service(
+    recording: Recording, name: str, type_name: str, hashes: tuple[str, str], *, advice: str
+) -> None:
+    """Expect that the server was built from the definition that the course uses.
+
+    hashes: of the request and the response. advice: tells the learner where to find that definition.
+    """
+    own = (one for one in recording.seen_graph().services if (one.name, one.type) == (name, type_name))
+    # Without a server, there are no hashes.
+    if any((one.request_hash, one.response_hash) not in (hashes, ("", "")) for one in own):
+        raise Failure(_other_fields(type_name, advice))
+
+
+def _other_fields(type_name: str, advice: str) -> Feedback:
+    summary = f"Your `{type_name}` does not have the fields that the exercise asks for."
+    return Feedback(summary=summary, advice=advice)
 
 
 def interface_file(sources: Sources, package: str, kind: str, short: str) -> InterfaceFile | None:

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 from course.arena.arena import open_arena
+from course.arena.home_programs import Surroundings
 from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.evidence.recording import Recording
 from course.evidence.timeline import Timeline
@@ -69,7 +70,7 @@ packages = BuiltPackages((BuiltPackage("talk", "src/talk", str(prefix), ("talker
 found: dict[str, object] = {}
 timeline = Timeline()
 
-with open_arena(timeline, packages, environment, str(ros.python), folder / "scratch") as arena:
+with open_arena(timeline, packages, Surroundings(environment, str(ros.python), folder / "scratch")) as arena:
     asked = arena.ros.parameters("/other")
     node = arena.run("talk", "talker", params={**STRINGS, **OTHERS}, node_name="other")
     found["available"] = arena.until(lambda: asked.available, timeout=WAIT, while_running=node)
@@ -88,8 +89,8 @@ with open_arena(timeline, packages, environment, str(ros.python), folder / "scra
     arena.until(lambda: call.done, timeout=WAIT, while_running=launched)
     arena.interrupt(launched, grace=WAIT)
 
-    for name, arguments in (("broken", ("talk", "broken_launch.py")), ("missing", ("talk", "no_launch.py"))):
-        arena.launch(*arguments, name=name).wait(WAIT)
+    for file in ("broken_launch.py", "no_launch.py"):
+        arena.launch("talk", file).wait(WAIT)
     recording = Recording("x", timeline.events(), arena.ros.definitions)
 
 found["parameters"] = {p.name: [p.type, p.value] for p in recording.parameters("/other").at().values()}
@@ -100,7 +101,7 @@ found["main"] = [view.main.exited and view.main.exited.code, view.error, len(vie
 found["processes"] = {name: process.exited is not None for name, process in view.processes.items()}
 found["tracebacks"] = {name: lines[-1] for name, one in view.processes.items() if (lines := one.traceback())}
 found["signals"] = [sent.signal for sent in view.main.signals]
-found["broken"] = recording.launched("broken").main.text
-found["missing"] = recording.launched("missing").main.text
+found["broken"] = recording.launched("broken_launch.py").main.text
+found["missing"] = recording.launched("no_launch.py").main.text
 found["all"] = view.main.text
 print(json.dumps(found))

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from course.arena.home_programs import HomePrograms
+from course.arena.home_programs import HomePrograms, Surroundings
 from course.evidence.recording import Recording
 from course.evidence.timeline import Timeline
 from course.model.events import OutputLine
@@ -27,7 +27,8 @@ class Programs(HomePrograms):
     ) -> None:
         self.ours = folder / "ours"
         self.ours.mkdir()
-        super().__init__(Timeline(), environment, plain, sys.executable, folder, learners_home, self.ours)
+        given = Surroundings(environment, sys.executable, folder, plain, learners_home, self.ours)
+        super().__init__(Timeline(), given)
 
     def write(self, name: str, text: str, mode: int = 0o644) -> None:
         file = self.home / name

@@ -17,10 +17,12 @@ PROGRAM = """
 import sys
 from pathlib import Path
 from course.arena.arena import open_arena
+from course.arena.home_programs import Surroundings
 from course.evidence.packages import BuiltPackages
 from course.evidence.timeline import Timeline
 
-with open_arena(Timeline(), BuiltPackages(), {}, sys.executable, Path(sys.argv[1]), ros=False) as arena:
+given = Surroundings({}, sys.executable, Path(sys.argv[1]))
+with open_arena(Timeline(), BuiltPackages(), given, ros=False) as arena:
     assert arena.ros.graph.nodes == () and arena.ros.definitions == {}
 print([name for name in sys.modules if name.startswith(("rclpy", "course.evidence.recorder"))])
 """

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from course.arena.arena import Arena, open_arena
+from course.arena.home_programs import Surroundings
 from course.evidence.packages import BuiltPackages
 from course.evidence.recording import Recording
 from course.evidence.timeline import Timeline
@@ -21,8 +22,8 @@ from .conftest import WAIT
 def arena(tmp_path: Path) -> Iterator[Arena]:
     ours = tmp_path / "ours"
     ours.mkdir()
-    folder = tmp_path / "programs"
-    with open_arena(Timeline(), BuiltPackages(), {}, sys.executable, folder, ros=False, ours=ours) as one:
+    given = Surroundings({}, sys.executable, tmp_path / "programs", ours=ours)
+    with open_arena(Timeline(), BuiltPackages(), given, ros=False) as one:
         yield one
 
 

@@ -24,10 +24,9 @@ def test_a_script_runs_in_its_own_folder(programs: Programs) -> None:
     assert programs.recording.process("talk.py").text == ("~/python ~ ['a', 'b c']",)
 
 
-def test_another_folder_name_and_environment(programs: Programs) -> None:
-    programs.write("talk.py", "import os\nprint(os.getcwd(), os.environ['EXTRA'])\n")
-    programs.write("there/x", "")
-    program = programs.python("talk.py", name="it", cwd="there", env={"EXTRA": "1"})
+def test_another_name_and_environment(programs: Programs) -> None:
+    programs.write("there/talk", "#!/bin/sh\necho $PWD $EXTRA\n", 0o755)
+    program = programs.execute("there/talk", name="it", env={"EXTRA": "1"})
     assert program is not None and program.wait(WAIT)
     assert programs.recording.process("it").text == ("~/there 1",)
 

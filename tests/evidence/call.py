@@ -61,7 +61,7 @@ def answer(request: object) -> dict[str, object] | None:
 
 with Recorder(timeline) as recorder:
     first = recorder.client("/switch", SET)
-    second = recorder.client("/switch", SET, "second")
+    second = recorder.client("/switch", SET)
     nobody = recorder.client("/nobody", SET)
     parameters = recorder.parameters("/robot/talker")
     server = recorder.serve("/trigger", TRIGGER, answer)

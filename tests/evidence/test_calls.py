@@ -34,8 +34,8 @@ def test_two_clients_ask_at_once(found: dict[str, Any]) -> None:
     assert found["all answered"]
     assert found["counts"] == [4, 4, False]
     assert found["response"] == "häufig"
-    assert found["calls"] == [["client 1", False, True, "häufig"], ["second", False, True, "häufig"]]
-    assert found["clients"] == ["client 1", "second"]
+    assert found["calls"] == [["client 1", False, True, "häufig"], ["client 2", False, True, "häufig"]]
+    assert found["clients"] == ["client 1", "client 2"]
     assert found["in order"]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -15,8 +15,8 @@ from course.content import open_course
 from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.grading.judge.judges import Judge
 from course.grading.protocol import RecordingTask
-from course.grading.supervisor import Supervisor
-from course.isolation.levels import isolated
+from course.grading.supervisor import ForkServer, Supervisor
+from course.isolation.levels import Isolation, isolated
 from course.model import replace
 from course.model.feedback import Feedback
 from course.model.result import CheckResult, Doubt
@@ -54,6 +54,16 @@ class Graded:
 
 
 Grade = Callable[..., Graded]
+
+
+@contextlib.contextmanager
+def supervised(where: Isolation, environment: Mapping[str, str]) -> Iterator[Supervisor]:
+    """One recording process, with a fork server of its own."""
+    with (
+        contextlib.closing(ForkServer()) as fork_server,
+        Supervisor(where, environment, fork_server) as supervisor,
+    ):
+        yield supervisor
 
 
 def graded(supervisor: Supervisor, task: RecordingTask, time_limit: float = 30.0) -> Graded:
@@ -106,7 +116,7 @@ def grade(request: pytest.FixtureRequest, toy_job: Callable[..., RecordingTask])
                 pytest.skip(f"this machine gives no {request.param}: {where.missing}")
             environment = {**job.environment, **where.environment}
             job = replace(job, environment=environment)
-            with Supervisor(where, node_environment(find_ros())) as supervisor:
+            with supervised(where, node_environment(find_ros())) as supervisor:
                 return graded(supervisor, job, time_limit)
 
     return run

@@ -22,16 +22,17 @@ pytestmark = pytest.mark.slow
 # Runs one toy grading as `check` does, and reports when the program runs.
 COORDINATOR = """
 import sys
+from contextlib import closing
 from pathlib import Path
 from course.isolation.levels import isolated
 from course.grading.protocol import RecordingTask
-from course.grading.supervisor import Supervisor
+from course.grading.supervisor import ForkServer, Supervisor
 from course.model import codec
 from course.rosenv import find_ros, node_environment
 
 job = codec.from_json(Path(sys.argv[1]).read_bytes(), RecordingTask, "the job")
 with isolated(namespaces=sys.argv[2] == "namespaces") as where:
-    with Supervisor(where, node_environment(find_ros())) as supervisor:
+    with closing(ForkServer()) as one, Supervisor(where, node_environment(find_ros()), one) as supervisor:
         supervisor.record(job, 60.0, lambda text: print(text, flush=True))
 """
 GRADER = """

@@ -75,7 +75,7 @@ def record(
     said: list[str] = []
     with isolated(namespaces=namespaces) as where:
         task = replace(job, environment={**job.environment, **where.environment})
-        with Supervisor(where, environment, fork_server=fork_server) as supervisor:
+        with Supervisor(where, environment, fork_server) as supervisor:
             outcome = supervisor.record(task, 60.0, said.append)
     assert outcome.fault is None, outcome.fault
     told: Found = json.loads(next(text for text in said if text.startswith("{")))
@@ -128,7 +128,7 @@ def test_who_is_forked_from_keeps_nothing_and_is_replaced_when_killed() -> None:
     environment = node_environment(find_ros())
     with contextlib.closing(ForkServer()) as fork_server:
         for _ in range(2):
-            with isolated() as where, Supervisor(where, environment, fork_server=fork_server):
+            with isolated() as where, Supervisor(where, environment, fork_server):
                 process = started()
             held = Path(f"/proc/{process.pid}/fd")
             deadline = time.monotonic() + 30

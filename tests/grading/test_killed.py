@@ -12,14 +12,13 @@ import psutil
 import pytest
 
 from course.grading.protocol import RecordingTask
-from course.grading.supervisor import Supervisor
 from course.isolation import Level
 from course.isolation.levels import MachinePlaces, isolated, obstacle_to
 from course.isolation.view import view
 from course.model import replace
 from course.model.result import Doubt, Outcome
 from course.rosenv import find_ros, node_environment
-from tests.grading.conftest import GRADER, Graded, graded
+from tests.grading.conftest import GRADER, Graded, graded, supervised
 from tests.processes import ours_below, words_of
 
 pytestmark = pytest.mark.slow
@@ -61,7 +60,7 @@ def judged(job: RecordingTask, folder: Path, strike: Callable[[psutil.Process], 
     with isolated(MachinePlaces((REPO, folder, Path(sys.prefix), Path(sys.base_prefix)))) as where:
         seen = view(ros, job.environment, [folder / "prefix"])
         job = replace(job, sandbox=where.sandbox(seen))
-        with Supervisor(where, node_environment(ros)) as supervisor, ThreadPoolExecutor(1) as pool:
+        with supervised(where, node_environment(ros)) as supervisor, ThreadPoolExecutor(1) as pool:
             judgment = pool.submit(graded, supervisor, job, 60.0)
             wait_until(lambda: judgment.done() or bool(running(top, "toy/program")))
             strike(top)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import tempfile
@@ -11,7 +12,7 @@ from typing import IO, Any
 import pytest
 
 from course.errors import StorageError
-from course.grading.supervisor import Supervisor
+from course.grading.supervisor import ForkServer, Supervisor
 from course.isolation.levels import isolated
 from course.model.feedback import Feedback
 from course.model.result import Doubt, Outcome
@@ -85,9 +86,13 @@ def test_no_room_for_temporary_files(monkeypatch: pytest.MonkeyPatch) -> None:
     def full(*args: object, **kwargs: object) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
-    monkeypatch.setattr("tempfile.TemporaryFile", full)
-    with isolated() as where, pytest.raises(StorageError, match="No space left on device"):
-        Supervisor(where, node_environment(find_ros())).__enter__()
+    with (
+        contextlib.closing(ForkServer()) as fork_server,
+        isolated() as where,
+        pytest.raises(StorageError, match="No space left on device"),
+    ):
+        monkeypatch.setattr("tempfile.TemporaryFile", full)
+        Supervisor(where, node_environment(find_ros()), fork_server).__enter__()
 
 
 def test_no_room_for_the_recording(grade: Grade, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import pytest
 
-from course.grading.protocol import Channel, RecordingOutcome, Stage, read_message
+from course.grading.protocol import RecordingOutcome, Stage, read_message, tell
 from course.model.feedback import Feedback, Location
 from course.model.result import Doubt
 
@@ -16,12 +16,12 @@ WAIT = 20.0
 FEEDBACK = Feedback("it failed\nhere ✓", "a", "b", (Location("a.py", 1),), "try", ("x",))
 
 
-def through_a_pipe(write: Callable[[Channel], None]) -> list[Stage | RecordingOutcome]:
+def through_a_pipe(write: Callable[[int], None]) -> list[Stage | RecordingOutcome]:
     """What comes out at the other end; reading starts when the writer is already busy."""
     reader, writer = os.pipe()
 
     def send() -> None:
-        write(Channel(writer))
+        write(writer)
         os.close(writer)
 
     thread = threading.Thread(target=send)
@@ -36,21 +36,21 @@ def through_a_pipe(write: Callable[[Channel], None]) -> list[Stage | RecordingOu
 def test_an_outcome_comes_out_as_it_went_in(fault: Feedback | None) -> None:
     doubt = Doubt.SPOILT if fault else None
     outcome = RecordingOutcome(1.25, fault, doubt, 0.1, 0.2, missing=bool(fault))
-    assert through_a_pipe(lambda channel: channel.tell(outcome)) == [outcome]
+    assert through_a_pipe(lambda pipe: tell(pipe, outcome)) == [outcome]
 
 
 def test_more_than_a_pipe_holds() -> None:
     details = tuple(f"line {n} – {'x' * 100}" for n in range(20_000))
     outcome = RecordingOutcome(fault=Feedback("s", details=details))
-    assert through_a_pipe(lambda channel: channel.tell(outcome)) == [outcome]
+    assert through_a_pipe(lambda pipe: tell(pipe, outcome)) == [outcome]
 
 
 def test_messages_keep_their_order_and_stay_lines() -> None:
     messages = [Stage("one\ntwo"), Stage("", True), RecordingOutcome()]
 
-    def write(channel: Channel) -> None:
+    def write(pipe: int) -> None:
         for message in messages:
-            channel.tell(message)
+            tell(pipe, message)
 
     assert through_a_pipe(write) == messages
 
@@ -59,5 +59,5 @@ def test_a_reader_that_is_gone_is_noticed() -> None:
     reader, writer = os.pipe()
     os.close(reader)
     with pytest.raises(BrokenPipeError):
-        Channel(writer).tell(Stage("hello"))
+        tell(writer, Stage("hello"))
     os.close(writer)

@@ -13,7 +13,6 @@ from course.errors import OurFault
 from course.evidence.packages import BuiltPackages
 from course.grading.check import Request, check_exercise
 from course.grading.protocol import RecordingTask
-from course.grading.supervisor import Supervisor
 from course.grading.trial import lay_solution
 from course.isolation import Level, view
 from course.isolation.levels import isolated, obstacle_to
@@ -21,7 +20,7 @@ from course.model import replace
 from course.model.result import Outcome, Verdict
 from course.rosenv import find_ros, node_environment
 
-from .conftest import Graded, graded
+from .conftest import Graded, graded, supervised
 
 pytestmark = pytest.mark.slow
 REPO = Path(__file__).parents[2]
@@ -87,7 +86,7 @@ def run(tmp_path: Path, home: Path) -> Run:
             plain={"PATH": "/usr/bin:/bin"},
             local=local,
         )
-        with isolated() as where, Supervisor(where, environment) as supervisor:
+        with isolated() as where, supervised(where, environment) as supervisor:
             return graded(supervisor, job)
 
     return grade

@@ -26,9 +26,14 @@ ALL = {
 
 
 def made(path: Path) -> set[str]:
-    new: list[Path] = []
-    create_home(path, on_new=new.append)
-    return {str(one.relative_to(path)) for one in new}
+    before = there(path)
+    create_home(path)
+    return {name for name, _ in there(path) - before}
+
+
+def there(path: Path) -> set[tuple[str, int]]:
+    """Of what a home consists of, what exists: names and inodes."""
+    return {(name, (path / name).stat().st_ino) for name in ALL if (path / name).exists()}
 
 
 def test_everything_is_made(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ _LINES = 3
 _LINES_OF_A_FILE = 6
 _IMPORTS = (b"from ", b"import ", b"#include ")
 # Programs of ours that run among the learner's, and what their middleware is told.
-_SHOWN = ("probe_program.py", "type_probe.py", "fastdds_profile.xml")
+_SHOWN = ("probe_program.py", "ch17_types.py", "fastdds_profile.xml")
 _PARTS = ("chapters", "graders", "solutions")
 # What `world.walking` makes a submission of: the files of these solutions are its own.
 _WALKING = ("17-interfaces", "18-publisher")
@@ -30,7 +30,13 @@ def secrets(*courses: Path, more: Iterable[Path] = ()) -> dict[str, object]:
     """
     course = open_course()
     own = [course.exercise(name).solution for name in _WALKING]
-    of_courses = [file for root in (course.root, *courses) for part in _PARTS for file in _files(root / part)]
+    of_courses = [
+        file
+        for root in (course.root, *courses)
+        for part in _PARTS
+        for file in _files(root / part)
+        if file.name not in _SHOWN
+    ]
     ours = [file for top in (REPO / "course", REPO / "tests") for file in _files(top)]
     texts = _texts([*more, *of_courses, *(file for file in ours if file.name not in _SHOWN)])
     open_texts = _texts(file for top in (*own, PROGRAMS, REPO / "underlay/src") for file in _files(top))

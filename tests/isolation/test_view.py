@@ -149,14 +149,13 @@ def test_a_course_among_the_packages_of_the_system_is_not_shown(
     assert readable == [False, False, True]
 
 
-def test_of_the_engine_only_two_programs_are_shown() -> None:
-    """They run alongside the learner's."""
+def test_of_the_engine_only_one_program_is_shown() -> None:
+    """It runs alongside the learner's."""
     found = view(ROS, {}).shown
     root = ENGINE.parent
     assert not any(view(ROS, {}).shows(root / name) for name in ("graders", "solutions", "chapters"))
     assert sorted(Path(path).name for path in found if Path(path).is_relative_to(ENGINE)) == [
         "probe_program.py",
-        "type_probe.py",
     ]
 
 

@@ -7,12 +7,13 @@ import io
 import pytest
 from rich.console import Console
 
+from course.grading.judge.regraded import Move, MoveCause
 from course.model.result import CheckResult, Feedback, Outcome, Result, Verdict
 from course.report import activity
 from course.report.activity import progress
 from course.report.batch import (
     GradingTally,
-    MovedRow,
+    Moved,
     SubmissionRow,
     line_of,
     render_end,
@@ -141,8 +142,11 @@ def test_an_end_without_anything_says_so(console: Console) -> None:
 
 
 def test_moves_show_what_could_be_had_and_count_only_marks_that_moved(console: Console) -> None:
-    up = MovedRow("Ada", "04-light", 2, 4, 12, 14, ["It shines: worth 4, was 2"])
-    same = MovedRow("Bob", "04-light", 2, 2, 12, 12, ["It dims: failed before"])
+    shines = Move("shines", "It shines", MoveCause.POINTS, 2, 4, 2, 4, "worth 4, was 2")
+    dims = Move("dims", "It dims", MoveCause.OUTCOME, 0, 0, 0, 0, "failed before")
+    up = Moved("ada", "Ada", "04-light", 2, 4, 12, 14, [shines])
+    same = Moved("bob", "Bob", "04-light", 2, 2, 12, 12, [dims])
     render_moves(console, [up, same], 5)
+    assert "It shines: worth 4, was 2" in said(console)
     assert "2 of 12 → 4 of 14" in said(console) and "2 of 12, as before" in said(console)
     assert "1 of them moved, and 1 came to the same points in another way." in said(console)

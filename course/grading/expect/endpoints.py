@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from msgspec import convert
-
-from course.errors import OurFault
 from course.evidence.recording import Recording
 from course.explain.languages import language_of
 from course.explain.python_code import text_places
@@ -95,80 +90,21 @@ def expect_type(recording: Recording, kind: Kind, topic: str, type_name: str) ->
     )
 
 
-def expect_same_definition(
-    recording: Recording, kind: Kind, topic: str, type_name: str, type_hash: str, *, advice: str
-) -> None:
-    """Check that the type with this name was built from the definition that the course uses.
-
-    advice: tells the learner where to find that definition.
-    """
-    for endpoint in _on(recording, kind, topic):
-        if endpoint.type == type_name and endpoint.type_hash != type_hash:
+def expect_qos(recording: Recording, topic: str) -> None:
+    """Check that the learner's subscriptions on `topic` (full name) match an ordinary publisher."""
+    for endpoint in _on(recording, "subscription", topic):
+        policy, maker = mismatch(Qos(), endpoint.qos), _MAKERS["subscription"]
+        if policy:
             raise Failure(
                 Feedback(
-                    summary=f"Your `{type_name}` does not have the fields that the exercise asks for.",
-                    advice=advice,
+                    summary=f"The subscription asks for more than the publisher offers ({policy}), "
+                    "so no message arrives.",
+                    expected=f"{policy}: {_policy_value(getattr(Qos(), policy))}",
+                    seen=f"{policy}: {_policy_value(getattr(endpoint.qos, policy))}",
+                    where=language_of(recording.sources).places(recording.sources, maker)[:2],
+                    advice=f"Pass only the depth, `10`, to `{maker}`, or leave that policy at its default.",
                 )
             )
-
-
-def expect_qos(
-    recording: Recording,
-    topic: str,
-    *,
-    offered: Mapping[str, str | float] | None = None,
-    requested: Mapping[str, str | float] | None = None,
-) -> None:
-    """Check that the learner's endpoints on `topic` (full name) match, so that messages arrive.
-
-    offered: what a publisher offers; no subscription may ask for more. requested: what a subscription asks
-    for; every publisher must offer it. With neither, subscriptions must match an ordinary publisher. Both
-    map policies by their ROS names, such as `{"durability": "transient_local", "deadline": 0.5}` (s).
-    Policies left out have the ROS defaults: reliable, volatile, automatic, no deadline. Raises OurFault for
-    a policy that does not exist.
-    """
-    kind: Kind = "subscription" if requested is None else "publisher"
-    other = _qos(offered or {} if requested is None else requested)
-    for endpoint in _on(recording, kind, topic):
-        own = endpoint.qos
-        policy = mismatch(other, own) if kind == "subscription" else mismatch(own, other)
-        if policy:
-            raise Failure(_mismatch(recording, kind, policy, own, other))
-
-
-_VALUES = {
-    "reliability": ("reliable", "best_effort"),
-    "durability": ("volatile", "transient_local"),
-    "liveliness": ("automatic", "manual_by_topic"),
-}
-
-
-def _qos(policies: Mapping[str, str | float]) -> Qos:
-    for name, value in policies.items():
-        is_known = isinstance(value, int | float) if name == "deadline" else value in _VALUES.get(name, ())
-        if not is_known:
-            raise OurFault(f"there is no QoS policy {name}={value!r}")
-    return convert(policies, Qos)
-
-
-def _mismatch(recording: Recording, kind: Kind, policy: str, own: Qos, other: Qos) -> Feedback:
-    wanted, seen, maker = getattr(other, policy), getattr(own, policy), _MAKERS[kind]
-    comparison = (
-        "publisher offers less than a subscription asks for"
-        if kind == "publisher"
-        else "subscription asks for more than the publisher offers"
-    )
-    if wanted == getattr(Qos(), policy):
-        advice = f"Pass only the depth, `10`, to `{maker}`, or leave that policy at its default."
-    else:
-        advice = f"Pass a `QoSProfile` to `{maker}` whose `{policy}` is {_policy_value(wanted)}."
-    return Feedback(
-        summary=f"The {comparison} ({policy}), so no message arrives.",
-        expected=f"{policy}: {_policy_value(wanted)}",
-        seen=f"{policy}: {_policy_value(seen)}",
-        where=language_of(recording.sources).places(recording.sources, maker)[:2],
-        advice=advice,
-    )
 
 
 def _policy_value(value: object) -> str:

@@ -54,26 +54,6 @@ def expect_dependency(recording: Recording, package: str, *names: str) -> None:
         raise Failure(_undeclared(found, missing, names, own=own))
 
 
-def expect_tag(
-    recording: Recording, package: str, tags: tuple[str, ...], value: str, *, purpose: str
-) -> None:
-    """Check that package.xml has an element with one of these tags and this text."""
-    found = expect_manifest(recording, package)
-    if found.depends(value, *tags):
-        return
-    elsewhere = [tag for tag, text in found.tags if text == value]
-    written = f"<{tags[0]}>{value}</{tags[0]}>"
-    raise Failure(
-        Feedback(
-            summary=f"package.xml does not contain `{written}`: {purpose}.",
-            expected=written,
-            seen=f"<{elsewhere[0]}>{value}</{elsewhere[0]}>" if elsewhere else None,
-            where=(found.place_of(value) or found.where,),
-            advice=f"Add the line `{written}` to package.xml.",
-        )
-    )
-
-
 # What beginners declare by mistake: the other language's package.
 _LANGUAGES = {"rclpy": ("rclcpp", "C++"), "rclcpp": ("rclpy", "Python")}
 

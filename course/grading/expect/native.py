@@ -46,8 +46,8 @@ def expect_no_warnings(recording: Recording, program: str) -> None:
         raise Failure(found)
 
 
-def expect_sound(recording: Recording, process: str, *, code: int = 0) -> ProcessView:
-    """Check that the program ended by itself with this exit code and no sanitizer error. Returns its view."""
+def expect_sound(recording: Recording, process: str) -> ProcessView:
+    """Check that the program ended by itself with exit code 0 and no sanitizer error. Returns its view."""
     view = recording.process(process)
     if view.started is None:
         raise OurFault(f"the scenario did not run {process}")
@@ -57,8 +57,8 @@ def expect_sound(recording: Recording, process: str, *, code: int = 0) -> Proces
     ended = view.ended_by_itself
     if ended is None:
         raise Failure(_endless(view))
-    if ended.code != code:
-        raise Failure(_other_end(view, ended.code, code))
+    if ended.code != 0:
+        raise Failure(_other_end(view, ended.code))
     return view
 
 
@@ -110,10 +110,10 @@ def _endless(view: ProcessView) -> Feedback:
     return Feedback(summary="The program never ends.", advice=_NO_END, details=view.text[-_LAST_LINES:])
 
 
-def _other_end(view: ProcessView, code: int | None, wanted: int) -> Feedback:
+def _other_end(view: ProcessView, code: int | None) -> Feedback:
     return Feedback(
-        summary=f"The program should end with exit code {wanted}.",
-        expected=f"exit code {wanted}",
+        summary="The program should end with exit code 0.",
+        expected="exit code 0",
         seen="it was killed" if code is None else f"exit code {code}",
         advice="The value that `main` returns is the exit code: 0 means success.",
         details=view.text[-_LAST_LINES:],

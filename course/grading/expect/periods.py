@@ -6,7 +6,7 @@ from itertools import pairwise
 from statistics import median
 
 from course.evidence.recording import Recording
-from course.evidence.topic_view import MIN_INTERVALS, TopicView, ask_for, seconds
+from course.evidence.topic_view import MIN_INTERVALS, TopicView, ask_for, hertz, seconds
 from course.explain.observed import unproven
 from course.explain.paces import at_once, pace_cause
 from course.model.feedback import Failure, Feedback, Location
@@ -47,17 +47,13 @@ def expect_period(
     wanted = f"one every {seconds(period)}"
     if together > 1:
         summary = f"The {what} come {together} at a time, every {seconds(period)}."
-        expected, seen = f"{wanted} ({_hertz(period)})", f"{together} every {seconds(period)}"
+        expected, seen = f"{wanted} ({hertz(period)})", f"{together} every {seconds(period)}"
     elif wrong:
         pace = median(intervals)
         summary = f"The {what} come every {seconds(pace)}, not every {seconds(period)}."
-        expected, seen = f"{wanted} ({_hertz(period)})", f"one every {seconds(pace)} ({_hertz(pace)})"
+        expected, seen = f"{wanted} ({hertz(period)})", f"one every {seconds(pace)} ({hertz(pace)})"
     else:
         few = f"Too few {what} came to tell how often they come: {len(times)}."
         summary = few if times else f"No {what} came."
         expected, seen = f"at least {MIN_INTERVALS + 1}, {wanted}", f"{len(times)}"
     raise Failure(Feedback(summary=summary, expected=expected, seen=seen, where=where, advice=advice))
-
-
-def _hertz(period: float) -> str:
-    return f"{1 / period:.3g} Hz" if period > 0 else "all at once"

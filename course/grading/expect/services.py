@@ -69,24 +69,6 @@ def expect_service_type(recording: Recording, side: Side, name: str, type_name: 
     )
 
 
-def expect_same_service(
-    recording: Recording, name: str, type_name: str, hashes: tuple[str, str], *, advice: str
-) -> None:
-    """Check that the server was built from the definition that the course uses.
-
-    hashes: of the request and the response. advice: tells the learner where to find that definition.
-    """
-    for service in _of_side(recording, "server"):
-        known = (service.request_hash, service.response_hash)
-        if (service.name, service.type) == (name, type_name) and known not in (hashes, ("", "")):
-            raise Failure(
-                Feedback(
-                    summary=f"Your `{type_name}` does not have the fields that the exercise asks for.",
-                    advice=advice,
-                )
-            )
-
-
 def expect_answers(recording: Recording, name: str, *, within: float = 1.0) -> tuple[ServiceCall, ...]:
     """Check that each of the arena's calls was answered within `within` seconds, and return the calls.
 

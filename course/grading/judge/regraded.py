@@ -12,6 +12,7 @@ from course.grading.protocol import Judged, Judgment, ScenarioState, Unjudged
 from course.grading.quiz.questions import check_quiz, with_questions
 from course.model import replace
 from course.model.result import CheckResult, Outcome, Result, Verdict, verdict_of
+from course.spelling import in_one_line
 
 _WHY = 200
 
@@ -189,5 +190,5 @@ def _most(check: CheckResult | None) -> float:
 
 
 def _line(text: str) -> str:
-    line = " ".join(text.split())
+    line = in_one_line(text)
     return line if len(line) <= _WHY else f"{line[: _WHY - 1]}…"

@@ -8,7 +8,6 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from course.arena.toolchain import require
 from course.build.runner import Ending, Interrupt, run
 from course.content import Choice, Question
 from course.errors import OurFault
@@ -16,6 +15,7 @@ from course.isolation.isolation_plan import BUILD
 from course.isolation.levels import isolated_build
 from course.isolation.sandbox import hand_over
 from course.rosenv import Ros, node_environment, prepare
+from course.rosenv.host import require
 
 TIME_LIMIT = 30.0
 _CODE = re.compile(r"`([^`]+)`")

@@ -9,7 +9,6 @@ import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict
-from importlib.resources import files
 from itertools import starmap
 from pathlib import Path
 from typing import Any
@@ -72,13 +71,6 @@ def _row(cells: Iterable[str]) -> str:
 
 
 VERSION = 1
-
-
-def schema() -> dict[str, Any]:
-    """The JSON Schema (draft 2020-12) of this version."""
-    text = files("course.report.gradebook").joinpath("results.schema.json").read_text(encoding="utf-8")
-    read: dict[str, Any] = json.loads(text)
-    return read
 
 
 def pieces(gradebook: Gradebook, cleaner: Cleaner, sheets: Iterable[Sheet]) -> Iterator[str]:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 
-from course.evidence.recording import ROSOUT, Recording
+from course.evidence.recording import Recording
 from course.model import replace
 from course.model.events import (
     GraphSeen,
@@ -31,12 +31,13 @@ from course.model.events import (
 )
 from course.model.feedback import Pace
 from course.model.result import CheckResult, Outcome, Result
+from course.report.pictures.signals import NOT_SHOWN
 from course.report.pictures.svg import Clean, seconds
+from course.spelling import counted
 
 # This many lanes of each kind are drawn; the others are only counted.
 MOST = {"program": 5, "node": 5, "topic": 6, "sent": 4, "service": 5, "log": 4}
 _LABEL = 44
-_NOT_SHOWN = (ROSOUT, "/parameter_events")
 _LOG_LINES = 2000
 _SIGNALS: dict[int, str] = {
     signal.SIGINT: "Ctrl+C",
@@ -125,7 +126,7 @@ def _programs(recording: Recording, duration: float) -> Iterator[Lane]:
         until = end.t if end else duration
         lines = tuple(e.t for e in recording.events if isinstance(e, OutputLine) and e.process == name)
         said = "; ".join(f"{word} at {seconds(t)}" for t, word in marks)
-        printed = f" It printed {_counted(len(lines), 'line')}." if lines else ""
+        printed = f" It printed {counted(len(lines), 'line')}." if lines else ""
         words = f"ran from {seconds(begun[name])} to {seconds(until)}{f' ({said})' if said else ''}.{printed}"
         yield Lane("program", name, words, lines, ((begun[name], until),), tuple(marks))
 
@@ -175,10 +176,10 @@ def _messages(
     for event in recording.events:
         if isinstance(event, Joined) and event.end == "subscription" and kind == "topic":
             times[event.topic]  # adds the topic, even if no message follows
-        elif isinstance(event, event_type) and event.topic not in _NOT_SHOWN:
+        elif isinstance(event, event_type) and event.topic not in NOT_SHOWN:
             times[event.topic].append(event.t)
     for topic, at in times.items():
-        words = f"{_counted(len(at), 'message')}, {_from_to(at)}." if at else "none came."
+        words = f"{counted(len(at), 'message')}, {_from_to(at)}." if at else "none came."
         yield Lane(kind, topic, words, tuple(at))
 
 
@@ -190,7 +191,7 @@ def _services(recording: Recording, duration: float) -> Iterator[Lane]:
         if isinstance(event, ServiceCalled):
             spans[event.service].append((event.t, answered.get(event.call, duration)))
     for service, calls in spans.items():
-        words = f"{_counted(len(calls), 'call')}, {_from_to([call[0] for call in calls])}."
+        words = f"{counted(len(calls), 'call')}, {_from_to([call[0] for call in calls])}."
         yield Lane("service", service, words, tuple(call[0] for call in calls), tuple(calls))
 
 
@@ -200,7 +201,7 @@ def _logs(recording: Recording) -> Iterator[Lane]:
         lines[line.node, line.level].append(line.t)
     for (node, level), at in lines.items():
         label = f"{level} {node}" if node else level
-        yield Lane("log", label, f"{_counted(len(at), 'line')}, {_from_to(at)}.", tuple(at))
+        yield Lane("log", label, f"{counted(len(at), 'line')}, {_from_to(at)}.", tuple(at))
 
 
 def _spans(spans: Sequence[tuple[float, float]]) -> str:
@@ -210,10 +211,6 @@ def _spans(spans: Sequence[tuple[float, float]]) -> str:
 
 def _from_to(at: Sequence[float]) -> str:
     return f"at {seconds(at[0])}" if len(at) == 1 else f"from {seconds(min(at))} to {seconds(max(at))}"
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
 
 
 _TOPIC_NAME = re.compile(r"/\w[\w/]*")

@@ -20,7 +20,7 @@ _SMALL, _MARGIN = 0.5, 0.02  # of a recording, and of a signal: see `window_of`
 _LARGEST = 64 * 1024
 _MOST = 1e15  # nothing is less than "not a number"
 _OF_NO_INTEREST = ("header", "stamp")
-_NOT_SHOWN = (ROSOUT, "/parameter_events")
+NOT_SHOWN = (ROSOUT, "/parameter_events")
 
 Points = tuple[tuple[float, float], ...]
 
@@ -83,7 +83,7 @@ def _enough(recording: Recording) -> list[list[MessageSeen]]:
     """Messages by topic, the busiest topic first, without topics that have too few."""
     topics: defaultdict[str, list[MessageSeen]] = defaultdict(list)
     for event in recording.events:
-        if isinstance(event, MessageSeen) and event.topic not in _NOT_SHOWN:
+        if isinstance(event, MessageSeen) and event.topic not in NOT_SHOWN:
             topics[event.topic].append(event)
     busiest = sorted(topics.values(), key=len, reverse=True)
     return [messages for messages in busiest if len(messages) >= FEWEST]

@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.text import Text
 
 from course.evidence.recording import Recording
-from course.evidence.topic_view import MIN_INTERVALS, seconds
+from course.evidence.topic_view import MIN_INTERVALS, hertz, seconds
 from course.model.feedback import Pace
 from course.model.result import CheckResult
 from course.report import sanitize
@@ -55,11 +55,7 @@ def rate(times: tuple[float, ...]) -> str:
     if len(intervals) < MIN_INTERVALS:
         return ""
     middle = median(intervals)
-    return f"one every {seconds(middle)} ({_hertz(1 / middle)})" if middle > 0 else "all at once"
-
-
-def _hertz(value: float) -> str:
-    return f"{value:.0f} Hz" if value >= 1000 else f"{value:.3g} Hz"
+    return f"one every {seconds(middle)} ({hertz(middle)})" if middle > 0 else "all at once"
 
 
 def asked(pace: Pace) -> str:

@@ -21,6 +21,7 @@ from course.grading import author
 from course.grading.author import BUILDS, Grader
 from course.grading.load import load_module
 from course.grading.mystery import Mystery
+from course.spelling import in_one_line
 from course.validate import Finding
 
 
@@ -218,13 +219,13 @@ def _fault(file: Path, error: BaseException) -> Finding:
     what = error.what if isinstance(error, CourseError) else f"{named}{error}"
     step = "correct it: until then none of the chapter's exercises can be graded"
     where, line = _place(file, error)
-    return Finding(where, line, f"the grader cannot be loaded: {_one_line(what)}", step)
+    return Finding(where, line, f"the grader cannot be loaded: {in_one_line(what)}", step)
 
 
 def _syntax_error(file: Path, error: SyntaxError) -> Finding:
     named = Path(error.filename) if error.filename else file
     where = named if named.is_file() else file
-    what = f"the grader is not valid Python: {_one_line(error.msg)}"
+    what = f"the grader is not valid Python: {in_one_line(error.msg)}"
     return Finding(where, error.lineno or None, what, "correct the line, or the one before it")
 
 
@@ -238,7 +239,3 @@ def _place(file: Path, error: BaseException) -> tuple[Path, int | None]:
 def _is_of_declaration(error: BaseException) -> bool:
     frames = traceback.extract_tb(error.__traceback__)
     return isinstance(error, CourseError) and bool(frames) and frames[-1].filename == author.__file__
-
-
-def _one_line(text: str) -> str:
-    return " ".join(text.split())

@@ -5,9 +5,19 @@ from __future__ import annotations
 import pytest
 
 from course.evidence.sources import Sources
+from course.model.events import GraphSeen
 from course.model.feedback import Feedback
-from lib.interfaces import Section, compare, interface_file
+from course.model.graph import Endpoint, Graph, Qos, Service
+from lib.interfaces import (
+    Section,
+    compare,
+    expect_same_definition,
+    expect_same_service,
+    expect_tag,
+    interface_file,
+)
 from tests.golden import golden
+from tests.grading.expect.conftest import record, said, told, with_manifest
 
 PACKAGE = "words"
 MESSAGE: Section = (("int32", "id"), ("string", "text"), ("string", "author"))
@@ -99,3 +109,39 @@ def test_what_was_seen_is_written_as_what_was_expected() -> None:
 )
 def test_the_first_difference_of_a_service(text: str) -> None:
     golden(service(text))
+
+
+def test_an_element_that_is_there() -> None:
+    recording = with_manifest("<build_depend>gen</build_depend>")
+    assert said(expect_tag, recording, "talk", ("depend", "build_depend"), "gen", purpose="x") is None
+
+
+def test_an_element_that_is_not_there() -> None:
+    golden(
+        told(expect_tag, with_manifest(), "talk", ("member_of_group", "other"), "group", purpose="it tells")
+    )
+
+
+def test_an_element_under_another_tag() -> None:
+    recording = with_manifest("<depend>group_more</depend>", "<group_depend>group</group_depend>")
+    golden(told(expect_tag, recording, "talk", ("member_of_group",), "group", purpose="x"))
+
+
+def test_another_definition_of_a_message() -> None:
+    ends = (Endpoint("/quotes", "publisher", "/talker", "words/msg/Quote", "RIHS01_1", Qos()),)
+    seen, arguments = (
+        record(GraphSeen(1.0, Graph(endpoints=ends))),
+        ("publisher", "/quotes", "words/msg/Quote"),
+    )
+    golden(told(expect_same_definition, seen, *arguments, "RIHS01_2", advice="Look at chapter 3."))
+    assert said(expect_same_definition, seen, *arguments, "RIHS01_1", advice="x") is None
+
+
+def test_another_definition_of_a_service() -> None:
+    name, kind, hashes = "/what_is_the_point", "words/srv/Point", ("RIHS01_1", "RIHS01_2")
+    seen = record(GraphSeen(1.0, Graph(services=(Service(name, kind, *hashes, servers=("/talker",)),))))
+    other = ("RIHS01_1", "RIHS01_3")
+    golden(told(expect_same_service, seen, name, kind, other, advice="Look at chapter 3."))
+    assert said(expect_same_service, seen, name, kind, hashes, advice="") is None
+    not_yet = record(GraphSeen(1.0, Graph(services=(Service(name, kind, servers=("/talker",)),))))
+    assert said(expect_same_service, not_yet, name, kind, hashes, advice="") is None

@@ -33,6 +33,11 @@ def record(*events: Event, code: str = "", files: Mapping[str, str] | None = Non
     return Recording("x", tuple(sorted(events, key=lambda e: e.t)), DEFINITIONS, sources, PACKAGES, 9.0)
 
 
+def with_manifest(*lines: str) -> Recording:
+    inner = "\n".join(f"  {line}" for line in lines)
+    return record(files={"package.xml": f'<package format="3">\n  <name>talk</name>\n{inner}\n</package>\n'})
+
+
 def said(expect: Callable[..., Any], *args: Any, **kwargs: Any) -> Feedback | None:
     """What a learner reads, or None if all is well."""
     try:

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from course.errors import OurFault
 from course.evidence.recording import Recording
 from course.grading.expect.endpoints import (
     expect_endpoint,
     expect_node,
     expect_qos,
-    expect_same_definition,
     expect_type,
 )
 from course.model.events import GraphSeen
@@ -95,7 +93,6 @@ def test_the_other_end_of_the_topic_does_not_count() -> None:
 
 def test_the_right_type() -> None:
     assert said(expect_type, seen(end()), "publisher", TOPIC, QUOTE) is None
-    assert said(expect_same_definition, seen(end()), "publisher", TOPIC, QUOTE, HASH, advice="x") is None
 
 
 def test_one_wrong_type_among_two() -> None:
@@ -106,11 +103,6 @@ def test_one_wrong_type_among_two() -> None:
 def test_types_of_the_other_end_do_not_count() -> None:
     recording = seen(end(), end(kind="subscription", type_name="std_msgs/msg/String"))
     assert said(expect_type, recording, "publisher", TOPIC, QUOTE) is None
-
-
-def test_another_definition_of_the_same_name() -> None:
-    arguments = ("publisher", TOPIC, QUOTE, "RIHS01_2")
-    golden(told(expect_same_definition, seen(end()), *arguments, advice="Look at chapter 3."))
 
 
 # QoS
@@ -131,27 +123,3 @@ def test_qos_that_asks_for_too_much(qos: dict[str, object]) -> None:
 def test_qos_of_publishers_and_other_topics_does_not_count() -> None:
     others = (end(durability="transient_local"), end("/other", "subscription", durability="transient_local"))
     assert said(expect_qos, seen(*others), TOPIC) is None
-
-
-def test_qos_that_asks_for_what_is_offered() -> None:
-    kept = seen(end(kind="subscription", durability="transient_local", deadline=0.5))
-    offered = {"durability": "transient_local", "deadline": 0.5}
-    assert said(expect_qos, kept, TOPIC, offered=offered) is None
-    assert said(expect_qos, seen(end(kind="subscription")), TOPIC, offered=offered) is None
-    slower = {"durability": "transient_local", "deadline": 1.0}
-    golden(told(expect_qos, kept, TOPIC, offered=slower))
-    eager = seen(end(kind="subscription"), code=CODE)
-    golden(told(expect_qos, eager, TOPIC, offered={"reliability": "best_effort"}))
-
-
-def test_qos_that_offers_what_is_requested() -> None:
-    requested = {"durability": "transient_local"}
-    assert said(expect_qos, seen(end(durability="transient_local")), TOPIC, requested=requested) is None
-    golden(told(expect_qos, seen(end(), code=CODE), TOPIC, requested=requested))
-    golden(told(expect_qos, seen(end(reliability="best_effort"), code=CODE), TOPIC, requested={}))
-
-
-@pytest.mark.parametrize("policies", [{"durability": "transient"}, {"history": "x"}, {"deadline": "1"}])
-def test_qos_that_does_not_exist(policies: dict[str, str]) -> None:
-    with pytest.raises(OurFault, match="no QoS policy"):
-        expect_qos(seen(end()), TOPIC, offered=policies)

@@ -8,7 +8,6 @@ from course.errors import OurFault
 from course.evidence.recording import Recording
 from course.grading.expect.services import (
     expect_answers,
-    expect_same_service,
     expect_service,
     expect_service_type,
 )
@@ -67,14 +66,6 @@ def test_a_wrong_type(side: Side) -> None:
     recording = seen(of(side, type_name="std_srvs/srv/SetBool"), code=CODE.format("x"))
     golden(told(expect_service_type, recording, side, NAME, TYPE))
     assert said(expect_service_type, seen(of(side)), side, NAME, TYPE) is None
-
-
-def test_another_definition() -> None:
-    other = ("RIHS01_1", "RIHS01_3")
-    golden(told(expect_same_service, seen(of("server")), NAME, TYPE, other, advice="Look at chapter 3."))
-    assert said(expect_same_service, seen(of("server")), NAME, TYPE, HASHES, advice="") is None
-    not_yet = seen(Service(NAME, TYPE, servers=("/talker",)))
-    assert said(expect_same_service, not_yet, NAME, TYPE, HASHES, advice="") is None
 
 
 # answers

@@ -24,9 +24,9 @@ from course.errors import StorageError
 from course.evidence.home_files import HomeFile
 from course.evidence.sources import MAX_FILE, Sources
 from course.explain import cmake, cpp_code, launch_files, parameter_causes, python_code, setup_py
-from course.grading.expect import yaml_files
 from course.home.course_home import read_marker
 from course.model.feedback import Failure
+from lib import yaml_files
 
 pytestmark = pytest.mark.slow
 

@@ -26,6 +26,7 @@ from course.report.gradebook.sheets import Sheet, sheets
 
 DOCUMENT = Path(__file__).parents[3] / "docs" / "results.md"
 DATA = Path(__file__).parent / "data"
+SCHEMA = json.loads(Path(class_files.__file__).with_name("results.schema.json").read_text(encoding="utf-8"))
 REGION = re.compile(r"<!-- sample:(\w+) -->\n.*?<!-- end -->", re.DOTALL)
 EXERCISE = GradedExercise("18-publisher", "A publisher", 5)
 BEGAN = datetime(2026, 3, 2, 9, 0, tzinfo=timezone.utc)

@@ -15,8 +15,7 @@ from course.report.gradebook import class_files
 from course.report.gradebook.sheets import COMPLETE, EXCUSED, INCOMPLETE, MARKED, NOT_HANDED_IN, sheets
 from tests.report.gradebook import hostile, samples
 
-SCHEMA = class_files.schema()
-VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+VALIDATOR = jsonschema.Draft202012Validator(samples.SCHEMA)
 
 
 def text_of(book: Gradebook) -> str:
@@ -30,8 +29,8 @@ def read(*graded: GradedSubmission) -> Any:
 
 
 def test_the_schema_is_one() -> None:
-    jsonschema.Draft202012Validator.check_schema(SCHEMA)
-    assert SCHEMA["properties"]["schema"]["const"] == class_files.VERSION
+    jsonschema.Draft202012Validator.check_schema(samples.SCHEMA)
+    assert samples.SCHEMA["properties"]["schema"]["const"] == class_files.VERSION
 
 
 def test_a_class_is_valid_and_whole() -> None:
@@ -74,7 +73,7 @@ def test_the_schema_refuses_what_must_not_be_there() -> None:
 
 
 def test_the_schema_knows_every_verdict_outcome_and_state() -> None:
-    parts = SCHEMA["$defs"]
+    parts = samples.SCHEMA["$defs"]
     verdicts = {*(verdict.value for verdict in Verdict), NOT_HANDED_IN, EXCUSED, MARKED}
     assert set(parts["result"]["properties"]["verdict"]["enum"]) == verdicts
     assert set(parts["check"]["properties"]["outcome"]["enum"]) == {outcome.value for outcome in Outcome}
@@ -87,7 +86,10 @@ def test_the_schema_knows_every_verdict_outcome_and_state() -> None:
 
 
 def test_every_field_is_required_and_described() -> None:
-    objects = [SCHEMA, *(part for part in SCHEMA["$defs"].values() if part.get("type") == "object")]
+    objects = [
+        samples.SCHEMA,
+        *(part for part in samples.SCHEMA["$defs"].values() if part.get("type") == "object"),
+    ]
     for part in objects:
         assert part["required"] == list(part["properties"]) and part["additionalProperties"] is False
         assert all(

@@ -7,9 +7,8 @@ import pytest
 from course.evidence.home_files import HomeEntry
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
-from course.grading.expect.yaml_files import MOST_NODES, expect_yaml
-
-from .conftest import told, where
+from lib.yaml_files import MOST_NODES, expect_yaml
+from tests.grading.expect.conftest import told, where
 
 FILE = "folder/some.yml"
 ADVICE = "Make it."

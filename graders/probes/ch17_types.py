@@ -4,6 +4,7 @@ For the n-th type (from 0), that is a publisher on `/probe/tN` for a message, or
 service. Its own findings are not trusted; the recorder reads the types' hashes from the graph.
 """
 
+import contextlib
 import importlib
 import sys
 
@@ -30,10 +31,8 @@ def main() -> None:
     for index, name in enumerate(sys.argv[1:]):
         offer(node, index, name)
     print("ready", flush=True)
-    try:
+    with contextlib.suppress(KeyboardInterrupt):
         rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
 
 
 if __name__ == "__main__":

@@ -7,15 +7,30 @@ from pathlib import Path
 
 import yaml
 
-from course.content.document import NOT_YAML, Document, parse_document
-from course.errors import ContentError
-from course.evidence.home_files import HomeFile
-from course.evidence.recording import Recording
-from course.grading.expect.text_files import expect_text
-from course.model.feedback import Failure, Feedback, Location
+from course.api import (
+    ContentError,
+    Document,
+    Failure,
+    Feedback,
+    HomeFile,
+    Location,
+    Recording,
+    expect_text,
+    parse_document,
+)
 
 # Counted with every alias expanded: a few lines of aliases can expand to more than any memory holds.
 MOST_NODES = 10_000
+# What PyYAML raises for text that it cannot read.
+_NOT_YAML = (
+    ContentError,
+    yaml.YAMLError,
+    ValueError,
+    ArithmeticError,
+    LookupError,
+    AttributeError,
+    RecursionError,
+)
 _NO_SPACE = re.compile(r"\s*(?:- )?[\w.-]+:[^\s/]")
 _INDENT = (
     "Count the spaces at the beginning of this line and the line before. Entries of the same "
@@ -37,7 +52,7 @@ def expect_yaml(recording: Recording, path: str, *, advice: str) -> Document:
         document = parse_document(Path(path), found.text or "")
     except yaml.MarkedYAMLError as error:
         raise Failure(_unreadable(found, error)) from None
-    except (ContentError, *NOT_YAML) as error:
+    except _NOT_YAML as error:
         line = getattr(error, "line", None)
         raise Failure(
             Feedback(
