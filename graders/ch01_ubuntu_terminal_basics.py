@@ -157,7 +157,7 @@ def in_the_shop() -> tuple[str, ...]:
     return tuple((CHAPTER / "starter" / grep.exercise / SHOP).read_text(encoding="utf-8").splitlines())
 
 
-@grep.check("file", "`~/robocop.txt` is there")
+@grep.check("file", "`~/robocop.txt` exists")
 def robocop_file(recording: Recording) -> None:
     expect_text(recording, FOUND, advice="`cd ~`, then `grep robocop a_file.whatever > robocop.txt`.")
 
@@ -196,10 +196,10 @@ def why_not(
             "`ros2course reset 01-grep` restores `a_file.whatever`. Write only `robocop.txt` after `>`.",
         )
     if not seen:
-        return "`robocop.txt` is empty: nothing was found.", f"Did you spell the word `robocop`? {plain}"
+        return "`robocop.txt` is empty: nothing was found.", f"Did you spell `robocop` correctly? {plain}"
     if seen == [line for line in shop if "robocop" in line.lower()]:
         return (
-            "The lines with `Robocop` and `ROBOCOP` are in it too: grep ignored upper and lower case.",
+            "The lines with `Robocop` and `ROBOCOP` are in it too: grep ignored case.",
             f"Leave the option `-i` out. {plain}",
         )
     if all(re.match(r"\d+:", line) for line in seen):
@@ -232,7 +232,7 @@ def type_it_into_a_new_terminal(arena: Arena) -> None:
         shell.run("say_hello")
 
 
-@alias.check("reads", "a new terminal reads `~/.bashrc` to its end")
+@alias.check("reads", "a new terminal reads `~/.bashrc` to the end")
 def reads(recording: Recording) -> None:
     expect_shell(recording)
 

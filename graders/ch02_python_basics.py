@@ -242,7 +242,7 @@ def runs_when_imported(recording: Recording, seen: str) -> Feedback:
         expected="an import runs nothing",
         seen=seen,
         where=tuple(Location(SCRIPT, n) for n in top[:2]) or (Location(SCRIPT),),
-        advice="A line without spaces before it runs at each import. Move it into `main()`"
+        advice="A line that is not indented runs at each import. Move it into `main()`"
         + (
             ", or under the `if` at the end."
             if guard
@@ -366,7 +366,7 @@ def place(recording: Recording, name: str) -> Location:
     return Location(file, (methods or classes or [None])[0])
 
 
-@minimalist_class.check("class", "`MinimalistClass()` makes an object")
+@minimalist_class.check("class", "`MinimalistClass()` creates an object")
 def makes_an_object(recording: Recording) -> None:
     expect_importable_class(recording)
     answered(recording, "made", "MinimalistClass()")
@@ -464,7 +464,7 @@ def apart(recording: Recording) -> None:
             return
     raise Failure(
         Feedback(
-            summary="Two objects share their numbers: when the second is made or the first is changed, "
+            summary="Two objects share their numbers: when the second is created or the first is changed, "
             "the other changes too.",
             expected="first: 1.5 and 2.5, second: 3.5 and 4.5",
             seen=f"first: {seen[0]} and {seen[1]}, second: {seen[2]} and {seen[3]}"
@@ -711,7 +711,7 @@ def found(recording: Recording) -> None:
     )
 
 
-@unit_tests.check("right", "they pass on a class that is right", needs="found")
+@unit_tests.check("right", "they pass for a correct class", needs="found")
 def right(recording: Recording) -> None:
     ends = {name: recording.process(name).exited for name in RIGHT if recording.process(name).started}
     if any(end is None or end.signal is not None for end in ends.values()):
@@ -733,11 +733,11 @@ def why_it_failed(recording: Recording, run: str) -> Feedback:
     number = int(line) if line and int(line) <= len(text) else None
     kind = f" with {error}" if error else ""
     return Feedback(
-        summary="Your tests fail on a class that is right: "
+        summary="Your tests fail for a correct class: "
         + (f"`{test}` ends{kind}{f' about `{word}`' if word else ''}." if test else "they do not run."),
         seen=text[number - 1].strip() if number else None,
         where=(Location(TEST, number),),
-        advice="Compare what this test expects with the table of 02-class. Run `python3 -m unittest discover "
+        advice="Compare what this test expects with the table in 02-class. Run `python3 -m unittest discover "
         "-v test` on your own class to see the whole message.",
     )
 
@@ -774,7 +774,7 @@ def notices_all(recording: Recording) -> None:
             Feedback(
                 summary=f"{len(missed)} of {len(FAULTS)} faults went unnoticed.",
                 where=(Location(TEST),),
-                advice="A test for each row of the table of 02-class notices them all.",
+                advice="A test for each row of the table in 02-class notices them all.",
                 details=tuple(f"not noticed: {fault}" for fault in missed),
             )
         )
@@ -843,7 +843,7 @@ def function(recording: Recording) -> None:
                 summary="`unlikely_to_return` is an ordinary function, not a coroutine.",
                 expected="async def unlikely_to_return(...)",
                 where=(Location(COROUTINE, defined[0] if defined else None),),
-                advice="Write `async` before its `def`. Only then may it `await` inside.",
+                advice="Write `async` before its `def`. Only then can it use `await`.",
             )
         )
 
@@ -888,7 +888,7 @@ def said_of_a_win(recording: Recording) -> int:
     return sum(isinstance(item, str) and "tag_" in item for item in items[last:])
 
 
-@async_await.check("runs", "`async_await_example.py` runs to its end", needs="function")
+@async_await.check("runs", "`async_await_example.py` runs to the end", needs="function")
 def runs(recording: Recording) -> None:
     expect_played(recording, AWAIT)
 
@@ -1152,7 +1152,7 @@ def installs(recording: Recording) -> None:
             Feedback(
                 summary="pip never ends.",
                 where=(Location(SETUP),),
-                advice="`setup.py` must not wait for anything, nor start your program.",
+                advice="`setup.py` must not wait for anything or start your program.",
             )
         )
     raise Failure(why_not_installed(recording))

@@ -44,7 +44,7 @@ def open_a_terminal(arena: Arena) -> None:
     in_use.wait(10)
 
 
-@environment.check("reads", "a new terminal reads `~/.bashrc` to its end")
+@environment.check("reads", "a new terminal reads `~/.bashrc` to the end")
 def reads(recording: Recording) -> None:
     expect_shell(recording)
 

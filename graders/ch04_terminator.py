@@ -12,7 +12,7 @@ from course.api import Failure, Feedback, Grader, HomeFile, Location, Recording,
 
 CONFIG = ".config/terminator/config"
 ENOUGH, LONGEST_LINE = 3, 2000
-SAVE = "In Terminator: right mouse button, Preferences, Layouts, Add, Save."
+SAVE = "In Terminator: right-click, then Preferences, Layouts, Add, Save."
 
 layout = Grader("04-layout", builds=None)
 
@@ -32,7 +32,7 @@ def reads(recording: Recording) -> None:
     if not (found.text or "").strip():
         raise Failure(
             Feedback(
-                summary="The file is empty: no layout was saved yet.",
+                summary="The file is empty: no layout has been saved yet.",
                 where=(Location(CONFIG),),
                 advice=SAVE,
             )

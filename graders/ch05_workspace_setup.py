@@ -36,7 +36,7 @@ def open_a_terminal(arena: Arena) -> None:
         shell.run(TRACE, timeout=20)
 
 
-@workspace.check("src", f"`~/{WS}/src` is there")
+@workspace.check("src", f"`~/{WS}/src` exists")
 def src(recording: Recording) -> None:
     if recording.home.file(f"{WS}/src").kind == "folder":
         return
@@ -85,7 +85,7 @@ def not_built(recording: Recording, missing: list[str]) -> Feedback:
         summary = f"colcon was run in `~`, not in `~/{WS}`: it left {listed(away)} there."
         advice = f"`cd ~`, then `rm -r {' '.join(away)}`; then `cd ~/{WS}` and `colcon build`."
     elif len(missing) == len(MADE):
-        summary = f"`~/{WS}` was not built yet: it has no {listed(missing)}."
+        summary = f"`~/{WS}` has not been built yet: it has no {listed(missing)}."
         advice = f"`cd ~/{WS}`, then `colcon build`."
     else:
         summary = f"`~/{WS}` lacks {listed(missing)}: the build is not complete, or was partly removed."
@@ -95,15 +95,15 @@ def not_built(recording: Recording, missing: list[str]) -> Feedback:
 
 def half_built() -> Feedback:
     return Feedback(
-        summary=f"`build` and `install` in `~/{WS}` were not made by colcon.",
-        expected="both as `colcon build` makes them, with `install/setup.bash`",
+        summary=f"`build` and `install` in `~/{WS}` were not created by colcon.",
+        expected="both as `colcon build` creates them, with `install/setup.bash`",
         advice=(
             f"Do not create them by hand: `cd ~/{WS}`, then `rm -r {' '.join(MADE)}`, then `colcon build`."
         ),
     )
 
 
-@workspace.check("reads", "a new terminal reads `~/.bashrc` to its end")
+@workspace.check("reads", "a new terminal reads `~/.bashrc` to the end")
 def reads(recording: Recording) -> None:
     expect_shell(recording)
 

@@ -92,7 +92,7 @@ def too_few(recording: Recording, lines: tuple[LogLine, ...]) -> Feedback:
         summary=f"The node logged only {len(lines)} time{'s' if len(lines) > 1 else ''}. It "
         "should never stop.",
         expected="a message every 0.5 s",
-        seen=f"{len(lines)} in all",
+        seen=f"{len(lines)} in total",
         where=cause.where,
         advice=cause.text,
         details=tuple(line.text for line in lines[:3]),

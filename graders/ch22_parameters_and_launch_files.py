@@ -239,7 +239,7 @@ def defaults(recording: Recording) -> None:
 
 @parameters.check("topic_exists", f"by default it publishes on {TOPIC}", needs="starts")
 def topic_exists(recording: Recording) -> None:
-    remedy = "Make a publisher on the topic in the parameter `topic_name`."
+    remedy = "Create a publisher on the topic in the parameter `topic_name`."
     expect_endpoint(node_alone(recording), "publisher", TOPIC, remedy=remedy)
 
 
@@ -261,7 +261,7 @@ def publishes(recording: Recording) -> None:
     )
     raise Failure(
         Feedback(
-            summary="One message arrived, and then no more."
+            summary="One message arrived, but no more after it."
             if came
             else "The publisher exists, but no message arrives.",
             expected="a message every 0.5 s",
@@ -278,7 +278,7 @@ def rate(recording: Recording) -> None:
 
 
 def expect_pace(recording: Recording, topic: TopicView, period: float) -> None:
-    advice = "Hand `create_timer` what the parameter says: `self.get_parameter('period').value`."
+    advice = "Pass the parameter's value to `create_timer`: `self.get_parameter('period').value`."
     where = timer_places(recording.sources)[:2]
     expect_period(
         topic, period, what="messages", advice=advice, where=where, program=recording, written=False

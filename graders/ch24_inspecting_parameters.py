@@ -128,7 +128,7 @@ def set_to_the_largest(recording: Recording) -> None:
     mystery.expect_act(
         recording,
         "set",
-        "The integer parameter was not yet set to its largest allowed value.",
+        "The integer parameter has not been set to its largest allowed value.",
         near_miss="set_other",
         at_home=True,  # the node in this recording does it itself
     )

@@ -137,7 +137,7 @@ def placeholder(recording: Recording) -> None:
 
 ROVER = "rover_cpp"
 CONTROLLER = f"{rover.CONTROLLER}_node"
-KEPT = "Store the {} in a member of the class, or it is deleted again at once."
+KEPT = "Store the {} in a member of the class, or it is deleted immediately."
 
 controller = Grader("26-rover")
 

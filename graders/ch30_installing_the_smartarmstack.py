@@ -12,7 +12,7 @@ FIRST = "ros2_tutorial_workspace"
 workspace = Grader("30-sas-workspace", builds=None, ros=False)
 
 
-@workspace.check("workspace", f"`~/{WS}` is there")
+@workspace.check("workspace", f"`~/{WS}` exists")
 def workspace_is_there(recording: Recording) -> None:
     if recording.home.file(WS).kind != "folder":
         raise Failure(no_workspace(recording))
@@ -32,7 +32,7 @@ def no_workspace(recording: Recording) -> Feedback:
     return Feedback(summary=summary, expected=f"~/{WS}", seen=seen, advice=advice)
 
 
-@workspace.check("src", f"`~/{SRC}` is there", needs="workspace")
+@workspace.check("src", f"`~/{SRC}` exists", needs="workspace")
 def src_is_there(recording: Recording) -> None:
     if recording.home.file(SRC).kind != "folder":
         raise Failure(no_src(recording))

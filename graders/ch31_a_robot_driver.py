@@ -384,7 +384,7 @@ def expect_order(view: ProcessView, after: float, what: str, advice: str, ends: 
         Feedback(
             summary=summary,
             expected=f"`{ends[0]}`, then `{ends[1]}`",
-            seen="; ".join(said[-3:]) or "nothing on the terminal",
+            seen="; ".join(said[-3:]) or "nothing in the terminal",
             advice=advice,
         )
     )

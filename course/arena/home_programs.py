@@ -259,7 +259,7 @@ class HomePrograms:
         if own_memory and self._shares_the_network:
             raise MissingHere(
                 "This exercise needs namespaces, which this machine does not offer.",
-                "`ros2course doctor` says what they lack here.",
+                "`ros2course doctor` says what is missing.",
             )
         start = partial(self._place.start, own_memory=True) if own_memory else self._place.start
         command = (self._python, self.handed(file), *arguments)

@@ -159,5 +159,5 @@ def only_once(file: Path, exercise: str) -> Iterator[int]:
             lock = stack.enter_context(locked(file, wait=False))
         except BlockingIOError:
             advice = "Go to the terminal it was started in; Ctrl+C ends it there."
-            raise UsageError(f"{exercise} is running already.", advice) from None
+            raise UsageError(f"{exercise} is already running.", advice) from None
         yield lock

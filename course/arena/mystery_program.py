@@ -82,7 +82,7 @@ def main() -> int:
 def _nodes(made: Any) -> tuple[Node, ...]:
     nodes = tuple(made) if isinstance(made, Iterable) else ()
     if not nodes or not all(isinstance(node, Node) for node in nodes):
-        raise TypeError("play(plan, acts) must return the nodes that it made")
+        raise TypeError("play(plan, acts) must return the nodes that it created")
     return nodes
 
 

@@ -59,7 +59,7 @@ def may_lack_sanitizers(lines: Iterable[str]) -> bool:
 def no_sanitizers() -> MissingHere:
     return MissingHere(
         "The C++ compiler of this machine has no sanitizers, which this exercise needs.",
-        "With Ubuntu's compiler they come along: `sudo apt install g++`. On Fedora: "
+        "On Ubuntu, they come with the compiler: `sudo apt install g++`. On Fedora: "
         "`sudo dnf install libasan libubsan`.",
     )
 

@@ -85,9 +85,9 @@ def package_missing(workspace: Workspace, name: str) -> BuildFailure:
 
 def duplicate(packages: Sequence[Package]) -> BuildFailure:
     name = packages[0].name
-    summary = f"There are {len(packages)} packages called `{name}`; colcon refuses to build either."
+    summary = f"There are {len(packages)} packages called `{name}`; colcon refuses to build any of them."
     where = tuple(manifest_place(package, "name") for package in packages)
-    advice = "Rename or remove all but one; a copy kept for later belongs outside the workspace."
+    advice = "Rename or remove all but one; keep copies outside the workspace."
     return BuildFailure(name, "package-twice", Feedback(summary, where=where, advice=advice))
 
 
@@ -117,7 +117,7 @@ _IGNORED = "`colcon build` ignores {} because of {}: delete that file."
 
 
 def too_much(package: Package, largest: str) -> BuildFailure:
-    summary = f"The folder of `{package.name}` contains more than a package can: look at `{largest}`."
+    summary = f"The folder of `{package.name}` contains more than a package may: look at `{largest}`."
     advice = (
         f"Move it out of the package: more than {MOST_FILES} files or {MOST_BYTES // 10**6} MB are not built."
     )
@@ -126,14 +126,14 @@ def too_much(package: Package, largest: str) -> BuildFailure:
 
 
 def too_many(package: Package, number: int, most: float) -> BuildFailure:
-    summary = f"This exercise's packages and those that they need are {number}; {most:g} at most are built."
+    summary = f"This exercise's packages and those that they need are {number}; at most {most:g} are built."
     advice = "Remove the dependencies that the exercise does not ask for from package.xml."
     where = (Location(f"{package.source}/package.xml"),)
     return BuildFailure(package.name, "packages-limit", Feedback(summary, where=where, advice=advice))
 
 
 def crowded(workspace: Workspace, most: int) -> BuildFailure:
-    summary = f"{workspace.source} contains more than {most} packages; they are not looked at."
+    summary = f"{workspace.source} contains more than {most} packages, so they are not read."
     advice = "Move those that do not belong to the course out of the workspace."
     feedback = Feedback(summary, where=(Location(workspace.source),), advice=advice)
     return BuildFailure("", "packages-limit", feedback)
@@ -150,7 +150,7 @@ def _leads_out(workspace: Workspace, name: str) -> Found | None:
     for place in (workspace.root, source, source / name):
         if place.is_symlink() and within(place, workspace.inside) is None:
             file = shown(place, workspace.home)
-            return (Location(file),), f"{file} is a link out of the course home: put the folder in its place."
+            return (Location(file),), f"{file} is a link out of the course home: replace it with the folder."
     return None
 
 
@@ -193,15 +193,13 @@ def _look_alike(workspace: Workspace, name: str) -> Found | None:
             manifest_place(package, "name"),
         ), f"{advice} The names in setup.py or CMakeLists.txt must agree."
     if near := nearest(name, names, LOOSELY):
-        advice = (
-            f"Was `{near}` meant to be it? Its folder, its `<name>` in package.xml and setup.py must say so."
-        )
+        advice = f"Did you mean `{near}`? Its folder, its `<name>` in package.xml and setup.py must say so."
         return (manifest_place(names[near], "name"),), advice
     return None
 
 
 def _make_it(workspace: Workspace) -> str:
-    return f"Make it with `ros2 pkg create`, in the folder {workspace.source}."
+    return f"Create it with `ros2 pkg create`, in the folder {workspace.source}."
 
 
 def _folders(top: Path) -> Iterator[Path]:

@@ -108,7 +108,7 @@ class _Build:
         return _outcome(steps, results, time.monotonic() - began)
 
     def _wait(self) -> None:
-        self.on_progress("Waiting for room on the disk, which other builds take")
+        self.on_progress("Waiting for disk space that other builds use")
 
     def _keys(self, steps: Iterable[Step]) -> dict[str, str]:
         keys: dict[str, str] = {}

@@ -166,7 +166,7 @@ def _fault(line: str, machine: Machine) -> CourseError | None:
         )
         return MissingHere(what, "sudo apt install python3-dev")
     if _NO_COMPILER.search(line) and machine.lacks_compiler():
-        return MissingHere("This machine has no C++ compiler that works.", "sudo apt install g++")
+        return MissingHere("This machine has no working C++ compiler.", "sudo apt install g++")
     if (found := _NO_LIBRARY.search(line)) and lacks_library(found["name"], machine.system):
         return missing_library(found["name"])
     return None

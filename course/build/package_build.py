@@ -51,20 +51,20 @@ _MB = 1024 * 1024
 _LIMITS = {
     MEMORY: f"took more than {BUILD.memory // _MB} MB of memory",
     PROCESSES: f"started more than {BUILD.processes} processes and threads",
-    CPU: f"used more than {BUILD.cpu:g} s of computing time",
+    CPU: f"used more than {BUILD.cpu:g} s of CPU time",
     DISK: f"wrote more than {BUILD.scratch // _MB} MB of files",
-    FILES: f"made more than {MOST_FILES} files, or folders far too deep in one another",
+    FILES: f"created more than {MOST_FILES} files, or folders nested far too deep",
 }
 # What all packages of a check did together: each may be fine by itself.
 _TOGETHER: dict[str | None, Callable[[Bounds], str]] = {
     ALL_SECONDS: lambda bounds: f"took longer than {bounds.seconds:g} s to build",
-    ALL_CPU: lambda bounds: f"used more than {bounds.cpu:g} s of computing time",
+    ALL_CPU: lambda bounds: f"used more than {bounds.cpu:g} s of CPU time",
     ALL_DISK: lambda bounds: f"wrote more than {bounds.disk / _MB:.0f} MB of files",
 }
 _FLAWS = {
-    "link": "installs a link that leads out of the package",
-    "kind": "installs what is neither a file nor a folder",
-    "size": "installs far too many files, or folders far too deep in one another",
+    "link": "installs a link to a place outside the package",
+    "kind": "installs something that is neither a file nor a folder",
+    "size": "installs far too many files, or folders nested far too deep",
 }
 
 RunCommand = Callable[[Sequence[str], Path, Path, float], Ended]
@@ -99,7 +99,7 @@ class PackageBuild:
         name, source = self.package.name, self.package.source
 
         def waiting() -> None:
-            self.on_progress(f"Waiting for {name}, which is being built already")
+            self.on_progress(f"Waiting for {name}, which is already being built")
 
         with self.store.locked(self.key, self.stop, waiting) as entry, storage(self.store.root):
             prefix = entry.prefix(name)
@@ -274,18 +274,18 @@ def _half_made(entry: StoreEntry) -> Iterator[None]:
 def stopped(build: Build, ended: Ended, time_limit: float, bounds: Bounds) -> BuildError:
     if ended.ending is Ending.TOO_LONG:
         what = f"took longer than {time_limit:g} seconds"
-        advice = "Does setup.py or CMakeLists.txt loop without end, or wait for someone to type?"
+        advice = "Does setup.py or CMakeLists.txt loop forever, or wait for someone to type?"
         return _told(build, "time-limit", f"{what} and was stopped", advice, build.lines[-3:])
     if ended.limit in _TOGETHER:
         what = f"was stopped: the packages of this exercise together {_TOGETHER[ended.limit](bounds)}"
-        advice = "Look for what does that in their setup.py or CMakeLists.txt: a build takes little."
+        advice = "Look for what does that in their setup.py or CMakeLists.txt: a normal build needs little."
         return _told(build, f"{ended.limit}-limit", what, advice, build.lines[-3:])
     if ended.limit is not None:
-        advice = "Look for what does that in setup.py or CMakeLists.txt: building a package takes little."
+        advice = "Look for what does that in setup.py or CMakeLists.txt: building a package needs little."
         what = f"{_LIMITS[ended.limit]} and was stopped"
         return _told(build, f"{ended.limit}-limit", what, advice, build.lines[-3:])
-    advice = "Look for what prints in a loop in setup.py or CMakeLists.txt."
-    return _told(build, "output-limit", "printed without end and was stopped", advice, build.lines[-3:])
+    advice = "Look for a loop that prints in setup.py or CMakeLists.txt."
+    return _told(build, "output-limit", "never stopped printing, and was stopped", advice, build.lines[-3:])
 
 
 def flawed(build: Build, flaw: Flaw) -> BuildError:

@@ -300,13 +300,13 @@ def storage_error(place: Path, error: OSError) -> CourseError:
         return MissingHere("Too many files are open on this machine.", "Close some programs, then try again.")
     what = f"{error.filename or place}: {error.strerror or error}."
     return StorageError(
-        what, "Builds are kept below ROS2COURSE_CACHE: set it to a folder that you may write to."
+        what, "Builds are kept in ROS2COURSE_CACHE: set it to a folder that you may write to."
     )
 
 
 def disk_full(place: Path) -> DiskFull:
     what = f"The disk is full: there is no space left to build in {place}."
-    return DiskFull(what, "Make some space, then check again. Nothing of yours was lost.")
+    return DiskFull(what, "Free some space, then check again. None of your work was lost.")
 
 
 def _is_current(file: Path, lock: int) -> bool:

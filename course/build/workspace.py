@@ -21,7 +21,7 @@ _MOST_BYTES = 256 * 1024
 _MOST_FOLDERS = 20_000
 # The most that are used. One more is read, to notice that there are too many.
 MOST_PACKAGES = 200
-_MANIFEST_IS_SHORT = "It has a few lines; compare it with that of another package."
+_MANIFEST_IS_SHORT = "It is a short file: compare it with the one in another package."
 
 
 @dataclass(frozen=True)
@@ -126,10 +126,10 @@ def read_package(folder: Path, home: Path, inside: Path | None) -> Package:
 
 def _manifest_bytes(file: Path, inside: Path | None) -> bytes | ManifestFault:
     """Read only a plain file, so that a pipe cannot block."""
-    advice = "Put the plain text file itself in its place."
+    advice = "Replace it with a plain text file."
     target = within(file, inside)
     if target is None:
-        return ManifestFault("it is a link that leads out of the course home, or nowhere", None, advice)
+        return ManifestFault("it is a link to a place outside the course home, or to nothing", None, advice)
     descriptor = os.open(target, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
     with os.fdopen(descriptor, "rb") as opened:
         status = os.fstat(descriptor)

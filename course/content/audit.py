@@ -49,7 +49,7 @@ def _same_number(folders: tuple[Path, ...]) -> Iterator[ContentError]:
         other = first.setdefault(folder.name[:2], folder)
         if other is not folder:
             what = f"`{folder.name}` and `{other.name}` have the same number"
-            yield ContentError(what, "give each chapter a number of its own", file=folder)
+            yield ContentError(what, "give each chapter its own number", file=folder)
 
 
 def _text_problems(folder: Path, document: Document, data: Data) -> Iterator[ContentError]:
@@ -73,7 +73,7 @@ def _step_problems(document: Document, data: Data, text: str) -> Iterator[Conten
     for index, exercise in enumerate(data["exercises"]):
         heading = f"## {exercise['step']}"
         if exercise["step"] and heading not in lines:
-            what = f"lesson.md has no heading `{heading}`, or not after that of the step before"
+            what = f"lesson.md has no heading `{heading}` after that of the previous step"
             yield document.error(what, "add it, or correct `step`", place=("exercises", index, "step"))
         elif exercise["step"]:
             lines = lines[lines.index(heading) + 1 :]
@@ -138,7 +138,7 @@ def _requires_problem(graph: Graph, exercise: str, required: str) -> tuple[str, 
     way = way_between(graph, required, exercise)
     if way and exercise == min(way):  # report a cycle once, not for each of its members
         what = f"`{exercise}` requires itself: {' -> '.join((exercise, *way))}"
-        return what, "take one of them out of `requires`"
+        return what, "remove one of them from `requires`"
     return None
 
 
@@ -216,15 +216,15 @@ def _edit_problem(document: Document, edit: Edit, place: Place, edited: Edited) 
         return
     text = edited.text(edit.file)
     if text is None and (edited.solution / edit.file).is_file():
-        what = f"an edit before this one took `{edit.file}` away"
-        yield document.error(what, "change their order, or name the file as it is called then", place=place)
+        what = f"an earlier edit removed or renamed `{edit.file}`"
+        yield document.error(what, "change their order, or use the file's name at that point", place=place)
     elif text is None:
         yield _no_file(document, edit.file, edited.solution, (*place, "file"))
     elif edit.replace is not None and edit.replace not in text:
         what = f"this text does not occur in {edit.file}"
         advice = "copy the text from the reference solution, with its spaces and line ends"
         if text != Edited(edited.solution).text(edit.file):
-            advice += "; an edit before this one has changed the file"
+            advice += "; an earlier edit has changed the file"
         yield document.error(what, advice, place=(*place, "replace"))
 
 
@@ -240,7 +240,7 @@ def _answers_problem(document: Document, edit: Edit, place: Place) -> Iterator[C
     """Only the file's name is checked here; `validate` checks the question ids."""
     folder, _, name = edit.file.rpartition("/")
     if folder != "answers" or not name.endswith(".yaml"):
-        what = f"`answers` goes with an answers file, not with `{edit.file}`"
+        what = f"`answers` is for an answers file, not for `{edit.file}`"
         yield document.error(what, "allowed: `answers/<exercise>.yaml`", place=(*place, "file"))
 
 

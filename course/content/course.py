@@ -120,7 +120,7 @@ def choose(wanted: str, ids: Iterable[str]) -> str | None:
         if len(found) == 1:
             return found[0]
         if found:
-            raise UsageError(f"`{wanted}` fits several exercises", f"say which one: {_listed(found)}")
+            raise UsageError(f"`{wanted}` matches several exercises", f"say which one: {_listed(found)}")
     return None
 
 

@@ -54,7 +54,7 @@ class Document:
             here = (*place, index, "id")
             if name in first:
                 what = f"`{name}` is used twice; the first is on line {first[name]}"
-                yield self.error(what, f"give each {kind} an id of its own", place=here)
+                yield self.error(what, f"give each {kind} its own id", place=here)
             first.setdefault(name, self.line(here))
 
 
@@ -102,7 +102,7 @@ def _parse(file: Path, text: str) -> Document:
 def _syntax_error(file: Path, error: yaml.MarkedYAMLError) -> ContentError:
     mark = error.problem_mark or error.context_mark
     what = " ".join(part for part in (error.context, error.problem) if part)
-    advice = "check indentation, and quote texts that hold `: `, ` #` or begin with one of `*&!%@{}[]`"
+    advice = "check indentation, and quote strings that contain `: `, ` #` or begin with one of `*&!%@{}[]`"
     return ContentError(
         f"this is not valid YAML: {what}", advice, file=file, line=mark.line + 1 if mark else None
     )
@@ -140,6 +140,6 @@ def _repeated_here(file: Path, node: yaml.MappingNode) -> Iterator[ContentError]
             continue
         line = key.start_mark.line + 1
         if key.value in first:
-            what = f"`{key.value}` is given twice here; the first is on line {first[key.value]}"
+            what = f"`{key.value}` appears twice here; the first is on line {first[key.value]}"
             yield ContentError(what, "keep one of them", file=file, line=line, key=key.value)
         first.setdefault(key.value, line)

@@ -29,7 +29,7 @@ def _disagreements(document: Document, data: dict[str, Any], folder: str) -> Ite
     match = CHAPTER_FOLDER.fullmatch(folder)
     if not match:
         what = f"the chapter's folder `{folder}` is not named like `18-publishers-and-subscribers`"
-        yield document.error(what, "allowed: two digits, then small letters and digits joined by dashes")
+        yield document.error(what, "allowed: two digits, then lowercase letters and digits joined by dashes")
     elif int(match[1]) != data["chapter"]:
         what = f"`chapter` is {data['chapter']}, but the folder is `{folder}`"
         yield document.error(what, f"allowed: {int(match[1])}", place=("chapter",))
@@ -74,13 +74,13 @@ def _question_problems(document: Document, item: dict[str, Any], place: Place) -
     given = [name for name in FORMS if item[name] not in (None, False, [])]
     if len(given) != 1:
         found = " and ".join(f"`{name}`" for name in given) or "none"
-        what = f"a question must hold exactly one of {', '.join(FORMS)}; this one holds {found}"
+        what = f"a question must contain exactly one of {', '.join(FORMS)}; this one contains {found}"
         yield document.error(what, "keep one of them", place=(*place, given[-1]) if given else place)
         return
     form = given[0]
     yield from _misplaced(document, item, place, form)
     if form in _EXPLAINED and not item["explain"]:
-        step = "add `explain`: a text shown after a right answer, and after a wrong one that is not listed"
+        step = "add `explain`: text shown after a right answer, and after a wrong one that is not listed"
         yield document.error("`explain` is missing", step, place=place)
     if form == "choices":
         yield from _choice_problems(document, item, place)
@@ -91,7 +91,7 @@ def _question_problems(document: Document, item: dict[str, Any], place: Place) -
 def _misplaced(document: Document, item: dict[str, Any], place: Place, form: str) -> Iterator[ContentError]:
     for key, forms in _BELONGS.items():
         if form not in forms and item[key] not in (None, False, [], 0.0, ""):
-            what = f"`{key}` means nothing in a question with `{form}`"
+            what = f"`{key}` does not belong in a question with `{form}`"
             yield document.error(what, f"it goes with {' and '.join(forms)}", place=(*place, key))
 
 
@@ -111,8 +111,8 @@ def _choice_problems(document: Document, item: dict[str, Any], place: Place) -> 
             yield document.error("a wrong choice needs `why`", step, place=here)
         for name in {_plain(choice["text"]), _plain(choice["id"] or choice["text"])}:
             if name in first:
-                what = f"this choice is there already, on line {first[name]}"
-                yield document.error(what, "give each a text and an id of its own", place=here)
+                what = f"this choice already exists on line {first[name]}"
+                yield document.error(what, "give each its own text and id", place=here)
             first[name] = document.line(here)
 
 
@@ -126,7 +126,7 @@ def _spoilt(document: Document, item: dict[str, Any], place: Place) -> Iterator[
         numbers = re.findall(r"(?<![\w.])\d+(?:\.\d+)?(?![\w]|\.\d)", said.replace("ros 2", ""))
         told = [text for text in numbers if float(text) == item["number"]]
     if told and (not item["all_of"] or len(told) == len(texts)):
-        what = f"`{key}` is shown after wrong answers too, and it holds the right one (`{told[0]}`)"
+        what = f"`{key}` is shown after wrong answers too, and it contains the right one (`{told[0]}`)"
         step = "reword it, or add `otherwise`: what wrong answers get instead of `explain`"
         yield document.error(what, step, place=(*place, key))
 

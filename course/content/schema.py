@@ -57,13 +57,13 @@ def _tolerance(value: Any) -> Any:
     is_share = isinstance(value, str) and re.fullmatch(_SHARE, value)
     is_width = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < math.inf
     if not is_share and not is_width:
-        raise wrong(f"must be a number from 0 on, or a share like `10%`, not `{value}`")
+        raise wrong(f"must be a number of at least 0, or a share like `10%`, not `{value}`")
     return value
 
 
 def _short(value: Any) -> Any:
     if isinstance(value, bool) or not isinstance(value, str | int | float) or not str(value).strip():
-        raise wrong("must be a text or a number (put it in quotes if it is a text)")
+        raise wrong("must be a string or a number (put it in quotes if it is a string)")
     return value
 
 
@@ -85,7 +85,7 @@ class ChoiceSchema(Strict):
     id: Slug | None = Field(
         default=None, description="a short name that stands for it in the answers file; its text if left out"
     )
-    text: Line = Field(description="one line of Markdown, shown to choose from")
+    text: Line = Field(description="one line of Markdown, shown as a choice")
     right: bool = Field(default=False, description="`true` when it is right")
     why: Text | None = Field(default=None, description="an explanation; every wrong choice needs one")
 
@@ -94,7 +94,7 @@ class KnownSchema(Strict):
     """One entry of `wrong`: an answer that learners are known to give."""
 
     answer: Annotated[Any, AfterValidator(_short), WithJsonSchema({"type": ["string", "number"]})] = Field(
-        description="a text or a number that is wrong"
+        description="a string or a number that is wrong"
     )
     why: Text = Field(description="what is wrong about it, without saying what is right")
 
@@ -104,14 +104,14 @@ class QuestionSchema(Strict):
 
     model_config = one_of(("choices",), ("text",), ("all_of",), ("number",), ("computed",))
 
-    id: Slug = Field(description="a short name in small letters, unique in the exercise: `tab-key`")
+    id: Slug = Field(description="a short name in lowercase letters, unique in the exercise: `tab-key`")
     ask: Text = Field(description="the question, in Markdown; its first line is the check's title")
     choices: list[ChoiceSchema] = Field(default=[], description="a list of choices, one of them right")
     multiple: bool = Field(default=False, description="`true` when several choices may be right")
-    keep_order: bool = Field(default=False, description="`true` when choices are not to be shuffled")
+    keep_order: bool = Field(default=False, description="`true` when choices must not be shuffled")
     text: list[Line] = Field(default=[], description="a list of accepted short texts")
-    all_of: list[Line] = Field(default=[], description="a list of short texts that are wanted all")
-    exact: bool = Field(default=False, description="`true` when capitals and spaces in a text count")
+    all_of: list[Line] = Field(default=[], description="a list of short texts, all of which are required")
+    exact: bool = Field(default=False, description="`true` when capitals and spaces in an answer count")
     number: Annotated[float, AfterValidator(_finite)] | None = Field(default=None, description="the number")
     tolerance: Annotated[
         Any,
@@ -120,17 +120,17 @@ class QuestionSchema(Strict):
     ] = Field(default=0.0, description="how far off a number may be: `0.5`, or `10%` of it")
     wrong: list[KnownSchema] = Field(default=[], description="a list of known wrong answers with `why`")
     explain: Text | None = Field(
-        default=None, description="a text shown after a right answer, and after an unlisted wrong one"
+        default=None, description="text shown after a right answer, and after an unlisted wrong one"
     )
     otherwise: Text | None = Field(
-        default=None, description="a text shown after an unlisted wrong answer, instead of `explain`"
+        default=None, description="text shown after an unlisted wrong answer, instead of `explain`"
     )
     program: Script = Field(
         default="",
         description="a script in the chapter's folder `programs`, shown with the question and run after "
-        "the answer; choices have each line of its output in backquotes",
+        "the answer; choices show each line of its output in backquotes",
     )
-    computed: bool = Field(default=False, description="`true` when the chapter's mystery gives what is right")
+    computed: bool = Field(default=False, description="`true`: the chapter's mystery computes the answer")
     points: Annotated[float, AfterValidator(_worth)] = Field(default=1.0, description="points; 1 if left out")
 
 
@@ -164,7 +164,7 @@ class ExerciseSchema(Strict):
     )
     packages: list[Package] = Field(default=[], description="a list of ROS packages that are built for it")
     workspace: Workspace = Field(
-        default=WORKSPACE, description=f"the workspace that these lie in; `{WORKSPACE}` if left out"
+        default=WORKSPACE, description=f"the workspace that contains them; `{WORKSPACE}` if left out"
     )
     grader_packages: list[Package] = Field(
         default=[], description="a list of packages whose reference build the grader itself needs"
@@ -200,7 +200,7 @@ class ExerciseSchema(Strict):
         """A quiz may have fewer: each question has its own explanations."""
         writes_programs = info.data.get("questions") == [] or bool(info.data.get("packages"))
         if len(hints) < FEWEST_HINTS and writes_programs:
-            raise wrong(f"must hold at least {FEWEST_HINTS} hints, not {len(hints)}")
+            raise wrong(f"must contain at least {FEWEST_HINTS} hints, not {len(hints)}")
         return hints
 
 
@@ -218,7 +218,7 @@ class LessonSchema(Strict):
     terms: list[Line] = Field(
         default=[],
         description="words that the lesson explains, each in bold where it does; "
-        "`validate` reports texts that use them before",
+        "`validate` reports texts that use them earlier",
     )
     exercises: list[ExerciseSchema] = Field(description="a list of exercises; `[]` if there are none")
 
@@ -226,7 +226,7 @@ class LessonSchema(Strict):
 def _answer_given(value: Any) -> Any:
     items = value if isinstance(value, list) else [value]
     if not all(isinstance(item, str) for item in items):
-        raise wrong(f"must be a text or a list of texts, not `{value}` (put it in quotes)")
+        raise wrong(f"must be a string or a list of strings, not `{value}` (put it in quotes)")
     return value
 
 
@@ -244,8 +244,8 @@ class EditSchema(Strict):
     model_config = one_of(("replace", "with"), *((name,) for name in OPERATIONS if name != "replace"))
 
     file: HomePath = Field(description="a file of the solution, relative to the course home")
-    replace: Text | None = Field(default=None, description="a text that occurs in the file; needs `with`")
-    with_: str | None = Field(default=None, alias="with", description="the text put in its place")
+    replace: Text | None = Field(default=None, description="text that occurs in the file; needs `with`")
+    with_: str | None = Field(default=None, alias="with", description="the text that replaces it")
     delete: bool = Field(default=False, description="`true`: the file is deleted")
     rename: HomePath | None = Field(default=None, description="the file's new path")
     content: str | None = Field(default=None, description="the whole new file")
@@ -259,16 +259,16 @@ class EditSchema(Strict):
         given = [name for name in OPERATIONS if getattr(self, name) not in (None, False)]
         if len(given) != 1:
             found = " and ".join(f"`{name}`" for name in given) or "none"
-            raise wrong(f"must hold exactly one of {', '.join(OPERATIONS)}; it holds {found}")
+            raise wrong(f"must contain exactly one of {', '.join(OPERATIONS)}; it contains {found}")
         if (self.replace is None) != (self.with_ is None):
-            raise wrong("must hold `replace` and `with` together")
+            raise wrong("must contain both `replace` and `with`")
         return self
 
 
 class MistakeSchema(Strict):
     """One entry of `mistakes` in mistakes.yaml."""
 
-    id: Slug = Field(description="a short name in small letters, unique in this file: `topic-misspelt`")
+    id: Slug = Field(description="a short name in lowercase letters, unique in this file: `topic-misspelt`")
     exercise: ExerciseId = Field(description="the id of the exercise whose grader must catch it")
     summary: Line = Field(description="one line that says what the learner did")
     edits: Annotated[list[EditSchema], AfterValidator(unempty)] = Field(
@@ -300,7 +300,7 @@ class AlternativeSchema(Strict):
     exercises: Annotated[list[ExerciseId], AfterValidator(unempty)] = Field(
         description="a list of ids of the exercises that this solves too"
     )
-    summary: Line = Field(description="one line that says in what it differs")
+    summary: Line = Field(description="one line that says how it differs")
     deletes: list[HomePath] = Field(
         default=[], description="a list of the reference solution's files that are not in this one"
     )

@@ -19,7 +19,7 @@ S = TypeVar("S", bound=BaseModel)
 T = TypeVar("T")
 
 _WANTED = {
-    "string_type": "a text",
+    "string_type": "a string",
     "int_type": "a whole number",
     "float_type": "a number",
     "bool_type": "`true` or `false`",
@@ -117,14 +117,14 @@ def _kind(value: object) -> str:
     if value is None:
         return "empty"
     if isinstance(value, bool):
-        return f"`{str(value).lower()}` (put it in quotes if it is a text)"
+        return f"`{str(value).lower()}` (put it in quotes if it is a string)"
     if isinstance(value, Mapping):
-        return "a mapping (put it in quotes if it is a text)"
+        return "a mapping (put it in quotes if it is a string)"
     if isinstance(value, list):
         return "a list"
     if isinstance(value, str):
-        return "a text"
-    return f"`{value}` (put it in quotes if it is a text)"
+        return "a string"
+    return f"`{value}` (put it in quotes if it is a string)"
 
 
 def _subject(place: Place) -> str:

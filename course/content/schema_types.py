@@ -86,9 +86,9 @@ def _like(pattern: str) -> WithJsonSchema:
 Text = Annotated[str, AfterValidator(_filled), _like(r"\S")]
 Line = Annotated[str, AfterValidator(_one_line), _like(r"^\s*\S[^\n]*\s*$")]
 ExerciseId = Annotated[str, Form(r"\d\d-[a-z0-9]+(-[a-z0-9]+)*", "look like `18-publisher`")]
-Slug = Annotated[str, Form(r"[a-z0-9]+([-_][a-z0-9]+)*", "be small letters, digits and dashes")]
+Slug = Annotated[str, Form(r"[a-z0-9]+([-_][a-z0-9]+)*", "be lowercase letters, digits, dashes, or `_`")]
 Package = Annotated[
-    str, Form("[a-z][a-z0-9_-]*", "be the name of a ROS package (small letters, digits, underscores)")
+    str, Form("[a-z][a-z0-9_-]*", "be the name of a ROS package (lowercase letters, digits, `_`, dashes)")
 ]
 Workspace = Annotated[str, Form("[a-z][a-z0-9_]*_workspace", "be a folder whose name ends with `_workspace`")]
 HomePath = Annotated[str, AfterValidator(_home_path), _like(r"^(?!/|~|\./)[^\\]+$")]

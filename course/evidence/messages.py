@@ -184,14 +184,14 @@ def decoded(source: str, type_name: str, data: bytes, decoder: Decoder) -> Any:
 def _feedback(source: str, type_name: str, error: Undecodable) -> Feedback:
     if isinstance(error.__cause__, UnicodeDecodeError):
         return Feedback(
-            summary=f"A text in a message on `{source}` is not valid UTF-8, so nobody can read the message.",
+            summary=f"A string in a message on `{source}` is not valid UTF-8, so no node can read it.",
             expected="text in UTF-8",
-            seen=f"bytes that are none: {error.__cause__.reason}",
-            advice="Put text into string fields as it is, and do not encode it or cut its bytes.",
+            seen=f"other bytes: {error.__cause__.reason}",
+            advice="Put text into string fields unchanged: do not encode it or cut its bytes.",
         )
     return Feedback(
         summary=f"A message on `{source}` cannot be read as `{type_name}`.",
-        expected=f"the fields of {type_name}, in their order",
+        expected=f"the fields of {type_name}, in order",
         seen=f"other bytes: {error}",
-        advice=f"Does the program use a `{type_name}` with other fields? Build its package again.",
+        advice=f"Does the program use a `{type_name}` with different fields? Build its package again.",
     )

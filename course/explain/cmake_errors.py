@@ -118,14 +118,14 @@ _SYNTAX: tuple[Known[Evidence], ...] = (
           example="No cmake_minimum_required command is present.  A line of"),
     Known(kind="cmake-syntax", pattern=r"Parse error\. Function missing ending.*unterminated string",
           cause="A closing quote is missing in {file}.",
-          remedy=("Look for it from line {line} on: every `(` needs a `)`, and every opening quote needs a "
+          remedy=("Start looking at line {line}: every `(` needs a `)`, and every opening quote needs a "
                   "closing one."),
           proof=_unclosed_quote,
           example='Parse error.  Function missing ending ")".  Instead found\n  unterminated string',
           given={LISTS: 'project(talk)\n\nset(a "b)\n'}),
     Known(kind="cmake-syntax", pattern=r"Parse error\. Function missing ending",
           cause="A closing parenthesis is missing in {file}.",
-          remedy=("Look for it from line {line} on: every `(` needs a `)`, and every opening quote needs a "
+          remedy=("Start looking at line {line}: every `(` needs a `)`, and every opening quote needs a "
                   "closing one.",
                   "Every `(` needs a `)`, and every opening quote needs a closing one."),
           example='Parse error.  Function missing ending ")".  End of file reached.'),

@@ -194,9 +194,9 @@ _ENDINGS = {
     signal.SIGSEGV: ("it uses a pointer that does not point to an object",
                      "Is the pointer empty (`nullptr`)? Create the object before you use it: "
                      "`std::make_shared`."),
-    signal.SIGABRT: ("it aborted after an error", "Read the last lines of its output."),
+    signal.SIGABRT: ("it stopped itself after an error", "Read the last lines of its output."),
     signal.SIGFPE: ("it divides an integer by zero", "Check for zero before you divide."),
-    signal.SIGILL: ("it ran an invalid instruction",
+    signal.SIGILL: ("it ran an unknown instruction",
                     "Does every function with a return type return a value?"),
 }  # fmt: skip
 _TWICE = (

@@ -54,10 +54,10 @@ def _lost(timers: tuple[CppCall, ...]) -> Cause | None:
         if len(timer.before) > _LONGEST:
             continue
         if _DECLARED.fullmatch(timer.before):
-            text = "The timer is in a local variable, which ends with the function. Use a class member:"
+            text = "The timer is in a local variable, which ends when the function does. Use a class member:"
             return Cause(f"{text} `timer_ = ...`, without a type before it.", (timer.where,))
         if _NOT_KEPT.fullmatch(timer.before):
-            text = "Nothing keeps the timer, so it ends immediately. Keep it in a member of the class:"
+            text = "Nothing keeps the timer, so it ends immediately. Store it in a member of the class:"
             return Cause(f"{text} `timer_ = create_wall_timer(...)`.", (timer.where,))
     return None
 

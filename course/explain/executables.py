@@ -51,7 +51,7 @@ def _elsewhere(package: str, name: str, where: Location) -> Feedback:
         summary=f"No executable found: `{name}` is declared, but not installed where ROS looks for it.",
         expected=f"installed in the folder lib/{package}",
         where=(where,),
-        advice="`setup.cfg` next to `setup.py` says where it goes. Under `[install]` it needs the line "
+        advice="`setup.cfg` next to `setup.py` says where to install it. Under `[install]` it needs the line "
         f"`install_scripts=$base/lib/{package}`.",
     )
 

@@ -226,9 +226,9 @@ def _uses_of(build: Build, words: Words) -> tuple[Location, ...]:
 # ------------------------------------------------------------------------------------------ entries
 
 _BASIC = (
-    f"Basic types are {', '.join(PRIMITIVES)}; a message of another package is written `package/Message`."
+    f"Basic types are {', '.join(PRIMITIVES)}; write a message from another package as `package/Message`."
 )
-_OF_ANOTHER = "Did you mean `{other}`? A message of another package is written with its package."
+_OF_ANOTHER = "Did you mean `{other}`? A message from another package needs the package's name."
 _PROCESSING = (
     r"Error processing '(?P<line>(?P<type>(?P<bare>[^ \[<:]*)[^ ]*) ?(?P<rest>.*?))' of "
     r"'[^'/]*/(?P<message>\w+)': "
@@ -253,18 +253,18 @@ _BAD_NAME = "is an invalid field name.  It should have the pattern"
 INTERFACES: tuple[Known[Build], ...] = (
     Known(kind="interface-missing", pattern=_NO_FILE.format(".+?"),
           cause=f"{LISTS} of `{{package}}` lists {{name}}, but there is no such file.",
-          remedy=("Did you mean `{near}`?", f"Make the file, or correct its name in {LISTS}."),
+          remedy=("Did you mean `{near}`?", f"Create the file, or correct its name in {LISTS}."),
           proof=_not_there, where=(at(LISTS, _LISTED),),
           example=_NO_SUCH.format("msg/Quot.msg")),
     *(Known[Build](kind="interface-missing", pattern=_NO_FILE.format(words), cause=_NOT_A_FILE, remedy=remedy,
                    where=(at(LISTS, _LISTED),), example=_NO_SUCH.format(example))
       for words, remedy, example in (
           (",", "Arguments in CMake are separated by spaces or new lines, not by commas.", ","),
-          (r"(?i:DEPEND)\w*", "The word before the packages that they use is `DEPENDENCIES`, in capitals.",
+          (r"(?i:DEPEND)\w*", "Write `DEPENDENCIES`, in capital letters, before the packages that they use.",
            "DEPENDS"),
-          (".+?", "Each interface is a file with its folder, such as `msg/MyMessage.msg`.", "Quote"))),
+          (".+?", "List each interface as a file with its folder, such as `msg/MyMessage.msg`.", "Quote"))),
     Known(kind="interface-target", pattern=r'invalid target name "(?P<name>[^"]+\.(?:msg|srv|action))"',
-          cause=f"`rosidl_generate_interfaces` in {LISTS} takes `{{name}}` for the name of what it makes.",
+          cause=f"`rosidl_generate_interfaces` in {LISTS} uses `{{name}}` as the name of what it generates.",
           remedy="Its first argument must be `${PROJECT_NAME}`: `rosidl_generate_interfaces(${PROJECT_NAME} "
                  "...`.",
           where=(at(LISTS, r"rosidl_generate_interfaces\s*\("),),
@@ -276,7 +276,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           proof=_looked_for, where=(at(LISTS, _LOOKED_FOR),),
           example="the passed dependency 'std_msgs' has not been found before using find_package()"),
     Known(kind="member-of-group", pattern=r"must include '<member_of_group>",
-          cause="package.xml of `{package}` names the group `{group}`, not the one of packages "
+          cause="package.xml of `{package}` names the group `{group}`, not the group of packages "
                 "with interfaces.", remedy=f"Write `{_GROUP}` instead.",
           proof=_wrong_group,
           example="Packages installing interfaces must include '<member_of_group>rosidl_interface_packages",
@@ -299,17 +299,17 @@ INTERFACES: tuple[Known[Build], ...] = (
     Known(kind="field-value",
           pattern=r"InvalidValue: value '(?P<value>.*?)' can not be converted to type '(?P<of>\S+?)'",
           cause="`{value}` is not a value of type {of}.",
-          remedy="What follows a field's name is its default value.", proof=_value,
+          remedy="The value after a field's name is its default value.", proof=_value,
           example="InvalidValue: value 'x' can not be converted\nto type 'int32': must",
           given={"msg/Quote.msg": "int32 id x\n"}),
     Known(kind="field-name",
           pattern=_PROCESSING + r".*?'(?P<name>[^\s']+;)' is an invalid field name.*?Traceback",
-          cause="A field cannot be called `{name}`, as {use} has it.",
-          remedy="Lines of an interface file have no semicolon at the end.", proof=_field_name,
+          cause="A field cannot be called `{name}`, but {use} uses that name.",
+          remedy="Lines in an interface file do not end with a semicolon.", proof=_field_name,
           example=_processing("int32 id;", f"'id;' {_BAD_NAME}"), given={"msg/Quote.msg": "int32 id;\n"}),
     Known(kind="field-name",
           pattern=_PROCESSING + r".*?'(?P<name>[^\s']+)' is an invalid field name.*?Traceback",
-          cause="A field cannot be called `{name}`, as {use} has it.",
+          cause="A field cannot be called `{name}`, but {use} uses that name.",
           remedy=("Write field names in lowercase, with underscores between words: `{right}`.",
                   "Write field names in lowercase, with underscores between words. Start them with a "
                   "letter."), proof=_field_name, example=_processing("int32 theId", f"'theId' {_BAD_NAME}"),
@@ -324,23 +324,23 @@ INTERFACES: tuple[Known[Build], ...] = (
           remedy="The type comes first, then the name: `{rest} {type}`.", proof=_swapped,
           example=_processing("id int32", f"'id' {_BAD_TYPE}"), given={"msg/Quote.msg": "id int32\n"}),
     Known(kind="field-type", pattern=_PROCESSING + ".*?Traceback", cause=_NO_TYPE,
-          remedy="`{bare}` alone would be right: is a bracket or a colon too many?", proof=_nearly_primitive,
+          remedy="`{bare}` alone would be right: remove the extra bracket or colon.", proof=_nearly_primitive,
           example=_processing("int32[ id", f"'int32[' {_BAD_TYPE}"), given={"msg/Quote.msg": "int32[ id\n"}),
     Known(kind="field-type", pattern=_PROCESSING + ".*?Traceback", cause=_NO_TYPE,
-          remedy="Write `{right}`: basic types are in lowercase.", proof=_in_capitals,
+          remedy="Write `{right}`: basic types are lowercase.", proof=_in_capitals,
           example=_processing("Int32 id", f"'Int32' {_BAD_TYPE}"), given={"msg/Quote.msg": "Int32 id\n"}),
     Known(kind="field-type", pattern=_PROCESSING + ".*?Traceback", cause=_NO_TYPE,
           remedy=(_OF_ANOTHER, "Did you mean `{near}`?", _BASIC), proof=_type,
           example=_processing("int id", f"'int' {_BAD_TYPE}"), given={"msg/Quote.msg": "int id\n"}),
     Known(kind="interface-name", pattern=r"InvalidResourceName: '(?P<name>\S+)' is an invalid message name",
-          cause="An interface cannot be called `{name}`: {path} must begin each word with a capital.",
+          cause="An interface cannot be called `{name}`: each word in {path} must begin with a capital.",
           remedy=f"Rename the file to `{{right}}`, and correct {LISTS}. Only letters and digits are allowed.",
           proof=_file_of, where=(at(LISTS, r"(?<![\w/]){path}(?![\w/])"),),
           example="InvalidResourceName: 'my_quote' is an invalid message name.  It should have",
           given={"msg/my_quote.msg": ""}),
     Known(kind="field", pattern=r"InvalidFieldDefinition: (?P<name>.+)$",
           cause="`{name}` {on} is not a field of an interface.",
-          remedy="A field is a type, a space and a name, on a line of its own: `int32 id`.", proof=_a_line,
+          remedy="A field is a type, a space and a name, on its own line: `int32 id`.", proof=_a_line,
           example="rosidl_adapter.parser.InvalidFieldDefinition: stringname",
           given={"msg/Quote.msg": "stringname\n"}),
     Known(kind="separator", pattern=r"Could not find unique separator",
@@ -354,7 +354,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           example="Could not find separator\n'---' between request and response",
           given={"srv/Ask.srv": "int32 a\n"}),
     Known(kind="field-name", pattern=r"duplicate names: (?P<name>\w+)",
-          cause="{path} has two fields called `{name}`.", remedy="Give each field a name of its own.",
+          cause="{path} has two fields called `{name}`.", remedy="Give each field a different name.",
           proof=_twice, example="ValueError: the fields iterable contains duplicate names: a",
           given={"msg/Quote.msg": "int32 a\nint32 a\n"}),
     Known(kind="field-name", pattern=r"'' is an invalid constant name",
@@ -364,7 +364,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           given={"msg/Quote.msg": "int32 = id\n"}),
     Known(kind="field-name", pattern=r"'(?P<name>\S+)' is an invalid constant name",
           cause="`{name}` cannot be the name of a constant.",
-          remedy="A field has no `=`; a line with one defines a constant, which is written in capitals: "
+          remedy="A field has no `=`; a line with one defines a constant, whose name is in capital letters: "
                  "`{right}`.", proof=_constant,
           example="NameError: 'id' is an invalid constant name.  It should",
           given={"msg/Quote.msg": "int32 id=3\n"}),
@@ -383,13 +383,13 @@ TYPES: tuple[Known[Build], ...] = (
           proof=_uses, example=f"{_HASHES}\nKeyError: 'std_msgs'",
           given={"msg/Quote.msg": "std_msgs/Header header\n"}),
     Known(kind="field-type", pattern=r"^KeyError: '(?P<name>\w+)'",
-          cause="There is no package `{name}`, which {use} takes a type from.",
+          cause="There is no package `{name}`, but {use} uses a type from it.",
           remedy=("Did you mean `{near}`?", "Is it spelled right, and is it in your workspace?"),
           proof=_no_package, example=f"{_HASHES}\nKeyError: 'std_msg'",
           given={"msg/Quote.msg": "std_msg/Header header\n"}),
     Known(kind="field-type", pattern=_NO_JSON,
           cause="There is no message `{name}` in `{of}`, but {use} uses it.",
-          remedy="Write `{right}`: basic types are in lowercase.", proof=_in_capitals_here,
+          remedy="Write `{right}`: basic types are lowercase.", proof=_in_capitals_here,
           example=f"{_HASHES}\nFileNotFoundError: [Errno 2] No such file: 'build/x/talk/msg/String.json'",
           given={"msg/Quote.msg": "String text\n"}),
     Known(kind="field-type", pattern=_NO_JSON,
@@ -409,8 +409,8 @@ TYPES: tuple[Known[Build], ...] = (
 RESERVED: tuple[Known[Build], ...] = (
     Known(kind="field-name",
           pattern=r"^Member name '(?P<name>\w+)' in the \w+ '\w+' is a reserved keyword in Python",
-          cause="A field cannot be called `{name}`: that is a keyword of Python.",
-          remedy="Give it another name.", proof=_reserved,
+          cause="A field cannot be called `{name}`: that is a Python keyword.",
+          remedy="Give it a different name.", proof=_reserved,
           example="Member name 'from' in the message 'Quote' is a reserved keyword in Python and is not",
           given={"msg/Quote.msg": "string from\n"}),
 )  # fmt: skip

@@ -90,7 +90,7 @@ class Python:
         found = crash(traceback, recording.packages, recording.sources)
         if found and _SHUT_DOWN_IN_BETWEEN.search(found.error) and _raised_by_rclpy(traceback):
             # A program can print such words itself, so they only lead to another attempt.
-            raise Spoilt("rclpy failed in its own shutdown after Ctrl+C.")
+            raise Spoilt("rclpy failed while it shut down after Ctrl+C.")
         return _unhandled(found, _at_the_end(found, recording)) if found else None
 
     def to_keep_running(self, recording: Recording) -> Cause | None:
@@ -100,7 +100,7 @@ class Python:
 
     def _not_spun(self, sources: Sources) -> Cause | None:
         if not calls(sources, "init"):
-            text = "`main()` must call `rclpy.init()`, make the node, and pass it to `rclpy.spin(node)`."
+            text = "`main()` must call `rclpy.init()`, create the node, and pass it to `rclpy.spin(node)`."
             return Cause(text, self.entry(sources))
         once = tuple(call.where for call in calls(sources, "spin_once"))
         if any(calls(sources, name) for name in ("spin", "rclcpp_spin_some")) or (
@@ -113,7 +113,7 @@ class Python:
             )
         ends = calls(sources, "spin_until_future_complete") or calls(sources, "init")
         return Cause(
-            "Nothing keeps the program running: call `rclpy.spin(node)` in `main()` after you make the node.",
+            "Nothing keeps the program running: call `rclpy.spin(node)` in `main()` after creating the node.",
             tuple(call.where for call in ends),
         )
 
@@ -160,9 +160,7 @@ def _sleeps_at_the_end(sources: Sources) -> Cause | None:
         for part in (*node.handlers, *node.finalbody) if isinstance(node, ast.Try) else ():
             for call in ast.walk(part):
                 if isinstance(call, ast.Call) and called_name(call) == "sleep":
-                    text = (
-                        "The program sleeps here after Ctrl+C, and can't end before that. Remove the `sleep`."
-                    )
+                    text = "After Ctrl+C, the program sleeps here, so it can't end yet. Remove the `sleep`."
                     return Cause(text, (Location(file, call.lineno),))
     return None
 
@@ -204,7 +202,7 @@ def _at_the_end(found: Crash, recording: Recording) -> Cause:
 def _unhandled(found: Crash, cause: Cause) -> Feedback:
     return Feedback(
         summary=f"Ctrl+C ends the program with a traceback: {found.error}",
-        expected="an end without a traceback",
+        expected="it ends without a traceback",
         seen="a traceback",
         where=cause.where,
         advice=cause.text,
@@ -269,7 +267,7 @@ class Cpp:
     def to_keep_running(self, recording: Recording) -> Cause | None:
         sources = recording.sources
         if not self.places(sources, "init"):
-            text = "`main` must call `rclcpp::init(argc, argv)`, make the node, and `rclcpp::spin` it."
+            text = "`main` must call `rclcpp::init(argc, argv)`, create the node, and `rclcpp::spin` it."
             return Cause(text, self.entry(sources))
         if self.places(sources, "spin"):
             return None
@@ -287,7 +285,7 @@ class Cpp:
         return Cause(_CPP_DEAF, places_of(sources, _CPP_ENDLESS)[:2])
 
     def to_name_a_node(self, name: str) -> str:
-        return f'The constructor passes on the name before its braces: `: rclcpp::Node("{name}")`.'
+        return f'Before the braces of the constructor, pass on the name: `: rclcpp::Node("{name}")`.'
 
     def to_use_a_type(self, maker: str, package: str, name: str) -> str:
         return f"Include its header, and write `{maker}<{package}::msg::{name}>`."

@@ -162,7 +162,7 @@ def parameters_as_dict(launch_file: Sources) -> Cause | None:
         given = node.keywords.get("parameters")
         if isinstance(given, ast.Dict):
             return Cause(
-                "`parameters` takes a list of dicts: put square brackets around the braces: "
+                "`parameters` takes a list of dicts. Put square brackets around the braces: "
                 "`parameters=[{...}]`.",
                 (Location(node.where.file, given.lineno),),
             )

@@ -12,7 +12,7 @@ _WORDS = {
     "memory": (
         "Your programs took more than {mb:.0f} MB of memory, so all of them were stopped.",
         "Look for something that grows forever: a list that a callback appends to, or a loop "
-        "that makes nodes.",
+        "that creates nodes.",
     ),
     "processes": (
         "Your programs started more than {most:.0f} processes and threads, so all of them were stopped.",

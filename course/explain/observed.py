@@ -132,7 +132,7 @@ def _halted(note: _Note, ran: dict[str, set[int]]) -> Cause | None:
         if not called_back or not isinstance(loop, ast.While | ast.For):
             return None
         return Cause(
-            f"The loop on line {loop.lineno} goes on and on: {note.event.seconds:.0f} s later the callback "
+            f"The loop on line {loop.lineno} never ends: {note.event.seconds:.0f} s later, the callback "
             "was still in it. Until a callback returns, the node can do nothing else.",
             (Location(note.by.file, loop.lineno),),
         )
@@ -140,14 +140,14 @@ def _halted(note: _Note, ran: dict[str, set[int]]) -> Cause | None:
         return None
     if not called_back and _WAITS.intersection(waits) and _may_wait(note, waits, ran):
         return None
-    what = f"`{waits[0]}`" if waits else "what it does"
+    what = f"`{waits[0]}`" if waits else "it"
     after = (
         "It is in a callback: until that returns, the node can do nothing else."
         if called_back
         else "The lines after it did not run."
     )
     later = f"{note.event.seconds:.0f} s later"
-    text = f"Line {note.by.line} holds up the program: {what} had not returned {later}."
+    text = f"Line {note.by.line} holds up the program: {what} had not finished {later}."
     return Cause(f"{text} {after}", (note.by,))
 
 
@@ -176,7 +176,7 @@ def _not_run(ran: dict[str, set[int]], sources: Sources) -> Cause | None:
     mains = [(file, node) for file, node in _functions(sources, ran) if node.name == "main"]
     if mains and not any(_came_to(node.body, ran[file]) for file, node in mains):
         file, main = mains[0]
-        return Cause("Nothing calls `main()`: no line of it ran.", (Location(file, main.lineno),))
+        return Cause("Nothing calls `main()`: none of its lines ran.", (Location(file, main.lineno),))
     for file, function in _functions(sources, ran):
         for line in function.body if _came_to(function.body, ran[file]) else []:
             for call in ast.walk(line):
@@ -193,7 +193,7 @@ def _never_looped(recording: Recording) -> Cause | None:
     for file, loop in nodes(recording.sources):
         lines = ran.get(file, set())
         if isinstance(loop, ast.While) and loop.lineno in lines and not _came_to(loop.body, lines):
-            text = f"The loop on line {loop.lineno} never ran: `{ast.unparse(loop.test)}` was false at once."
+            text = f"The loop on line {loop.lineno} never ran: `{ast.unparse(loop.test)}` was false."
             return Cause(text, (Location(file, loop.lineno),))
     return None
 

@@ -68,11 +68,11 @@ def _several_at_once(gaps: Sequence[float], period: float, sources: Sources) -> 
     if count < 2:
         return None
     if timers:
-        return Cause(f"{count} come together each {period:g} s. {timers.text}", timers.where)
+        return Cause(f"{count} come together every {period:g} s. {timers.text}", timers.where)
     for name in ("publish", "info", "call_async"):
         inside = in_callbacks(sources, name)
         if len(inside) >= count:
-            what = f"{count} come together each {period:g} s: the callback does it {count} times."
+            what = f"{count} come together every {period:g} s: the callback does it {count} times."
             return Cause(what, inside[:2])
     return _prints(sources, count, period)
 
@@ -86,7 +86,7 @@ def _prints(sources: Sources, count: int, period: float) -> Cause | None:
         ]
         if len(lines) == count:
             where = tuple(Location(file, line) for line in lines[:2])
-            return Cause(f"{count} come together each {period:g} s: each round prints {count} times.", where)
+            return Cause(f"{count} come together every {period:g} s: each round prints {count} times.", where)
     return None
 
 
@@ -98,8 +98,8 @@ def _looped(gaps: Sequence[float], period: float, sources: Sources) -> Cause | N
         for loop in (part for part in ast.walk(callback.node) if isinstance(part, ast.While)):
             inside = {called_name(part) for part in ast.walk(loop) if isinstance(part, ast.Call)}
             if inside & {"info", "publish", "call_async"} and "sleep" not in inside:
-                text = "This loop goes on and on within one call of the callback. Remove it: the timer alone "
-                text += "calls the function again and again."
+                text = "This loop keeps a single call of the callback from ending. Remove it: the timer "
+                text += "already calls the function again and again."
                 return Cause(text, (Location(callback.file, loop.lineno),))
     return None
 
@@ -142,5 +142,5 @@ def _on(value: float, period: float) -> str:
         if _near(value, period * factor) or _near(value, period / factor):
             return f"The period of a timer is in seconds, not in {unit}: {value:g} should be {period:g}."
     if _near(value, 1 / period):
-        return f"{value:g} is how often per second. The period is the time between two calls: {period:g} s."
+        return f"{value:g} is calls per second. The period is the time between two calls: {period:g} s."
     return f"The timer's period is {value:g} s: change it to {period:g} s."

@@ -196,7 +196,7 @@ class _Reader:
             raise _Refused(ManifestFault(f"its tags are nested {_MOST_DEPTH} deep", line, advice))
         self._tags += 1
         if self._tags > _MOST_TAGS:
-            advice = "Keep the tags that the package needs: usually about a dozen."
+            advice = "Keep only the tags that the package needs: usually about a dozen."
             raise _Refused(ManifestFault(f"it has more than {_MOST_TAGS} tags", line, advice))
         self.lines.setdefault(tag, line)
         self.open_tags.append((tag, line, attributes, []))
@@ -253,7 +253,7 @@ def _not_well_formed(reader: _Reader, error: expat.ExpatError) -> ManifestFault:
         expat.errors.XML_ERROR_NO_ELEMENTS,
     ):
         tag, line, *_ = reader.open_tags[-1]
-        return ManifestFault(f"the <{tag}> of line {line} is never closed", line, advice)
+        return ManifestFault(f"the <{tag}> on line {line} is never closed", line, advice)
     if reason == expat.errors.XML_ERROR_NO_ELEMENTS:
         return ManifestFault("it is empty", None, "Copy one from another package and change the name.")
     return ManifestFault(f"line {error.lineno} is not valid XML ({reason})", error.lineno, advice)

@@ -106,7 +106,7 @@ def read_once(sources: Sources, name: str) -> Cause | None:
         return None
     reads = [call.where for reader in _READERS for call in calls(sources, reader) if name in _texts(call)]
     return Cause(
-        f"`{name}` is read only once, when the node is made. Read it in the callback each time: "
+        f"`{name}` is read only once, when the node is created. Read it in the callback each time: "
         f"`self.get_parameter('{name}').value`.",
         tuple(reads[:1]),
     )

@@ -59,7 +59,7 @@ def never_again(sources: Sources) -> Cause | None:
     if calls(sources, "create_timer") or calls(sources, "Thread"):
         return None
     return Cause(
-        "The code makes no timer: call `self.create_timer(0.5, self.timer_callback)` in `__init__`.",
+        "The code creates no timer: call `self.create_timer(0.5, self.timer_callback)` in `__init__`.",
         tuple(call.where for call in calls(sources, "__init__")),
     )
 
@@ -73,7 +73,7 @@ def misnamed_constructor(sources: Sources) -> Cause | None:
         wrong = next((name for name in _CONSTRUCTORS if name in methods and not calls(sources, name)), None)
         if wrong and "__init__" not in methods:
             return Cause(
-                f"Python never calls `{wrong}`. The constructor is called `__init__`, with two underscores "
+                f"Python never calls `{wrong}`. The method is called `__init__`, with two underscores "
                 "on each side of `init`.",
                 (Location(file, methods[wrong].lineno),),
             )
@@ -153,7 +153,7 @@ def rate_in_callback(sources: Sources) -> Cause | None:
     found = [place for place in in_callbacks(sources, "sleep") if place in waits]
     return _in(
         found,
-        "`sleep()` of a rate never returns inside a callback: the node must spin for the rate to go on, and "
+        "`sleep()` of a rate never returns inside a callback: the node must spin for the rate to go on, but "
         "it is busy with this callback. Remove it, and let a timer call the function again and again.",
     )
 
@@ -163,7 +163,7 @@ def compared(sources: Sources) -> Cause | None:
     for file, node in nodes(sources):
         value = node.value if isinstance(node, ast.Expr) else None
         if isinstance(value, ast.Compare) and isinstance(value.ops[0], ast.Eq):
-            text = f"`{ast.unparse(value)}` only compares, and changes nothing. One `=` assigns a value."
+            text = f"`{ast.unparse(value)}` only compares, and changes nothing. A single `=` assigns a value."
             return Cause(text, (Location(file, value.lineno),))
     return None
 
@@ -204,7 +204,7 @@ def _added_to(line: ast.stmt) -> ast.expr | None:
 def waits_for_input(sources: Sources) -> Cause | None:
     """A program that waits for input, although nobody is there to type."""
     found = calls(sources, "input")
-    text = "`input` waits until somebody types a line, and nobody does here: remove it."
+    text = "`input` waits until someone types a line, but nobody does here: remove it."
     return Cause(text, (found[0].where,)) if found else None
 
 
@@ -214,7 +214,7 @@ def class_spun(sources: Sources) -> Cause | None:
     for call in calls(sources, "spin"):
         given = call.argument(0, "node")
         if isinstance(given, ast.Name) and given.id in own:
-            text = f"`{given.id}` is the class. Make a node of it, with parentheses: `{given.id}()`."
+            text = f"`{given.id}` is the class. Create a node from it with parentheses: `{given.id}()`."
             return Cause(text, (call.where,))
     return None
 
@@ -255,7 +255,7 @@ def plain_node_spun(sources: Sources) -> Cause | None:
     for call in calls(sources, "spin") if own else ():
         if any(_calls(given, "Node") for given in call.args[:1]):
             return Cause(
-                f"`spin` gets a plain `Node`, and so nothing calls the callbacks of `{own}`. Pass it the "
+                f"`spin` gets a plain `Node`, so nothing calls the callbacks of `{own}`. Pass it a "
                 f"node of your class: `rclpy.spin({own}())`.",
                 (call.where,),
             )
@@ -271,7 +271,7 @@ def asked_at_once(sources: Sources) -> Cause | None:
             if called and isinstance(after, ast.If) and _calls(after.test, "done"):
                 return Cause(
                     "This line asks once, right after the call, when the answer cannot be there yet. Let "
-                    "`add_done_callback` call your function when it is.",
+                    "`add_done_callback` call your function when it arrives.",
                     (Location(file, after.lineno),),
                 )
     return None
@@ -349,9 +349,9 @@ def await_in_callback(sources: Sources) -> Cause | None:
         waits = [node.lineno for node in ast.walk(callback.node) if isinstance(node, ast.Await)]
         if waits:
             return Cause(
-                "What `await` waits for cannot come while this callback runs: the node's callbacks take "
-                "turns, and the answer would be the next one. Use `call_async` without `await`, and read the "
-                "answer in `future.add_done_callback(...)`.",
+                "This `await` never ends: the node's callbacks take turns, so its answer waits for this "
+                "callback. Use `call_async` without `await`, and read the answer in "
+                "`future.add_done_callback(...)`.",
                 (Location(callback.file, waits[0]),),
             )
     return None
@@ -402,8 +402,8 @@ def late_lambda(sources: Sources) -> Cause | None:
                 own = {argument.arg for argument in node.args.args}
                 for name in sorted((names & used) - own):
                     return Cause(
-                        f"This lambda looks up `{name}` when it is called, after the loop: then it has its "
-                        f"last value. Keep each value: `lambda ..., {name}={name}: ...`, or `partial`.",
+                        f"This lambda looks up `{name}` when it is called, after the loop: by then it has "
+                        f"its last value. Keep each value: `lambda ..., {name}={name}: ...`, or `partial`.",
                         (Location(file, node.lineno),),
                     )
     return None
@@ -469,7 +469,7 @@ def inverted_wait(sources: Sources) -> Cause | None:
             written = ast.unparse(node.test)
             word = type(node).__name__.lower()
             return Cause(
-                f"`{written}` is true when the service is there, and then this line waits. Write "
+                f"`{written}` is true when the service is available, and then this line waits. Write "
                 f"`{word} not {written}:`.",
                 (Location(file, node.lineno),),
             )
@@ -487,7 +487,7 @@ def loop_without_sleep(sources: Sources) -> Cause | None:
             )
             if endless and sleeps and isinstance(after, ast.Expr):
                 return Cause(
-                    f"This `sleep` is after the loop of line {loop.lineno}, not in it: indent it like the "
+                    f"This `sleep` is after the loop on line {loop.lineno}, not in it: indent it like the "
                     "lines in the loop.",
                     (Location(file, after.lineno),),
                 )
@@ -499,7 +499,7 @@ def several_timers(sources: Sources) -> Cause | None:
     again = in_callbacks(sources, "create_timer")
     if again:
         return Cause(
-            "A callback makes a new timer each time it runs. Make the timer once, in `__init__`.", again[:1]
+            "A callback creates a new timer each time it runs. Create it once, in `__init__`.", again[:1]
         )
     first_of: dict[str, Location] = {}
     for call in calls(sources, "create_timer"):

@@ -28,7 +28,7 @@ def not_the_response(sources: Sources) -> Cause | None:
     for callback in callbacks(sources, "create_service"):
         returns = (node for node in ast.walk(callback.node) if isinstance(node, ast.Return))
         return Cause(
-            f"What `{callback.node.name}` returns is not the response. It must be "
+            f"`{callback.node.name}` does not return the response. It must return "
             f"`{_response_name(callback)}`, the object that the callback was given.",
             tuple(Location(callback.file, node.lineno) for node in returns),
         )

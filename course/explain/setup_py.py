@@ -64,7 +64,7 @@ def starts_another(sources: Sources, seen: str, wanted: str) -> Cause | None:
     wrong = [entry for entry in entry_points(sources, folder) if f".{stem}:" in entry.target]
     if not wrong:
         return None
-    text = f"This entry point starts `{stem}`. The node `{wanted}` is in `{right}`: name that module there."
+    text = f"This entry point starts `{stem}`. The node `{wanted}` is in `{right}`: use that module instead."
     of_another = next((entry for entry in wrong if entry.name != stem), wrong[0])
     return Cause(text, (of_another.where, Location(should[0])))
 
@@ -192,7 +192,7 @@ _FRAME = re.compile(r'^\s*File "(.+?)", line (\d+)')
 _EXCEPTION = re.compile(
     r"^(?:[\w.]+\.)?(?P<kind>\w*(?:Error|Exception|Warning|Exit|Interrupt))(?:: (?P<said>.*))?$"
 )
-_NO_SETUP_PY = "there is no setup.py that can be read"
+_NO_SETUP_PY = "there is no readable setup.py"
 
 
 def log_errors(build: Build) -> list[Symptom]:
@@ -284,7 +284,7 @@ def _unsound_entry(build: Build, symptom: Symptom, words: Words) -> Proven | Non
     return Proven({"line": str(one.where.line), "seen": one.text}, (one.where,)) if one else None
 
 
-_NAMES_DIFFER = "Write the same name in both and in setup.cfg, for the folder, and for the file in resource/."
+_NAMES_DIFFER = "Use the same name in both, in setup.cfg, for the folder, and for the file in resource/."
 _STOPS = "setup.py of `{package}` stops with {error}: {said}."
 _REFUSED = r"^error(?: in .*? setup command)?: (?P<said>.*?)\.?$"
 _JOINED = "setup(entry_points={'console_scripts': [\n 'a = m:f'\n 'b = m:g',\n]})"
@@ -302,7 +302,7 @@ OF_FILES: tuple[Known[Build], ...] = (
           proof=_other_marker, where=(at("resource/{package}"), at("setup.py", r"['\"]resource/")),
           example="error: can't copy 'resource/talk': doesn't exist or not a regular file"),
     Known(kind="data-file", pattern=r"^error: can't copy '(?P<name>[^']*\*[^']*)': doesn't exist",
-          cause="setup.py of `{package}` takes the pattern {name} for the name of a file.",
+          cause="setup.py of `{package}` treats the pattern {name} as the name of a file.",
           remedy="`glob` finds the files that match a pattern: write `glob('{name}')` instead of "
           "`['{name}']`.",
           where=(at("setup.py", "{name}", "data_files"),),
@@ -313,7 +313,7 @@ OF_FILES: tuple[Known[Build], ...] = (
           proof=like(Build.files), where=(at("setup.py", "{base}", "data_files"),),
           example="error: can't copy 'launch/talk.launch.py': doesn't exist or not a regular file"),
     Known(kind="package-dir", pattern=r"^error: package directory '(?P<name>[^'/]+)' does not exist",
-          cause="setup.py of `{package}` finds {name} in `{inside}`, and then looks for it elsewhere.",
+          cause="setup.py of `{package}` finds {name} in `{inside}`, but then looks for it elsewhere.",
           remedy="Say where it is: add `package_dir={'': '{inside}'},` to `setup(...)`.",
           where=(at("setup.py", r"\bpackages\s*="),), proof=_in_a_folder,
           given={"setup.py": "setup(packages=find_packages('src'))"},
@@ -332,8 +332,8 @@ OF_SETUP: tuple[Known[Build], ...] = (
           remedy="If it is a CMake package, write `<build_type>ament_cmake</build_type>`.",
           proof=_cmake_package, example=_NO_SETUP_PY, given={"CMakeLists.txt": "project(talk)"}),
     Known(kind="setup-py", pattern=f"^{_NO_SETUP_PY}",
-          cause="setup.py of `{package}` is a link to a file outside the course home, or to no file.",
-          remedy="Put the file itself in its place.", proof=_leads_out, where=(at("setup.py"),),
+          cause="setup.py of `{package}` is a link to a file outside the course home, or to a missing file.",
+          remedy="Replace it with the file itself.", proof=_leads_out, where=(at("setup.py"),),
           example=_NO_SETUP_PY, given={"setup.py": "-> /etc/hostname"}),
     Known(kind="setup-py", pattern=f"^{_NO_SETUP_PY}", cause="setup.py of `{package}` is empty.", remedy="",
           proof=_empty, where=(at("setup.py"),), example=_NO_SETUP_PY, given={"setup.py": ""}),
@@ -344,7 +344,7 @@ OF_SETUP: tuple[Known[Build], ...] = (
           example=_NO_SETUP_PY),
     Known(kind="setup-cfg", pattern=r"setup\.cfg'[,:]?\s*\[?line:?\s+(?P<line>\d+)",
           cause="setup.cfg of `{package}` cannot be read: line {line} is wrong.",
-          remedy=("It contains sections such as `[install]` and lines such as "
+          remedy=("It should contain sections such as `[install]` and lines such as "
                  "`install_scripts=$base/lib/{package}`."), proof=_line_of_setup_cfg,
           example="MissingSectionHeaderError: File contains no section headers. file: 'setup.cfg', line: 1"),
     Known(kind="setup-py", pattern=r"^SyntaxError: unterminated string literal",
@@ -408,7 +408,7 @@ OF_SETUP: tuple[Known[Build], ...] = (
                  "to call: `program = package.module:function`.", proof=_unsound_entry,
           example="error in talk setup command: ('Invalid entry point', 'a = m/f.py:g')",
           given={"setup.py": _SLASH}),
-    Known(kind="setup-py", pattern=_REFUSED, cause="setuptools refuses setup.py of `{package}`: {said}.",
+    Known(kind="setup-py", pattern=_REFUSED, cause="setuptools rejects setup.py of `{package}`: {said}.",
           remedy="",
           example="error in talk setup command: 'install_requires' must be a string or list of strings"),
 )  # fmt: skip

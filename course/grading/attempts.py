@@ -61,7 +61,7 @@ def _too_busy(result: Result) -> Result:
     waited = f": a program had to wait {lag:.2f} s for a processor" if lag > MOST_LAG else ""
     fault = Feedback(
         summary=f"This machine was too busy to judge{waited}.",
-        advice="Try again when less else runs on it. `grade --jobs 1` runs one grading at a time.",
+        advice="Try again when it is less busy. `grade --jobs 1` runs one grading at a time.",
     )
     return replace(result, verdict=Verdict.OUR_ERROR, fault=fault, doubt=Doubt.BUSY)
 

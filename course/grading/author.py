@@ -112,7 +112,7 @@ class Grader:
         unknown = [need for need in spec.needs if need not in self.checks]
         if unknown:
             raise OurFault(
-                f"check {spec.id} of {self.exercise} needs {unknown[0]}, which does not stand before it"
+                f"check {spec.id} of {self.exercise} needs {unknown[0]}, which is not defined before it"
             )
         if not 0 < spec.points < inf:
             raise OurFault(

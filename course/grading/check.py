@@ -49,7 +49,7 @@ from course.model import replace
 from course.model.result import Result, Timing, Verdict, not_applicable, verdict_of
 from course.rosenv import Ros, node_environment, places_of, plain_environment, prepare
 
-ON_OWN_MACHINE = "It is about your own computer, and not part of what you hand in."
+ON_OWN_MACHINE = "It is about your own computer, and not part of what you submit."
 
 Progress = Callable[[str], None]
 
@@ -106,7 +106,7 @@ def check_exercise(request: Request, fork_server: ForkServer | None = None) -> R
     with contextlib.closing(Helpers(fork_server)) as helpers:
         attempt, result = 1, attempt_exercise(request, helpers)
         while deserves_another(result, attempt):
-            request.on_progress("watching your program once more")
+            request.on_progress("watching your program again")
             attempt, result = attempt + 1, attempt_exercise(request, helpers)
         return concluded(result, attempt, request.exercise, lambda: solution_passes(request, helpers))
 
@@ -140,7 +140,7 @@ def attempt_exercise(request: Request, helpers: Helpers) -> Result:
     if not runs_programs(exercise):
         return check_quiz(exercise, request.home, request.seed)
     if ros is None:
-        raise OurFault(f"{exercise.id} cannot be graded without a ROS")
+        raise OurFault(f"{exercise.id} cannot be graded without ROS")
     began = time.monotonic()
     prepare(ros)
     helpers.fork_server.start(node_environment(ros))
@@ -207,7 +207,7 @@ def _with_causes(
 
     The notes are added to the recording that was judged, which is judged again. Only its advice counts.
     """
-    request.on_progress("looking for the cause: your program runs once more")
+    request.on_progress("looking for the cause: your program runs again")
     left = max(request.exercise.time_limit - result.timing.evidence, 1.0)
     again = Judgment(())
     # Whatever goes wrong here, the verdict stands.
@@ -314,8 +314,8 @@ def _require_hidden(exercise: Exercise, ros: Ros) -> None:
     """Raise OurFault if builds and programs of a submission could read the course."""
     readable = _readable((exercise.grader, exercise.solution, exercise.folder), ros)
     if readable:
-        what = f"{readable} lies among the files of the system, which submissions can read."
-        raise OurFault(what, "Move the course to a folder of its own, such as one in your home.")
+        what = f"{readable} is among the system's files, which submissions can read."
+        raise OurFault(what, "Move the course to its own folder, such as one in your home.")
 
 
 @functools.cache

@@ -114,7 +114,7 @@ class Mystery:
                 summary=summary,
                 seen=", ".join(f"`{detail}`" for detail in close[-_SHOWN:]) or None,
                 advice=f"Start the mystery in one terminal, `ros2course play {self.exercise}`, and do "
-                "this in another one while it runs. It remembers what you did.",
+                "this in another terminal while it runs. It remembers what you did.",
             )
         )
 

@@ -150,7 +150,7 @@ class Supervisor:
                 self.recording = stack.enter_context(tempfile.TemporaryFile())
                 self._log = stack.enter_context(tempfile.TemporaryFile("w+b"))
             except OSError as error:
-                what = f"No temporary file can be made in {tempfile.gettempdir()}: {error.strerror}."
+                what = f"No temporary file can be created in {tempfile.gettempdir()}: {error.strerror}."
                 raise StorageError(what, "Make room there, or name another folder in TMPDIR.") from error
             self._start(stack)
             self._stack = stack.pop_all()
@@ -222,7 +222,7 @@ class Supervisor:
                 try:
                     message = read_message(line)
                 except DamagedData:
-                    return self._fault("The recording process did not speak our language.")
+                    return self._fault("The recording process sent something other than our protocol.")
                 if isinstance(message, RecordingOutcome):
                     return message
                 self._running = self._running or message.running

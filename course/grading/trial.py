@@ -136,7 +136,7 @@ def _replace(edit: Edit, mistake: Mistake, file: Path, where: Path) -> None:
     text = file.read_text(encoding="utf-8")
     old, new = _there(edit.replace or "", file), _there(edit.with_ or "", file)
     if not old or old not in text:
-        step = f"Bring its `replace` in line with the solution's {edit.file}."
+        step = f"Make its `replace` match the solution's {edit.file}."
         raise ContentError(f"{mistake.id} no longer applies", step, file=where, key="replace")
     file.write_text(text.replace(old, new), encoding="utf-8")
 

@@ -62,7 +62,7 @@ def _decoder(kind: Any) -> msgspec.json.Decoder[Any]:
 def _path_as_text(value: object) -> str:
     if isinstance(value, Path):
         return str(value)
-    raise TypeError(f"{type(value).__name__} does not travel")
+    raise TypeError(f"{type(value).__name__} cannot be sent")
 
 
 def _path_of_text(kind: type[Any], value: Any) -> Path:

@@ -69,7 +69,7 @@ def expect_calls(
     once = "once" if len(requests) == 1 else f"{len(requests)} times"
     raise Failure(
         Feedback(
-            summary=f"The node calls the service {once}, and then no more."
+            summary=f"The node calls the service {once}, and then never again."
             if requests
             else "The service exists, but the node does not call it.",
             expected=f"a call every {seconds(period)}",
@@ -144,7 +144,7 @@ def _not_logged(
     return Feedback(
         summary="The node prints the answers with `print`, so they are not in its log."
         if printed
-        else f"{len(lost)} of {every} answers are not in the log, or not all of them: "
+        else f"{len(lost)} of {every} answers are not in the log, or only in part: "
         f"it lacks {listed(names)} of the first one.",
         expected=", ".join(f"{name}={part}" for name, part in wanted.items()),
         seen=shown[0][:120] if shown else "no message",

@@ -53,11 +53,11 @@ def expect_texts(recording: Recording, message: Message, wanted: Mapping[str, st
             exchanged = seen in wanted.values()
             raise Failure(
                 Feedback(
-                    summary=f"A message's `{name}` is not what the parameter `{name}` says.",
+                    summary=f"A message's `{name}` does not match the parameter `{name}`.",
                     expected=text,
                     seen=seen[:120] or "an empty string",
                     where=_filling(recording, name),
-                    advice="The two are swapped: give each field the parameter of its own name."
+                    advice="The two are swapped: give each field the parameter with the same name."
                     if exchanged
                     else f"Fill it from there: `message.{name} = self.get_parameter('{name}').value`.",
                 )
@@ -94,18 +94,18 @@ def _filling(recording: Recording, name: str) -> tuple[Location, ...]:
 
 def _no_more(recording: Recording, name: str, count: int) -> Feedback:
     return Feedback(
-        summary=f"Once `{name}` was set, no more messages came.",
+        summary=f"After `{name}` was set, no more messages came.",
         expected="a message with the new value",
         seen=f"{count} messages",
         where=timer_places(recording.sources)[:2],
-        advice="Does something stop the timer, or the node, when the parameter changes? Take that out.",
+        advice="Does something stop the timer, or the node, when the parameter changes? Remove it.",
     )
 
 
 def _still_old(recording: Recording, name: str, wanted: str, seen: str) -> Feedback:
     cause = read_once(recording.sources, name)
     return Feedback(
-        summary=f"`{name}` was changed while the node ran, and its messages do not show it.",
+        summary=f"`{name}` was changed while the node ran, but its messages stayed the same.",
         expected=wanted,
         seen=seen[:120] or "an empty string",
         where=(cause.where if cause else ()) or reading(recording.sources, name)[:2],

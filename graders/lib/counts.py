@@ -124,7 +124,7 @@ def has_number(text: str, number: int) -> bool:
 
 def _printed(recording: Recording, text: str) -> Feedback:
     return Feedback(
-        summary="The count comes from `print`: it is on the terminal, but not in the node's log.",
+        summary="The count comes from `print`: it is in the terminal, but not in the node's log.",
         expected="a message in the node's log",
         seen=f"only in the terminal: {text[:120]}",
         where=tuple(call.where for call in calls(recording.sources, "print"))[:1],

@@ -61,7 +61,7 @@ def expect_contents(recording: Recording, topic: str, fields: tuple[str, ...], *
                     expected="one log message for each message received",
                     seen=f"{whole.count(value)} for the message with id {message.data.id}",
                     where=tuple(call.where for call in calls(recording.sources, "info"))[:2],
-                    advice="Log it once in the callback, and make only one subscription.",
+                    advice="Log it once in the callback, and create only one subscription.",
                 )
             )
 
@@ -77,7 +77,7 @@ def _some_missing(recording: Recording, sent: int, silent: int) -> Feedback:
         or tuple(call.where for call in calls(recording.sources, "info"))[:1],
         advice=lost.text
         if lost
-        else "While a callback sleeps, all others wait: take the `sleep` out."
+        else "While a callback sleeps, all others wait: remove the `sleep`."
         if sleeps
         else "Log each time the callback is called: no `if` around it, and no `return` before it.",
     )
@@ -85,9 +85,9 @@ def _some_missing(recording: Recording, sent: int, silent: int) -> Feedback:
 
 def _printed(recording: Recording, printed: list[str]) -> Feedback:
     return Feedback(
-        summary="The messages are shown by `print`: they are on the terminal, but not in the node's log.",
+        summary="The messages are shown by `print`: they are in the terminal, but not in the node's log.",
         expected="a message in the node's log",
-        seen=f"on the terminal only: {printed[0][:120]}",
+        seen=f"only in the terminal: {printed[0][:120]}",
         where=tuple(call.where for call in calls(recording.sources, "print"))[:2],
         advice="Use the node's logger instead of `print`: `self.get_logger().info(...)`.",
     )
@@ -96,7 +96,7 @@ def _printed(recording: Recording, printed: list[str]) -> Feedback:
 def _silent(recording: Recording, process: str, count: int) -> Feedback:
     where = tuple(call.where for call in calls(recording.sources, "create_subscription"))[:1]
     if any(calls(recording.sources, name) for name in LOGS):
-        look_at = "is this the right topic, and does the callback come to the line that logs?"
+        look_at = "is this the right topic, and does the callback reach the line that logs?"
         cause = cause_of_silence(recording, process, slips.logged_seldom, look_at=look_at)
     else:
         cause = Cause("Log in the callback of the subscription: `self.get_logger().info(...)`.", where)
@@ -121,7 +121,7 @@ def _field_missing(
         advice = f"Log `{field}` of the message that the callback gets: `f'{{message.{field}}}'`."
     return Feedback(
         summary=f"The log does not contain the `{field}` of a message that was sent.",
-        expected=_cut(str(value)) if value != "" else "an empty text",
+        expected=_cut(str(value)) if value != "" else "an empty string",
         seen=shown,
         where=text_places(recording.sources, "get_logger().info(")[:2],
         advice=advice,

@@ -113,7 +113,7 @@ def compare(file: InterfaceFile | None, wanted: tuple[Section, ...], package: st
         return Feedback(
             summary=f"In `{short}`, request and response are swapped.",
             where=(Location(file.file, 1),),
-            advice="Put the request above the line `---`, the response below it.",
+            advice="Put the request above the line `---` and the response below it.",
         )
     for name, section, fields in zip(names, wanted, file.sections, strict=False):
         what = f"the {name} of `{short}`" if len(names) > 1 else f"`{short}`"
@@ -145,7 +145,7 @@ def _difference(
         summary = f"In {what}, the {'field' if one else 'fields'} {listed(missing)} {'is' if one else 'are'}"
         return f"{summary} missing.", fields[-1] if fields else None, "Add it." if one else "Add them."
     if extra:
-        return f"In {what}, one field is too many: `{extra[0].name}`.", extra[0], "Remove it."
+        return f"In {what}, there is an extra field: `{extra[0].name}`.", extra[0], "Remove it."
     types = dict((name, kind) for kind, name in expected)
     for field, (kind, name) in zip(fields, seen, strict=True):
         if kind != types[name]:

@@ -98,7 +98,7 @@ def _unreadable(file: HomeFile, error: yaml.MarkedYAMLError) -> Feedback:
 
 def _repeated(path: str, error: ContentError) -> Feedback:
     return Feedback(
-        summary=f"`{error.key}` is given twice in the same place.",
+        summary=f"`{error.key}` appears twice in the same place.",
         where=(Location(path, error.line),),
         advice="Keep only one of the two.",
         details=(error.what,),

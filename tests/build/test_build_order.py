@@ -54,7 +54,7 @@ def test_a_missing_package_names_its_look_alike(home: Path) -> None:
 
 def test_nothing_alike_means_make_one(home: Path) -> None:
     advice = refusal(home, "quite_another").feedback.advice
-    assert advice == "Make it with `ros2 pkg create`, in the folder ros2_tutorial_workspace/src."
+    assert advice == "Create it with `ros2 pkg create`, in the folder ros2_tutorial_workspace/src."
 
 
 @pytest.mark.parametrize("place", ["", "Documents"])
@@ -120,7 +120,7 @@ def test_a_malformed_package_xml_is_refused(home: Path, src: Path) -> None:
     failure = refusal(home, "small_node")
     assert failure.kind == "package-xml"
     assert failure.feedback.summary == (
-        "package.xml of `small_node` is not right: the <license> of line 7 is never closed."
+        "package.xml of `small_node` is not right: the <license> on line 7 is never closed."
     )
     assert where(failure) == ["ros2_tutorial_workspace/src/small_node/package.xml:7"]
     assert failure.feedback.details == ("<license>MIT</lisence>",)

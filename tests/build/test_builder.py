@@ -165,7 +165,7 @@ def test_two_checks_at_once_build_once(built: Built, runs: Runs, src: Path, stor
         thread.join(30)
     assert runs() == ["small_node"]
     assert sorted(outcome.packages[0].cached for outcome in outcomes) == [False, True]
-    assert sorted(said) == ["Building small_node", "Waiting for small_node, which is being built already"]
+    assert sorted(said) == ["Building small_node", "Waiting for small_node, which is already being built"]
 
 
 @pytest.mark.slow

@@ -232,7 +232,7 @@ def test_an_abbreviation_that_fits_one_works(typed: str, meant: str) -> None:
     ],
 )
 def test_one_that_fits_several_names_them(typed: str, listed: str) -> None:
-    with pytest.raises(UsageError, match="fits several") as caught:
+    with pytest.raises(UsageError, match="matches several") as caught:
         choose(typed, IDS)
     assert caught.value.next_step.endswith(listed)
 

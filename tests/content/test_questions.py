@@ -83,34 +83,34 @@ WRONG = [
         "choices[1]",
         "a wrong choice needs `why`",
     ),
-    ("text: It saves oil", "text: The keeper is asleep", "choices[3]", "is there already, on line 19"),
+    ("text: It saves oil", "text: The keeper is asleep", "choices[3]", "already exists on line 19"),
     ("id: seen", "id: why", "id", "used twice; the first is on line 9"),
-    ("id: seen", "id: Seen", "id", "must be small letters"),
+    ("id: seen", "id: Seen", "id", "must be lowercase letters"),
     ("        number: 5\n", "", "questions[3]", "exactly one of choices, text, all_of, number, computed"),
     (
         "        number: 5\n",
         "        number: 5\n        text: [five]\n",
         "number",
-        "holds `text` and `number`",
+        "contains `text` and `number`",
     ),
     ("tolerance: 5%", "tolerance: 5 %%", "tolerance", "or a share like `10%`, not `5 %%`"),
-    ("tolerance: 5%", "tolerance: -1", "tolerance", "must be a number from 0 on"),
-    ("tolerance: 5%", "exact: true", "exact", "`exact` means nothing in a question with `number`"),
+    ("tolerance: 5%", "tolerance: -1", "tolerance", "must be a number of at least 0"),
+    ("tolerance: 5%", "exact: true", "exact", "`exact` does not belong in a question with `number`"),
     ("points: 2", "points: -2", "points", "must be a number greater than 0"),
     ("points: 2", "points: 0", "points", "must be a number greater than 0"),
-    ("number: 5", "number: five", "number", "must be a number, not a text"),
+    ("number: 5", "number: five", "number", "must be a number, not a string"),
     (
         "        explain: The period is the time from one blink to the next.\n",
         "",
         "[3]",
         "`explain` is missing",
     ),
-    ("answer: blue", "answer: [blue]", "answer", "must be a text or a number"),
+    ("answer: blue", "answer: [blue]", "answer", "must be a string or a number"),
     ("who looks after", "who looks after\n        asks: no", "asks", "did you mean `ask`?"),
-    ("What would you call them?", "A Keeper!", "otherwise", "holds the right one (`a keeper`)"),
-    ("is the time from one", "is 5 seconds from one", "explain", "holds the right one (`5`)"),
+    ("What would you call them?", "A Keeper!", "otherwise", "contains the right one (`a keeper`)"),
+    ("is the time from one", "is 5 seconds from one", "explain", "contains the right one (`5`)"),
     ("computed: true", "computed: maybe", "computed", "must be `true` or `false`"),
-    ("points: 2", "program: a.py", "program", "`program` means nothing in a question with `number`"),
+    ("points: 2", "program: a.py", "program", "`program` does not belong in a question with `number`"),
     ("id: seen", "id: seen\n        program: ../a.py", "program", "must be the name of a script"),
 ]
 
@@ -152,14 +152,16 @@ def test_a_chapter_of_quizzes_needs_no_grader(quiz_course: Path) -> None:
 
 def test_only_a_quiz_may_have_few_hints(change: Callable[[str, str], Course]) -> None:
     found = problems(change("    time_limit: 20\n", "    time_limit: 20\n    packages: [lights]\n"))
-    assert [problem.what for problem in found] == ["`exercises[1].hints` must hold at least 3 hints, not 1"]
+    assert [problem.what for problem in found] == [
+        "`exercises[1].hints` must contain at least 3 hints, not 1"
+    ]
 
 
 def test_answers_go_with_answers_files_only(quiz_course: Path) -> None:
     file = quiz_course / "chapters/05-lighthouses/mistakes.yaml"
     file.write_text(file.read_text().replace("answers/05-quiz.yaml", "answer/05-quiz.yaml", 1))
     (problem,) = problems(open_course(quiz_course))
-    assert "`answers` goes with an answers file, not with `answer/05-quiz.yaml`" in problem.what
+    assert "`answers` is for an answers file, not for `answer/05-quiz.yaml`" in problem.what
 
 
 def test_a_question_about_a_program_shows_its_code(

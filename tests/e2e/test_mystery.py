@@ -114,7 +114,7 @@ def test_from_play_to_the_pass(start: Start, domain: Mapping[str, str], plan: An
     (nodes,) = nodes_below(play)
 
     shown, code = ended(start("play"))
-    assert (code, "05-keepers is running already." in shown) == (2, True)
+    assert (code, "05-keepers is already running." in shown) == (2, True)
 
     assert explore(plan, domain, "good moaning") == f"True {sorted(['learner', plan.lamp, plan.keeper])}\n"
     check = start("check")

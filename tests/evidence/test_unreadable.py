@@ -22,7 +22,7 @@ def test_what_can_be_read_is_the_message() -> None:
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (HELLO.replace(b"hello", b"h\xff\xfelo"), "A text in a message on `/talk` is not valid UTF-8"),
+        (HELLO.replace(b"hello", b"h\xff\xfelo"), "A string in a message on `/talk` is not valid UTF-8"),
         (HELLO[:9], "A message on `/talk` cannot be read as `std_msgs/msg/String`"),
     ],
 )

@@ -141,16 +141,16 @@ def main():
         ("NameError: name 'string' is not defined", "You probably mean `strings`"),
         ("NameError: name 'size' is not defined", "`size` gets its value where this line cannot see it"),
         ("NameError: name 'nothing' is not defined", "Check the spelling of `nothing`"),
-        ("AttributeError: 'Talker' object has no attribute 'count'", "`count` gets its value later"),
+        ("AttributeError: 'Talker' object has no attribute 'count'", "`count` gets its value only after"),
         (
             "AttributeError: 'Other' object has no attribute 'count'",
-            "What comes before `.count` is an object",
+            "The object before `.count` is of type",
         ),
         ("AttributeError: 'Talker' object has no attribute 'steps'", "Nothing in `Talker` sets `self.steps`"),
         ("AttributeError: 'Talker' object has no attribute 'othr'", "You probably mean `other`"),
         ('TypeError: can only concatenate str (not "float") to str', "This line adds a number"),
-        ('TypeError: can only concatenate str (not "NoneType") to str', "This line adds `None` to a text"),
-        ('TypeError: can only concatenate str (not "list") to str', "This line adds a `list` to a text"),
+        ('TypeError: can only concatenate str (not "NoneType") to str', "This line adds `None` to a string"),
+        ('TypeError: can only concatenate str (not "list") to str', "This line adds a `list` to a string"),
     ],
 )
 def test_what_is_missing_is_told_from_what_is_misspelled(error: str, advice: str) -> None:

@@ -54,8 +54,8 @@ def test_conditions_count(condition: str, holds: bool) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "what", "line"),
     [
-        ("</license>", "</lisence>", "the <license> of line 7 is never closed", 7),
-        ("</package>", "", "the <package> of line 2 is never closed", 2),
+        ("</license>", "</lisence>", "the <license> on line 7 is never closed", 7),
+        ("</package>", "", "the <package> on line 2 is never closed", 2),
         ("<name>small_interfaces</name>", "", "it has no <name>", None),
         ("<name>small_interfaces</name>", "<name></name>", "its <name> is empty", 3),
         ("<version>", "<name>other</name><version>", "it has more than one <name>", 3),

@@ -61,7 +61,7 @@ def test_a_hidden_error() -> None:
     assert found is not None
     assert found.text == (
         f"Your `except` on line 17 hides this error: `{ERROR}`, raised on line 9. "
-        "This line adds a number to a text: use an f-string."
+        "This line adds a number to a string: use an f-string."
     )
     assert found.where == (Location(FILE, 9), Location(FILE, 17))
 
@@ -113,7 +113,7 @@ def test_a_thread_that_died() -> None:
 def test_a_halt_before_spin() -> None:
     found = cause_of(Observed(0.0, "stood", by=at(13), seconds=4.2))
     assert found == Cause(
-        "Line 13 holds up the program: `input` had not returned 4 s later. The lines after it did not run.",
+        "Line 13 holds up the program: `input` had not finished 4 s later. The lines after it did not run.",
         (Location(FILE, 13),),
     )
 
@@ -125,7 +125,7 @@ def test_a_halt_that_was_over() -> None:
 
 def test_a_loop_in_a_callback() -> None:
     found = cause_of(Observed(0.0, "looped", "called back", by=at(8), seconds=3))
-    assert found and found.text.startswith("The loop on line 7 goes on and on: 3 s later")
+    assert found and found.text.startswith("The loop on line 7 never ends: 3 s later")
     assert found.where == (Location(FILE, 7),)
 
 
@@ -197,7 +197,7 @@ def test_only_the_last_halt_is_looked_into(monkeypatch: pytest.MonkeyPatch) -> N
 
 def test_main_that_nobody_calls() -> None:
     found = cause_of(ran(1, 2, 6, 11))
-    assert found == Cause("Nothing calls `main()`: no line of it ran.", (Location(FILE, 11),))
+    assert found == Cause("Nothing calls `main()`: none of its lines ran.", (Location(FILE, 11),))
 
 
 def test_a_line_that_is_not_come_to() -> None:

@@ -67,7 +67,7 @@ def test_a_response_whichever_way(body: str) -> None:
 def test_something_else_is_returned() -> None:
     cause = not_the_response(sources(SERVE + "    return request\n"))
     assert at(cause) == ["3"]
-    assert "It must be `reply`" in str(cause)
+    assert "It must return `reply`" in str(cause)
     assert not_the_response(sources(TICK + "    return 1\n")) is None
 
 

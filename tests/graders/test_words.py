@@ -18,20 +18,20 @@ import yaml
 ROOT = Path(__file__).parents[2]
 GRADERS = sorted((ROOT / "graders").glob("ch*.py"))
 EXPECT = sorted((ROOT / "course" / "grading" / "expect").glob("*.py"))
-EXPLAIN = sorted((ROOT / "course" / "grading" / "explain").glob("*.py"))
+EXPLAIN = sorted((ROOT / "course" / "explain").glob("*.py"))
 BUILD = sorted((ROOT / "course" / "build").rglob("*.py"))
 LESSONS = sorted((ROOT / "chapters").glob("*/lesson.yaml"))
 
 LONGEST_SUMMARY = 130
 LONGEST = 200
 MOST_SENTENCES = 3
-CODE = re.compile(r"\n|\\|\[\^|^env -i |^name version ")
+CODE = re.compile(r"\n|\\|\[\^|^env -i |^name version |is an invalid ")
 PLACEHOLDER = "(value)"  # about as long as what a learner sees there
 
 # Words that are in no lesson: internal words, tool makers' words, and words that blame.
 STRANGE = (
     *("DDS", "RIHS", "RIHS01", "digest", "regex", "stdout", "stderr", "EOF", "TTY", "payload", "linter"),
-    *("arena", "probe", "scenario", "recording", "grader", "testbed", "constructor", "stack trace"),
+    *("arena", "probe", "scenario", "recording", "grader", "testbed", "stack trace"),
     *("invalid", "incorrect", "illegal", "obviously", "of course", "simply", "trivial", "stupid", "silly"),
     *("anew", "exchanged", "abort", "aborted"),
 )
@@ -40,6 +40,7 @@ INTRODUCED = (
     *("SIGINT", "QoS", "namespace", "/rosout", "exit code", "traceback", "callback", "entry point"),
     *("coroutine", "docstring", "YAML", "deadlock", "durability", "future", "service", "parameter"),
     *("underlay", "overlay", "level INFO", "derives", "type hint", "subpackage", "ASCII", "launch file"),
+    "constructor",
 )
 
 
@@ -65,6 +66,10 @@ def texts(node: ast.AST) -> Iterator[tuple[int, str]]:
     if isinstance(node, ast.Compare):  # patterns for other programs' output
         return
     if isinstance(node, ast.Call) and ast.unparse(node.func) in ("OurFault", "Spoilt", "re.compile"):
+        return
+    if isinstance(node, ast.Call) and ast.unparse(node.func).partition("[")[0] == "Known":
+        for part in (*node.args[1:2], *(argument(node, name) for name in ("cause", "remedy"))):
+            yield from texts(part or ast.Pass())
         return
     if text := written(node):
         if re.search(r"\w \w", text) and not CODE.search(text):

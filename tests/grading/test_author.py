@@ -66,7 +66,7 @@ def test_two_checks_of_one_name_are_our_fault(name: str) -> None:
 def test_a_need_that_does_not_stand_before_is_our_fault(needs: str | list[str]) -> None:
     grader = Grader("01-toy")
     grader.check("one", "first")(judge)
-    with pytest.raises(OurFault, match="does not stand before it"):
+    with pytest.raises(OurFault, match="is not defined before it"):
         grader.check("self", "second", needs=needs)(judge)
     assert "self" not in grader.checks
 

@@ -111,7 +111,7 @@ def test_rubbish_in_the_result_pipe(grade: Grade) -> None:
     broken = GRADER.replace("def run_it(arena):", f"def run_it(arena):{writes}")
     judgment = grade(LOOP, broken)
     assert judgment.fault is not None
-    assert "did not speak our language" in judgment.fault.summary
+    assert "sent something other than our protocol" in judgment.fault.summary
 
 
 def test_a_recorder_that_stops_in_the_middle(grade: Grade) -> None:

@@ -113,7 +113,7 @@ def _wrong_naming(own: Sources, name: str) -> Cause | None:
     for node in calls(own, "Node"):
         space = node.keywords.get("namespace")
         if isinstance(space, ast.Constant) and str(space.value).strip("/") == name:
-            text = f"`namespace` comes before the node's name. Write `name='{name}'` in its place."
+            text = f"`namespace` comes before the node's name. Write `name='{name}'` instead."
             return Cause(text, (Location(node.where.file, space.lineno),))
     places = [place for text in ("'_node:=", '"_node:=') for place in text_places(own, text)]
     text = f"`node` needs two underscores before it: `__node:={name}`."
@@ -163,7 +163,7 @@ def expect_launch_interrupt(recording: Recording, file: str) -> None:
     if view.left:
         raise Failure(
             Feedback(
-                summary="Ctrl+C ended `ros2 launch`, but a program that it had started still ran.",
+                summary="Ctrl+C ended `ros2 launch`, but a program that it started kept running.",
                 expected="all programs end with `ros2 launch`",
                 seen=" ".join(view.left[0].command)[:120],
                 advice="A program must end when it gets SIGINT, the signal that Ctrl+C sends.",
@@ -224,7 +224,7 @@ def _expect_parameter_files(recording: Recording, file: str) -> None:
             there = tuple(place for place in setup if place.file in recording.sources.names)
             raise Failure(
                 Feedback(
-                    summary=f"`ros2 launch` does not find the file of parameters `{name}`, and starts the "
+                    summary=f"`ros2 launch` does not find the parameter file `{name}`, and starts the "
                     "node without it.",
                     expected=f"`{name}` among the installed files",
                     where=(*text_places(own, name), *there)[:2],
@@ -305,7 +305,7 @@ def _nothing(recording: Recording, file: str) -> Feedback:
         return Feedback(
             summary=f"`ros2 launch` cannot start a program: there is no command `{lost['name']}`.",
             where=(*named(own, lost["name"]), *(call.where for call in calls(own, "ExecuteProcess")))[:1],
-            advice="Each word of the command must be a string of its own: `['ros2', 'run', ...]`."
+            advice="Each word of the command must be a separate string: `['ros2', 'run', ...]`."
             if " " in lost["name"]
             else "Check the spelling of the first word of the command.",
         )

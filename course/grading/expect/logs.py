@@ -91,7 +91,7 @@ def _lost(recording: Recording, process: str) -> Cause:
     own = of_program(recording, process)
     cause = first(own.sources, called_callback, uncalled, taken_away)
     cause = cause or (None if len(recording.log) > _FEW else proven_silence(recording, process))
-    look_at = "does the program come to the line that logs this, and are its words those of the task?"
+    look_at = "does the program reach the line that logs this, and does it log the words of the task?"
     return cause or unproven(own, look_at, timer_places(own.sources))
 
 

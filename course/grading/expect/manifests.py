@@ -7,10 +7,7 @@ from course.explain.package_xml import RUN_TAGS, Manifest, manifest
 from course.model.feedback import Failure, Feedback
 from course.spelling import listed, nearest
 
-_LUCK = (
-    "Without it, colcon does not know which of the two packages to build first. If it works "
-    "today, that is luck."
-)
+_LUCK = " Without it, colcon does not know which package to build first, so a build succeeds only by luck."
 
 
 def expect_manifest(recording: Recording, package: str) -> Manifest:

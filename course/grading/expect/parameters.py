@@ -123,7 +123,7 @@ def _refusal(recording: Recording, reason: str) -> Cause:
             "SetParametersResult(successful=True)`.",
             callback,
         )
-    return unproven(recording, f"what the node says of it: {reason or 'nothing'}")
+    return unproven(recording, f"what the node says about it: {reason or 'nothing'}")
 
 
 def _view(recording: Recording, node: str) -> ParameterView:
@@ -182,7 +182,7 @@ def _advice_on_type(name: str, value: ParameterData) -> str:
         return f"A double needs a decimal point and no quotes: {written}."
     if isinstance(value, str):
         return f"A string needs quotes: {written}."
-    return f"The default decides the type: {written}."
+    return f"The default value determines the type: {written}."
 
 
 def _same(found: Any, wanted: ParameterData) -> bool:

@@ -63,7 +63,7 @@ def answered(
     probe = recording.probe(name)
     answer = probe.answer(question)
     if answer is None and probe.broken:
-        raise Failure(trouble(recording, probe.broken, f"`{what}` could not be tried"))
+        raise Failure(trouble(recording, probe.broken, f"`{what}` could not be tested"))
     if answer is None:
         raise Failure(_hangs(recording, what, name))
     if answer.error is not None:
@@ -78,7 +78,7 @@ def of_shape(answer: ProbeAnswer, what: str, shape: Any, where: Location | None 
     except msgspec.ValidationError:
         raise Failure(
             Feedback(
-                summary=f"The program that tries `{what}` sends something else than asked.",
+                summary=f"The program that tests `{what}` sends something unexpected.",
                 seen=_shown(answer)[:120],
                 where=(where,) if where else (),
                 advice="Functions and classes should not change the program that uses them, or its files.",

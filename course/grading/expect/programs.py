@@ -132,7 +132,7 @@ def expect_clean_end(recording: Recording, process: str) -> None:
         Feedback(
             summary=f"`{process}` should end by itself with exit code 0.",
             expected="exit code 0",
-            seen=_how(ended) if ended else "it still ran",
+            seen=_how(ended) if ended else "it was still running",
             where=language.entry(of_program(recording, process).sources),
             advice=language.at_the_end if ended else language.comes_to_an_end,
             details=tuple(line.text for line in view.lines if line.t < asked)[-_LAST_LINES:],
@@ -148,7 +148,7 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
     if asked is None:
         raise Failure(
             Feedback(
-                summary="The program ended before Ctrl+C could be tried.",
+                summary="The program ended before Ctrl+C could be tested.",
                 expected="it runs until Ctrl+C",
                 advice="Start it yourself, and read its last lines of output.",
             )
@@ -178,7 +178,7 @@ def expect_clean_interrupt(recording: Recording, process: str) -> None:
 def _deaf(recording: Recording) -> Feedback:
     cause = language_of(recording.sources).deaf(recording.sources)
     return Feedback(
-        summary=f"Ctrl+C does not end the program: it still ran {INTERRUPT_GRACE:.0f} s later.",
+        summary=f"Ctrl+C does not end the program: it was still running {INTERRUPT_GRACE:.0f} s later.",
         expected="it ends soon after Ctrl+C",
         where=cause.where,
         advice=cause.text,

@@ -112,7 +112,7 @@ def _late(recording: Recording, slowest: float, within: float) -> Feedback:
         expected=f"an answer within {seconds(within)}",
         seen=seconds(slowest),
         where=cause.where if cause else (),
-        advice=cause.text if cause else "Let the callback return at once. Is there a long loop in it?",
+        advice=cause.text if cause else "Let the callback return immediately. Is there a long loop in it?",
     )
 
 

@@ -104,7 +104,7 @@ def _broken(line: str) -> Feedback:
 def _no_return(command: str, stuck: ShellStuck | None) -> Feedback:
     if stuck and stuck.reason == "ended":
         return Feedback(
-            summary=f"bash closes at once when `{command}` is typed.",
+            summary=f"bash closes immediately when `{command}` is typed.",
             where=(Location(BASHRC),),
             advice="Look for `set -e` in `~/.bashrc`: with it, the first command that fails closes bash.",
             details=stuck.printed[-_LAST_LINES:],

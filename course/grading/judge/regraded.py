@@ -62,7 +62,7 @@ def lacks(before: Result, after: Result, rejudged: Judged | Unjudged) -> str | N
     moved = next((c for c in after.checks if c.id in judged and known.get(c.id) is not c.outcome), None)
     if moved is None:
         return None
-    how = "ended otherwise before" if moved.id in known else "is new"
+    how = "ended differently before" if moved.id in known else "is new"
     return f'{_OTHERWISE[rejudged.scenario]}, and "{moved.title}" {how}.'
 
 
@@ -81,7 +81,7 @@ class MoveCause(str, Enum):
     """Why the marks changed. GRADER: nothing could be judged, either now or before."""
 
     ADDED = "check added"
-    GONE = "check gone"
+    GONE = "check removed"
     OUTCOME = "outcome"
     POINTS = "points"
     GRADER = "grader"
@@ -154,7 +154,7 @@ def _of_a_check(old: CheckResult | None, new: CheckResult | None) -> Iterator[Mo
 
 def _why(old: CheckResult | None, new: CheckResult | None) -> tuple[MoveCause | None, str]:
     if new is None:
-        return MoveCause.GONE, "this check is gone"
+        return MoveCause.GONE, "this check was removed"
     if old is None:
         return MoveCause.ADDED, f"new check: {_said(new)}"
     if old.outcome is not new.outcome:

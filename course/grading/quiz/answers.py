@@ -88,9 +88,9 @@ def missing(home: Path, exercise: str) -> Feedback:
     alike = close_names(Path(name).name, likely, 1)
     return Feedback(
         summary=f"There is no `{name}` in your course home, so nothing is answered yet.",
-        seen=f"a file `answers/{alike[0]}`: is it meant to be this one?" if alike else None,
-        advice=f"In a terminal, `ros2course check {exercise}` asks the questions. Or write the file: "
-        f"one line `question: answer` each; `ros2course show {exercise}` shows the questions.",
+        seen=f"a file `answers/{alike[0]}`: did you mean this one?" if alike else None,
+        advice=f"In a terminal, `ros2course check {exercise}` asks the questions. Or write the file, "
+        f"with a line `question: answer` for each; `ros2course show {exercise}` shows the questions.",
     )
 
 

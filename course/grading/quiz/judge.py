@@ -91,9 +91,9 @@ def _unanswered(question: Question, answers: Answers, known: frozenset[str]) -> 
         return Feedback(summary="It is not answered yet.")
     where = Location(answers.file, strangers[alike[0]].line)
     return Feedback(
-        summary=f"It is not answered; there is no question `{alike[0]}`, which your file answers.",
+        summary=f"It is not answered. Your file answers `{alike[0]}`, which is not a question here.",
         where=(where,),
-        advice=f"Write `{question.id}` there if you meant this question.",
+        advice=f"Write `{question.id}` instead if you meant this question.",
     )
 
 

@@ -36,7 +36,7 @@ BOMB = "a0: &a0 x\n" + "".join(f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]\
         ("a:\n\tb: 1\n", ("Line 2 begins with a tab", "spaces"), f"{FILE}:2"),
         ("a:\n  b: 1\n c: 2\n", ("cannot be read as YAML", "Count the spaces"), f"{FILE}:3"),
         ("a:\n  b:1\n  c: 2\n", ("cannot be read as YAML", "a space after the `:`"), f"{FILE}:2"),
-        ("a: 1\nb: 2\na: 3\n", ("`a` is given twice", "Keep only one"), f"{FILE}:3"),
+        ("a: 1\nb: 2\na: 3\n", ("`a` appears twice", "Keep only one"), f"{FILE}:3"),
         ("a: 1\n7: 2\n", ("`7` is not a name",), f"{FILE}:2"),
         ("yes: 2\n", ("`yes` is not a name", "quotation marks"), f"{FILE}:1"),
         ("? [a, b]\n: 2\n", ("before a `:`", "is not a name"), f"{FILE}:1"),

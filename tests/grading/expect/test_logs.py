@@ -51,7 +51,7 @@ def test_a_greeting_alone_does_not_mean_that_the_words_differ() -> None:
     code = "class Talker(Node):\n    def __init__(self):\n        self.get_logger().info('Ready')\n"
     found = feedback(record(log(1.0, "Ready"), code=code))
     assert "nothing like" in found.summary
-    assert "makes no timer" in str(found.advice)
+    assert "creates no timer" in str(found.advice)
 
 
 def test_braces_as_they_stand() -> None:

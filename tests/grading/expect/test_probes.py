@@ -61,7 +61,7 @@ def test_an_exception_has_its_line_and_advice(text: str) -> None:
 def test_what_cannot_be_imported() -> None:
     recording = probed(error("", "ModuleNotFoundError: No module named 'theirs'"))
     assert WHAT in told(expect_importable, recording, WHAT).summary
-    assert "could not be tried" in told(answered, recording, "sum", "f(1, 2)").summary
+    assert "could not be tested" in told(answered, recording, "sum", "f(1, 2)").summary
 
 
 def test_what_hangs() -> None:
@@ -87,7 +87,7 @@ def test_an_answer_that_our_own_program_would_never_send(value: object) -> None:
     recording = probed({"question": "sum", "value": value, "type": "x"})
     place = Location("p/a.py", 3)
     failure = told(answered, recording, "sum", "f(1, 2)", shape=tuple[float, str], where=place)
-    assert "`f(1, 2)` sends something else than asked" in failure.summary
+    assert "`f(1, 2)` sends something unexpected" in failure.summary
     assert failure.where == (place,)
 
 

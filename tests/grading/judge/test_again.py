@@ -97,7 +97,7 @@ def test_an_error_of_a_check_does_not_suffice(scenario: ScenarioState) -> None:
     [
         (replace(PASSED, id="c", title="does c"), '"does c" is new'),
         (replace(FAILED, id="c", title="does c"), '"does c" is new'),
-        (replace(PASSED, outcome=Outcome.FAILED), '"does a" ended otherwise before'),
+        (replace(PASSED, outcome=Outcome.FAILED), '"does a" ended differently before'),
     ],
 )
 def test_another_scenario_does_not_suffice_for_what_is_judged_otherwise(

@@ -51,7 +51,7 @@ def result(*checks: CheckResult, fault: Feedback | None = None) -> Result:
         ),
         (None, FAILED, Move("a", "does a", MoveCause.ADDED, 0, 0, 0, 2, "new check: failed: It does no a.")),
         (None, PASSED, Move("a", "does a", MoveCause.ADDED, 0, 2, 0, 2, "new check: passed")),
-        (PASSED, None, Move("a", "does a", MoveCause.GONE, 2, 0, 2, 0, "this check is gone")),
+        (PASSED, None, Move("a", "does a", MoveCause.GONE, 2, 0, 2, 0, "this check was removed")),
     ],
 )
 def test_a_check_that_moved(before: CheckResult | None, after: CheckResult | None, move: Move) -> None:

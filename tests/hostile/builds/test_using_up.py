@@ -92,9 +92,9 @@ LIMITED = (
     (THREADS, "processes-limit", "started more than 256 processes and threads"),
     (MEMORY, "memory-limit", "took more than 3072 MB of memory"),
     (DISK, "disk-limit", "wrote more than 1024 MB of files"),
-    (OUTPUT, "output-limit", "printed without end"),
+    (OUTPUT, "output-limit", "never stopped printing"),
     (LOOP, "time-limit", "took longer than 8 seconds"),
-    (FOLDERS, "files-limit", "or folders far too deep in one another"),
+    (FOLDERS, "files-limit", "or folders nested far too deep"),
     (FILES, "files-limit", "made more than 50000 files"),
 )
 

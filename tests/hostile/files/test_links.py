@@ -142,7 +142,7 @@ def test_huge_files(grade_home: GradeHome) -> None:
 
     graded = grade_home({}, guarantee="huge files are not read", change=change)
     assert graded.failed == ("builds",)
-    assert "contains more than a package can: look at `huge`" in graded.words("builds")
+    assert "contains more than a package may: look at `huge`" in graded.words("builds")
 
 
 def test_a_node_that_is_huge(grade_home: GradeHome) -> None:

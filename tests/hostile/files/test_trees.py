@@ -97,7 +97,7 @@ def test_links_are_followed_in_a_home_that_is_trusted(home: Path, tmp_path: Path
     with pytest.raises(Unbuildable) as caught:
         build_order(scan(home), ["mine"])
     told = caught.value.failure.feedback
-    assert told.advice == f"{SRC}/mine is a link out of the course home: put the folder in its place."
+    assert told.advice == f"{SRC}/mine is a link out of the course home: replace it with the folder."
 
 
 @pytest.mark.parametrize("kind", ["pipe", "zero", "environ", "folder", "loop", "huge"])
@@ -122,7 +122,7 @@ def test_a_package_xml_that_is_none(home: Path, kind: str) -> None:
         "pipe": "it is not a plain file",
     }
     told = caught.value.failure.feedback
-    assert words.get(kind, "it is a link that leads out of the course home, or nowhere") in told.summary
+    assert words.get(kind, "it is a link to a place outside the course home, or to nothing") in told.summary
     assert not told.details
 
 

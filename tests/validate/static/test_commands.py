@@ -19,7 +19,7 @@ TEXT = "chapters/04-lanterns/04-dim.md"
     ("code", "what"),
     [
         ("`check 04-lihgt`", "there is no exercise `04-lihgt`; did you mean `04-light`?"),
-        ("`check 4`", "`4` fits several exercises"),
+        ("`check 4`", "`4` matches several exercises"),
         ("`ros2course check 18`", "there is no exercise `18`"),
         ("`04-moon`", "there is no exercise `04-moon`"),
         ("`ros2course xcheck`", "`ros2course xcheck` is nothing that ros2course understands: there is no "

@@ -60,7 +60,7 @@ def test_a_later_edit_of_a_file(edit: str, what: str | None, change: Change, tel
 def test_an_edit_of_a_file_that_is_gone(change: Change, tell: Tell) -> None:
     file = "ros2_tutorial_workspace/src/lanterns/lanterns/dim.py"
     change(MISTAKES, "delete: true\n", f"delete: true\n      - file: {file}\n        mode: '755'\n")
-    assert tell() == [f"{MISTAKES}:17: an edit before this one took `{file}` away (mistakes[1].edits[1])"]
+    assert tell() == [f"{MISTAKES}:17: an earlier edit removed or renamed `{file}` (mistakes[1].edits[1])"]
 
 
 @pytest.fixture
