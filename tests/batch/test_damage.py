@@ -156,7 +156,7 @@ def test_what_was_asked_for_is_damaged(results: Results, tmp_path: Path, change:
     spoil(tmp_path, f"UPDATE batch SET {change}")
     with pytest.raises(StorageError, match="damaged") as caught:
         settings_of(results)
-    assert "keeps what was graded" in (caught.value.next_step or "")
+    assert "keeps the results" in (caught.value.next_step or "")
 
 
 @pytest.fixture
