@@ -156,7 +156,7 @@ WAYS = (
             11,
             lambda home, to: shutil.copy(home / NODE, to / f"eh_4106_8006_{Path(NODE).name}"),
         ),
-        (f"{LENIENT}a setup.py", LAID, "Files of the package that were not handed in"),
+        (f"{LENIENT}a setup.py", LAID, "For files of the package that were not handed in"),
     ),
     Way("4107", "nothing", 0, lambda _, to: put(to, "ho_4107_link.html"), ("A link was handed in",)),
     Way(
