@@ -88,7 +88,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=raw)
     parser.add_argument("--exercise", default="18-publisher")
     parser.add_argument("--people", type=int, default=100)
-    parser.add_argument("--sizes", type=numbers, help="several classes, of so many each")
+    parser.add_argument("--sizes", type=numbers, help="class sizes to grade, separated by commas")
     parser.add_argument("--jobs", type=numbers, default=[default_jobs()], help="gradings at once")
     parser.add_argument("--sample", type=int, default=10, help="how many are checked one by one, too")
     options = parser.parse_args()

@@ -134,8 +134,8 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=4, help="gradings at once")
     parser.add_argument("--cluster", action="store_true", help="on Dask workers of this machine; kills those")
     parser.add_argument("--kills", type=int, default=100, help="of each kind of process")
-    parser.add_argument("--rounds", type=int, default=1000, help="at most so many more of them now")
-    parser.add_argument("--keep", type=Path, default=Path("killed"), help="folder for all that is done")
+    parser.add_argument("--rounds", type=int, default=1000, help="do at most this many more now")
+    parser.add_argument("--keep", type=Path, default=Path("killed"), help="folder for all output")
     options = parser.parse_args()
     quiet, kinds = graded_quietly(options)
     kinds = [kind for kind in kinds if kind in (COMMAND, DASK)] if options.cluster else kinds

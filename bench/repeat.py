@@ -38,7 +38,7 @@ def main() -> None:
     parser.add_argument("--load", type=int, default=10, help="programs at once, the gradings among them")
     parser.add_argument("--jobs", type=int, default=8, help="gradings at once under load")
     parser.add_argument("--right", action="store_true", help="only solutions and alternatives")
-    parser.add_argument("--keep", type=Path, default=Path("repeated"), help="folder for all that is done")
+    parser.add_argument("--keep", type=Path, default=Path("repeated"), help="folder for all output")
     options = parser.parse_args()
     each = -(-options.gradings // len(options.exercises))
     quiet = {

@@ -56,7 +56,7 @@ def main() -> None:
     parser.add_argument("--exercises", type=int, default=10)
     parser.add_argument("--recorded", type=float, default=1.0, help="Share of gradings with a recording.")
     parser.add_argument("--opened", type=int, default=5, help="How often the page is opened.")
-    parser.add_argument("--keep", type=Path, help="Where the last page is left.")
+    parser.add_argument("--keep", type=Path, help="Where to keep the last page.")
     options = parser.parse_args()
     rows = [row(people, options) for people in options.people]
     show(f"Pages of {options.exercises} exercises", (*MADE, *OPENED), rows)

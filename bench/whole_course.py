@@ -30,7 +30,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--goes", type=int, default=3, help="how often all are graded")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="gradings at once")
-    parser.add_argument("--busy", action="store_true", help="with all cores kept busy meanwhile")
+    parser.add_argument("--busy", action="store_true", help="keep all cores busy meanwhile")
     parser.add_argument(
         "--each", action="store_true", help="one at a time: what each takes beyond its evidence"
     )

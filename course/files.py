@@ -97,7 +97,7 @@ def write_pieces(target: Path, pieces: Iterable[str | bytes]) -> None:
             to_disk(part)
     except OSError as error:
         what = f"{target} cannot be written: {error.strerror or error}."
-        raise StorageError(what, "See that there is room and that you may write there.") from error
+        raise StorageError(what, "Make sure that there is space and that you may write there.") from error
 
 
 def to_disk(file: Path) -> None:

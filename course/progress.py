@@ -220,7 +220,7 @@ def _open(file: Path) -> tuple[sqlite3.Connection, tuple[str, ...]]:
         return _usable(file), ()
     except _Damaged:
         aside = _set_aside(file)
-        notice = f"The record of your progress was damaged. It is kept as {aside}; a new one was begun."
+        notice = f"The record of your progress was damaged. It is kept as {aside}; a new one was started."
         return _usable(file), (notice,)
 
 
@@ -270,7 +270,7 @@ def _prepare(database: sqlite3.Connection) -> None:
         raise _Damaged("a database of something else")
     if version > SCHEMA_VERSION:
         raise UsageError(
-            f"your progress was saved by a newer ros2course (its form is {version})",
+            f"your progress was saved by a newer ros2course (format {version})",
             "upgrade ros2course, then try again; your progress is left as it is",
         )
     if version != SCHEMA_VERSION or _TABLES - tables or pragma(database, "quick_check(1)") != "ok":

@@ -37,7 +37,7 @@ def new_course(root: Path) -> Made:
         raise UsageError(f"{root} is a file", "give the name of a new folder")
     if root.is_dir() and any(_entries(root)):
         step = f"add to it: ros2course new chapter NAME --course {root}" if is_course(root) else None
-        raise UsageError(f"{root} is there already, and not empty", step or "give the name of a new folder")
+        raise UsageError(f"{root} already exists, and is not empty", step or "give the name of a new folder")
     words = {"title": root.name}
     new = {
         root / "README.md": filled("course/README.md", words),
@@ -57,7 +57,7 @@ def require_place(root: Path) -> None:
     """Raise UsageError, with the next step, if the folder is not a course."""
     if not is_course(root):
         lack = "it has no chapters/" if root.is_dir() else "there is no such folder"
-        raise UsageError(f"{root} is not a course: {lack}", f"make one: ros2course new course {root}")
+        raise UsageError(f"{root} is not a course: {lack}", f"create one: ros2course new course {root}")
 
 
 def _entries(folder: Path) -> tuple[Path, ...]:
@@ -78,7 +78,7 @@ def new_chapter(root: Path, name: str) -> Made:
     assert number is not None
     if number in taken:
         step = f"choose a number that is free, or leave it out: {slug}"
-        raise UsageError(f"there is a chapter {number} already: {taken[number]}", step)
+        raise UsageError(f"there already is a chapter {number}: {taken[number]}", step)
     if number > _LAST:
         raise UsageError("there is no number after 99 for a chapter", "write a free one: 30-name")
     chapter = NewChapter(number, slug)
@@ -113,8 +113,8 @@ def number_and_slug(name: str, number: int | None = None) -> tuple[int | None, s
     if not _SLUG.fullmatch(slug):
         raise UsageError(
             f"`{name}` is not a name for a chapter or an exercise",
-            "allowed: small letters and digits joined by dashes, a letter first, and two digits and a dash "
-            "before them: `30-battery`",
+            "allowed: lowercase letters and digits joined by dashes, starting with a letter, "
+            "after two digits and a dash: `30-battery`",
         )
     if len(slug) > _LONGEST:
         raise UsageError(f"`{slug}` is too long for a name", f"use at most {_LONGEST} letters")

@@ -109,7 +109,7 @@ def _chapter(root: Path, name: str) -> Path:
         if layout.CHAPTER_FOLDER.fullmatch(known) and name in ways:
             return folder
     have = f"there are: {', '.join(folders)}; " if folders else ""
-    step = f"{have}`ros2course new chapter NAME --course {root}` makes one"
+    step = f"{have}`ros2course new chapter NAME --course {root}` creates one"
     raise UsageError(f"there is no chapter `{name}`{did_you_mean(name, folders)}", step)
 
 
@@ -117,7 +117,7 @@ def _refuse_same_package(root: Path, exercise: ExerciseName) -> None:
     """All chapters share the learner's workspace, so package names must be unique."""
     other = next(root.glob(f"solutions/*/{layout.WORKSPACE}/src/{exercise.package}"), None)
     if other is not None:
-        what = f"there is a package {exercise.package} already: {other.relative_to(root)}"
+        what = f"there already is a package {exercise.package}: {other.relative_to(root)}"
         raise UsageError(what, "choose another name for the exercise")
 
 

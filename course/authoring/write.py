@@ -39,8 +39,8 @@ def carry_out(plan: Plan, root: Path, name: str) -> Made:
     """Write the files. Raises UsageError if a new one exists already, StorageError if the disk refuses."""
     for file in plan.new:
         if os.path.lexists(file):
-            raise UsageError(f"{file} is there already, and is left as it is", "choose another name")
-    with storing("the files cannot be made"), _undone_on_error() as made:
+            raise UsageError(f"{file} already exists, and is left as it is", "choose another name")
+    with storing("the files cannot be created"), _undone_on_error() as made:
         for folder in plan.folders:
             _make(folder, made)
         for file, text in plan.new.items():

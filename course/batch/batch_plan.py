@@ -24,8 +24,8 @@ from course.home.opening import Remark
 from course.model import replace
 from course.model.gradebook import Person
 
-LAID = "Packages that were not handed in are the course's own."
-BEGUN = "Files of the package that were not handed in are those that the exercise begins with."
+LAID = "For packages that were not handed in, the course's own are used."
+BEGUN = "For files of the package that were not handed in, the starter's are used."
 
 
 @dataclass(frozen=True)

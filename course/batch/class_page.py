@@ -118,7 +118,7 @@ def _seeds(answers: Path) -> Iterator[str]:
 # they take less, since the pictures of one person are alike.
 PICTURES_ROOM = 8_000_000
 TITLE = "ros2course"
-OTHER_NAME = HandMark(bonus=-1, comment="Graded as if named right.", label="Names")
+OTHER_NAME = HandMark(bonus=-1, comment="Graded as if named correctly.", label="Names")
 _LABEL = 60
 _PORTION = 16
 # Fewer recordings than this are drawn before another process would have started.

@@ -75,7 +75,7 @@ class Written(BaseModel):
 
 class Penalty(Written):
     percent: float = Field(gt=0, le=100, description="of the points earned, for each step")
-    each: Span = Field(_DAY, gt=0, description="the step: every begun one counts; by default a day")
+    each: Span = Field(_DAY, gt=0, description="the step, by default a day; one that has begun counts")
     most: float = Field(100, gt=0, le=100, description="percent; being late never costs more")
 
 
@@ -83,14 +83,14 @@ class Deadlines(Written):
     """What the file contains. Times without an offset are in `zone`."""
 
     due: Moment = Field(description="a date and a time, such as 2026-10-05 23:59")
-    zone: Zone | None = Field(None, description="such as America/New_York; by default this machine's")
-    grace: Span = Field(0.0, description="late by no more than this is in time, such as 15 min")
-    late_days: int = Field(0, ge=0, description="days that everybody may be late without a penalty")
+    zone: Zone | None = Field(None, description="such as America/New_York; by default, this machine's")
+    grace: Span = Field(0.0, description="late by no more than this counts as on time, such as 15 min")
+    late_days: int = Field(0, ge=0, description="days that everyone may be late without a penalty")
     late_days_used: dict[str, int] = Field({}, description="by person: days already spent on earlier work")
     penalty: Penalty | None = Field(None, description="percent, each, most")
     closes: Span | None = Field(None, description="handed in later than this after the deadline: no points")
     extensions: dict[str, Moment] = Field({}, description="by person: when it is due for them")
-    handed_in: dict[str, Moment] = Field({}, description="by person: when they did, where nothing else tells")
+    handed_in: dict[str, Moment] = Field({}, description="by person: when they did, if nothing else says so")
 
     def _aware(self, moment: datetime) -> datetime:
         if moment.tzinfo is None:
@@ -180,7 +180,7 @@ class ClassList:
         if found is not None:
             return found
         known = {**self._names, **self._ids}
-        what = f"nobody in this class is `{who}`{did_you_mean(who, known)}"
+        what = f"nobody in this class is called `{who}`{did_you_mean(who, known)}"
         return document.error(what, "use an id from the first column of results.csv", place=place)
 
     def keyed(self, by_person: dict[str, Any], document: Document, key: str) -> dict[str, Any]:

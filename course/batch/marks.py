@@ -36,7 +36,7 @@ def _late(value: object) -> object:
 
 
 class RubricItem(Written):
-    bonus: float = Field(0, description="added to the points; below zero takes away")
+    bonus: float = Field(0, description="added to the points; below zero is subtracted")
     comment: str = Field("", description="for the learner")
 
 
@@ -49,7 +49,7 @@ class MarkEntry(Written):
     points: float | None = Field(
         None, ge=0, description="what is earned there, instead of the machine's points"
     )
-    bonus: float = Field(0, description="added to the points; below zero takes away")
+    bonus: float = Field(0, description="added to the points; below zero is subtracted")
     comment: str = Field("", description="for the learner")
     rubric: Annotated[list[str], BeforeValidator(_listed)] = Field([], description="ids of rubric items")
     excused: bool = Field(False, description="true: it does not count")
@@ -132,7 +132,7 @@ class _Reading:
 
     def _senseless(self, entry: MarkEntry, place: Place) -> Iterator[ContentError]:
         if entry.points is not None and not entry.exercise:
-            what = "`points` replace those of an exercise, and none is named"
+            what = "`points` replaces the points of an exercise, and none is named"
             yield self._document.error(what, "add `exercise`, or use `bonus`", place=(*place, "points"))
         if entry.check and entry.excused:
             what = "one check cannot be excused"

@@ -90,7 +90,7 @@ class _Regrading:
         recorded = []
         for key, stored in self._stored.items():
             if stored.damaged:
-                yield key, Unjudged(UnjudgedCause.MISSING, "What was stored of it is damaged.")
+                yield key, Unjudged(UnjudgedCause.MISSING, "Its stored result is damaged.")
                 continue
             exercise = self._exercises[key[1]]
             if not runs_programs(exercise):
@@ -110,7 +110,7 @@ class _Regrading:
         answers = self._out / ANSWERS / person
         judgment = judged.judgment if judged else None
         if judgment and judgment.fault:
-            step = "Mend the grader. No marks were changed."
+            step = "Fix the grader. No marks were changed."
             raise OurFault(f"{exercise} cannot be judged: {judgment.fault.summary}", step)
         seed = seed_of(person, answers)
         after = regraded(stored.result, self._exercises[exercise], judgment, answers, seed)

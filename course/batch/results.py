@@ -113,7 +113,7 @@ class Results(Database):
         """Raises StorageError for the disk, UsageError for a folder that is not a results' folder."""
         file = folder / FILE
         if not create and not file.is_file():
-            raise UsageError(f"No results of `grade` are in {folder}.", "Name the folder given to --out.")
+            raise UsageError(f"{folder} has no results of `grade`.", "Name the folder given to --out.")
         with storage(file):
             folder.mkdir(parents=True, exist_ok=True)
             database = sqlite3.connect(file, timeout=BUSY_SECONDS, isolation_level=None)
@@ -283,8 +283,8 @@ def read_result(text: object, exercise: str) -> Result:
 
 def damaged_result(exercise: str) -> Result:
     fault = Feedback(
-        f"What was stored in {FILE} of this grading is damaged.",
-        advice="Type the command that graded the class again: this one is graded again, the others stay.",
+        f"The record of this grading in {FILE} is damaged.",
+        advice="Run the command that graded the class again: it grades this one again and keeps the others.",
     )
     return Result(exercise, Verdict.OUR_ERROR, fault=fault)
 
@@ -294,7 +294,7 @@ def _remarks(text: object) -> tuple[str, ...]:
         found = json.loads(str(text))
         if isinstance(found, list):
             return tuple(map(str, found))
-    return (f"What was stored in {FILE} of the remarks is damaged.",)
+    return (f"The remarks stored in {FILE} are damaged.",)
 
 
 def _path(evidence: object) -> str | None:
@@ -324,7 +324,7 @@ def storage(file: Path) -> Iterator[None]:
         yield
     except (OSError, sqlite3.OperationalError) as error:
         raise StorageError(
-            f"The results cannot be kept in {file}: {error}.", "Make room, then go on."
+            f"The results cannot be saved in {file}: {error}.", "Free some space, then run the command again."
         ) from error
     except (sqlite3.DatabaseError, UnicodeDecodeError) as error:  # SQLite's own message may be the damage
         raise DamagedData(f"{file} is damaged: {error}.", _ELSEWHERE) from error
@@ -365,8 +365,8 @@ def settings_of(results: Results) -> BatchSettings:
     try:
         return codec.from_json(text or "", BatchSettings, FILE)
     except DamagedData as error:
-        step = "Type the command that graded the class again: it notes that again, and keeps what was graded."
-        raise StorageError(f"What was asked for is damaged in {FILE}.", step) from error
+        step = "Run the command that graded the class again: it stores the request and keeps the results."
+        raise StorageError(f"The request stored in {FILE} is damaged.", step) from error
 
 
 _PEOPLE = "people"

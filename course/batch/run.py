@@ -48,10 +48,10 @@ class Homes:
         with self._one_at_a_time:
             if not self._users[unit.person]:
                 wipe(home)
-                with storing(f"the submission of {unit.person} cannot be laid out"):
+                with storing(f"the submission of {unit.person} cannot be put in place"):
                     home.parent.mkdir(parents=True, exist_ok=True)
                 lay_out(self._found[unit.person], home)
-            with storing(f"the answers of {unit.person} cannot be kept"):
+            with storing(f"the answers of {unit.person} cannot be saved"):
                 self._keep(unit, exercise, home)
             self._users[unit.person] += 1
         return home
@@ -130,7 +130,7 @@ def results_folder(out: Path) -> Iterator[Results]:
 
 def _sweep(out: Path) -> None:
     """Remove half-written reports and recordings. Trees that submissions left in WORK are not searched."""
-    with storing(f"results cannot be kept in {out}"):
+    with storing(f"results cannot be saved in {out}"):
         for folder in (out, *out.glob("*/"), *out.glob(f"{EVIDENCE}/*/")):
             sweep(folder)
 
@@ -138,13 +138,13 @@ def _sweep(out: Path) -> None:
 @contextlib.contextmanager
 def alone_in(out: Path) -> Iterator[None]:
     """Inside this context, nobody else can grade into the folder. Raises UsageError and StorageError."""
-    with storing(f"results cannot be kept in {out}"):
+    with storing(f"results cannot be saved in {out}"):
         stack = contextlib.ExitStack()
         try:
             stack.enter_context(locked(out / "lock", wait=False))
         except BlockingIOError:
             raise UsageError(
-                f"Somebody is grading into {out} at this moment.", "Wait for it, or name another --out."
+                f"Somebody is grading into {out} right now.", "Wait until that ends, or name another --out."
             ) from None
     with stack:
         yield

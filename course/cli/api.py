@@ -18,17 +18,18 @@ EXAMPLES = examples(
     ("api", "all names"),
     ("api recording.topic", "what it takes and what it returns"),
     ("api expect_period", "what it expects"),
-    ("api --out api.md", "all of it, as a page"),
+    ("api --out api.md", "the whole reference, as a page"),
 )
 
 
 def api(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="In full, or its last part.", show_default=False)
+        str | None,
+        typer.Argument(metavar="[NAME]", help="The full name, or its last part.", show_default=False),
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="Write the whole reference there.", show_default=False),
+        typer.Option("--out", metavar="FILE", help="Write it all to this file.", show_default=False),
     ] = None,
 ) -> None:
     """Show what a grader can call, and what it gets back.

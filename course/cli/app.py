@@ -22,11 +22,11 @@ EPILOG = (
         ("watch", "check it at every save"),
         ("hint", "a hint for it"),
         ("shell", "a shell in your course home, with ROS 2 ready"),
-        ("doctor", "what is here, and what is missing"),
+        ("doctor", "what this machine has, and what is missing"),
         ("COMMAND --help", "more about a command, with examples"),
     )
     + "\n\n\b\nExit codes: 0 passed or done, 1 not passed, 2 wrong usage,"
-    + "\n3 a fault of the course, 4 something is missing here, 130 stopped with Ctrl+C."
+    + "\n3 an error of ours, 4 something is missing here, 130 stopped with Ctrl+C."
 )
 
 
@@ -67,28 +67,28 @@ COMMANDS = (
     LazyCommand("check", "Build and run what you wrote, and judge what it does.", "check", "check"),
     LazyCommand("watch", "Check at every save, and show the results.", "watch", "watch"),
     LazyCommand("hint", "Show the next hint for an exercise.", "hint", "hint"),
-    LazyCommand("review", "Answer a few questions of earlier quizzes again.", "review", "review"),
+    LazyCommand("review", "Answer a few questions from earlier quizzes again.", "review", "review"),
     LazyCommand("play", "Start the nodes of a mystery, for you to explore.", "play", "play"),
-    LazyCommand("list", "List the exercises with what you have reached in each.", "listing", "list_"),
+    LazyCommand("list", "List the exercises and your progress in each.", "listing", "list_"),
     LazyCommand("show", "Show the text of an exercise. Changes nothing.", "show", "show"),
-    LazyCommand("reset", "Put an exercise's files back as they were at its start.", "reset", "reset"),
-    LazyCommand("solution", "Show a solution as the difference to your files.", "solution", "solution"),
-    LazyCommand("init", "Make a course home, the folder in which you work.", "init", "init"),
+    LazyCommand("reset", "Put an exercise's files back as they were at the start.", "reset", "reset"),
+    LazyCommand("solution", "Show how a solution differs from your files.", "solution", "solution"),
+    LazyCommand("init", "Create a course home, the folder that you work in.", "init", "init"),
     LazyCommand("shell", "Open bash in your course home, with ROS 2 ready.", "shell", "shell"),
     LazyCommand(
-        "env", "Print what makes your own shell ready for the course.", "shell", "env", "ENV_EXAMPLES"
+        "env", "Print the lines that set up your own shell for the course.", "shell", "env", "ENV_EXAMPLES"
     ),
     LazyCommand("pack", "Make a zip to hand in.", "pack", "pack"),
     LazyCommand("grade", "Grade a class of submissions.", "grade", "grade"),
     LazyCommand("regrade", "Judge a graded class again.", "regrade", "regrade"),
     LazyCommand("results", "Mark a class by hand, or fill in your LMS.", "results", "results"),
-    LazyCommand("report", "Make a page of a graded class.", "report", "report"),
+    LazyCommand("report", "Make a report page for a graded class.", "report", "report"),
     LazyCommand("serve", "Show a class while it is being graded.", "serve", "serve"),
     LazyCommand("bundle", "Make an autograder for Gradescope.", "bundle", "make_bundle"),
     LazyCommand("similar", "Show submissions with similar code.", "similar", "similar"),
-    LazyCommand("new", "Make a course, a chapter or an exercise to start from.", "new", "new"),
+    LazyCommand("new", "Create a course, a chapter, or an exercise to start from.", "new", "new"),
     LazyCommand("api", "Show what a grader can call, and what it gets back.", "api", "api"),
-    LazyCommand("schema", "Show the JSON Schema of lesson.yaml and the like.", "schema", "schema"),
+    LazyCommand("schema", "Show the JSON Schema of lesson.yaml and similar files.", "schema", "schema"),
     LazyCommand("validate", "Prove that a course does what it claims.", "validate", "validate"),
     LazyCommand("doctor", "Look at this machine: ROS 2, compilers, disk, clock.", "doctor", "doctor"),
     LazyCommand(
@@ -139,12 +139,12 @@ def program(
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version.")
     ] = False,
 ) -> None:
-    """An interactive ROS 2 course: read, write a node, have it checked.
+    """An interactive ROS 2 course: read a lesson, write a node, have it checked.
 
-    Your work is in a course home: the folder given with --home, else in the
-    environment variable ROS2COURSE_HOME, else the one you are in, else
-    ~/ros2course. `next` makes it if there is none. A course home that was made
-    with --course remembers its course.
+    Your work is in a course home: the folder that you give with --home, or else
+    the one in the environment variable ROS2COURSE_HOME, the one you are in, or
+    ~/ros2course. `next` creates it if there is none. A course home that was
+    created with --course remembers its course.
     """
     ctx.obj = Options(home=home, course=course_named(course), fork_server=ctx.obj)
     if ctx.invoked_subcommand is None:

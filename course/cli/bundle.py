@@ -25,7 +25,7 @@ from course.report.gradebook.gradescope import bundle, zipped
 
 EXAMPLES = examples(
     ("bundle --exercises 18,19", "autograder.zip, for two chapters"),
-    ("bundle --out week3.zip", "for all, under another name"),
+    ("bundle --out week3.zip", "all exercises, under another name"),
 )
 _TIME = 300
 _CHECKOUT = Path(course.__file__).parents[1]
@@ -56,7 +56,7 @@ def make_bundle(
     options = options_of(ctx)
     wanted = [name.strip() for name in exercises.split(",") if name.strip()]
     exercises_named(course_of(options), wanted)  # report unknown names here, not in Gradescope
-    with activity(error_console(), "making the wheel", quiet=wheel is not None), _made(wheel) as made:
+    with activity(error_console(), "building the wheel", quiet=wheel is not None), _made(wheel) as made:
         packed = bundle(
             made.name, made.read_bytes(), wanted, _files_of(options.course), contained=not no_sandbox
         )
@@ -75,7 +75,7 @@ def _made(given: Path | None) -> Iterator[Path]:
 
 def _make(folder: Path) -> Path:
     if not (_CHECKOUT / "pyproject.toml").is_file():
-        what = "A wheel of the course can only be made from a clone of its repository."
+        what = "A wheel of the course can only be built from a clone of its repository."
         raise UsageError(what, "Make the bundle there, or give a wheel with --wheel.")
     pip = (sys.executable, "-m", "pip", "wheel", "--no-deps", "--quiet")
     command = [*pip, "-w", str(folder), str(_CHECKOUT)]
@@ -83,7 +83,7 @@ def _make(folder: Path) -> Path:
     found = sorted(folder.glob("*.whl"))
     if done.returncode != 0 or not found:
         last = (done.stderr.strip().splitlines() or ["pip said nothing"])[-1]
-        raise MissingHere(f"The wheel could not be made: {last}", "Try `pip wheel --no-deps .` in the clone.")
+        raise MissingHere(f"The wheel was not built: {last}", "Try `pip wheel --no-deps .` in the clone.")
     return found[0]
 
 

@@ -32,7 +32,7 @@ EXAMPLES = examples(
     ("check", "check your current exercise"),
     ("check 18-publisher", "check another one"),
     ("check --timeline", "and draw what happened"),
-    ("check --again", "try again what is wrong in a quiz"),
+    ("check --again", "try the wrong answers of a quiz again"),
     ("check --json", "the result for a program to read"),
 )
 
@@ -45,19 +45,19 @@ def check(
         bool,
         typer.Option(
             "--namespaces/--no-namespaces",
-            help="Keep your nodes apart from others by namespaces of the kernel, "
-            "where there are any; else by a ROS domain of their own.",
+            help="Keep your nodes apart from others: with kernel namespaces, or with a separate ROS "
+            "domain where there are none.",
         ),
     ] = True,
     again: Annotated[
         bool,
         typer.Option(
-            "--again", help="Ask again what is wrong or unanswered; if all is right, ask everything."
+            "--again", help="Ask again what you got wrong or left open; if all is right, ask everything."
         ),
     ] = False,
     timeline: Annotated[
         bool,
-        typer.Option("--timeline", help="Draw what happened: on a time line, signals, who talks to whom."),
+        typer.Option("--timeline", help="Draw what happened: a timeline, signals, and who talks to whom."),
     ] = False,
 ) -> None:
     """Build and run what you wrote, and judge what it does.
@@ -68,7 +68,7 @@ def check(
     something.
     """
     if json and timeline:
-        raise UsageError("--json prints the result and nothing else.", "Leave --timeline out, or --json.")
+        raise UsageError("--json prints the result and nothing else.", "Leave out --timeline or --json.")
     with open_session(ctx) as session:
         chosen = session.exercise(exercise)
         early = options_of(ctx).fork_server
@@ -113,7 +113,7 @@ def ask_questions(session: CourseSession, exercise: Exercise, *, quiet: bool, ag
 
 def _cannot_ask(exercise: Exercise) -> UsageError:
     if not exercise.questions:
-        return UsageError(f"{exercise.id} has no questions that could be asked again.")
+        return UsageError(f"{exercise.id} has no questions that can be asked again.")
     advice = f"Answer in a terminal, or change {answers_file(exercise.id)} in your course home."
     return UsageError("Questions can only be asked in a terminal.", advice)
 
@@ -203,7 +203,7 @@ def _steps(session: CourseSession, exercise: Exercise, result: Result) -> list[t
     if (wrong := wrong_answers(exercise, result)) and wrong == left_open(session.home, exercise):
         again = (typed(f"check{name}"), "to answer what you left open")
     elif wrong:
-        again = (typed(f"check{name} --again"), "to answer again what is not right yet, for half the points")
+        again = (typed(f"check{name} --again"), "to try the wrong answers again, for half the points")
     if session.progress.hints_shown(exercise.id) < len(exercise.hints):
         return [(typed(f"hint{name}"), "for a hint"), again]
     if not exercise.hints:

@@ -34,7 +34,7 @@ ENOUGH_SPACE = 2 * GIBIBYTE
 LEAST_SPACE = GIBIBYTE // 4
 CLOCK_TOLERANCE = 2.0  # seconds between this machine's clock and its file system's
 NOT_BEFORE = 2026
-_FULL = "programs run as a user without rights, without network or sight of your files"
+_FULL = "programs run as an unprivileged user, without network access or access to your files"
 
 
 def find_all(options: Options) -> list[MachineFinding]:
@@ -100,7 +100,7 @@ def containment() -> MachineFinding:
     obstacle = obstacle_to(Level.CONTAINED)
     if obstacle is None:
         return MachineFinding("containment", State.OK, f"full: {_FULL}; {_bounds()}")
-    own = "Checks of your own code work without it; `grade` asks for --no-sandbox."
+    own = "Checks of your own code work without it; `grade` needs --no-sandbox."
     found = isolation.ISOLATION.restriction()
     if found is not None:
         return MachineFinding("containment", State.LESS, f"{obstacle}. {found.what}", f"{found.step} {own}")
@@ -125,7 +125,7 @@ def course_home(options: Options) -> MachineFinding:
     try:
         return storage("course home", home_of(options).path)
     except CourseError as error:
-        return MachineFinding("course home", State.LESS, error.what, f"`{typed('next')}` makes one.")
+        return MachineFinding("course home", State.LESS, error.what, f"`{typed('next')}` creates one.")
 
 
 def storage(name: str, folder: Path) -> MachineFinding:
@@ -141,7 +141,7 @@ def storage(name: str, folder: Path) -> MachineFinding:
     if free >= ENOUGH_SPACE:
         return MachineFinding(name, State.OK, found)
     state = State.LESS if free >= LEAST_SPACE else State.MISSING
-    return MachineFinding(name, state, found, f"Make room on the disk of {folder}.")
+    return MachineFinding(name, state, found, f"Free some space on the disk of {folder}.")
 
 
 def clock(folder: Path) -> MachineFinding:
@@ -158,8 +158,8 @@ def clock(folder: Path) -> MachineFinding:
     except OSError:
         return MachineFinding("clock", State.OK, today)
     if apart > CLOCK_TOLERANCE:
-        step = f"Use a course home and a cache on a local disk, or set the clock of the server of {folder}."
-        return MachineFinding("clock", State.LESS, f"files are stamped {apart:.0f} s off", step)
+        step = "Use a local disk for course home and cache, or set the clock of the server with {folder}."
+        return MachineFinding("clock", State.LESS, f"file times are {apart:.0f} s off", step)
     return MachineFinding("clock", State.OK, today)
 
 
@@ -178,7 +178,7 @@ def _first_line(*command: str) -> str:
     return (done.stdout.splitlines() or ["says nothing"])[0]
 
 
-EXAMPLES = examples(("doctor", "what is here, and what is missing"))
+EXAMPLES = examples(("doctor", "what this machine has, and what is missing"))
 
 
 def doctor(ctx: typer.Context) -> None:

@@ -42,7 +42,7 @@ def recording_file(home: CourseHome, exercise: str) -> Path:
 def recorded(home: CourseHome, exercise: str) -> Recorded | None:
     """The last recording of this exercise; None when there is none. Raises as `read_recording` does."""
     file = recording_file(home, exercise)
-    return read_recording(file, f"`{typed(f'check {exercise}')}` records again.") if file.is_file() else None
+    return read_recording(file, f"`{typed(f'check {exercise}')}` records it.") if file.is_file() else None
 
 
 def read_recording(file: Path, otherwise: str) -> Recorded:
@@ -53,7 +53,7 @@ def read_recording(file: Path, otherwise: str) -> Recorded:
     except OtherFormat:
         raise UsageError(f"{file} was recorded by another version of ros2course.", otherwise) from None
     except BadRecording:
-        raise UsageError(f"{file} is damaged, or no recording of the course.", otherwise) from None
+        raise UsageError(f"{file} is damaged, or is not a recording of the course.", otherwise) from None
 
 
 SHOW_EXAMPLES = examples(
@@ -86,7 +86,7 @@ def show(
         str | None,
         typer.Argument(
             metavar="[ID|FILE]",
-            help="The exercise, or a recording: a file that ends with .mcap. "
+            help="The exercise, or a recording: a file whose name ends in .mcap. "
             "Without it, your current exercise.",
             autocompletion=complete_exercise,
             show_default=False,
@@ -96,9 +96,9 @@ def show(
 ) -> None:
     """Draw what happened when an exercise was checked last.
 
-    Programs, nodes, messages, calls and logs on one time line, next to what was
-    expected; numbers in messages and the time between them; who
-    publishes and who listens.
+    Programs, nodes, messages, calls, and logs on one timeline, next to what was
+    expected; numbers in messages and the time between them; who publishes and
+    who listens.
     """
     found, result = _of_file(Path(what)) if what and what.endswith(_FILE) else _of_exercise(ctx, what)
     console = open_console()
@@ -115,8 +115,8 @@ def export(
 ) -> None:
     """Copy the last check's recording to where you want it.
 
-    It is an MCAP file, which Foxglove and PlotJuggler open. A file that is there already is kept,
-    unless you say --force.
+    It is an MCAP file, which Foxglove and PlotJuggler open. An existing file is
+    kept unless you add --force.
     """
     found, _ = _of_exercise(ctx, exercise)
     name = found.recording.exercise
@@ -157,11 +157,9 @@ def _copy(source: Path, target: Path, *, force: bool) -> None:
     if target.resolve() == source.resolve():
         raise UsageError(f"{target} is the recording itself.", "Name another file.")
     if not target.parent.is_dir():
-        raise StorageError(f"There is no folder {target.parent}.", "Make it first, or name another one.")
+        raise StorageError(f"There is no folder {target.parent}.", "Create it first, or name another one.")
     with storing(f"{target} cannot be written"):
         if force:
             copy_over(source, target)
         elif not copy_new(source, target):
-            raise UsageError(
-                f"{target} is there already.", "Name another file, or add --force to replace it."
-            )
+            raise UsageError(f"{target} already exists.", "Name another file, or add --force to replace it.")

@@ -117,7 +117,7 @@ class Execution:
 def say_damaged(damaged: Sequence[tuple[str, str]], what_next: str) -> None:
     """damaged: person and exercise of each such grading."""
     for person, exercise in damaged:
-        _say(error_console(), f"What was stored of {person}, {exercise} is damaged: {what_next}")
+        _say(error_console(), f"The stored result of {person} for {exercise} is damaged: {what_next}")
 
 
 def look(course: Course, asked: ClassRequest) -> None:
@@ -153,7 +153,7 @@ def grade_class(
                         told = _tell(error, told)
                         arrivals.forget_fresh()
         except KeyboardInterrupt:
-            put(error_console(), "Stopped. The same command goes on from here.")
+            put(error_console(), "Stopped. The same command continues from here.")
             raise
         return "our error" not in results.verdicts()
 
@@ -208,7 +208,7 @@ def _grade_found(
 def _arrived(arrivals: Arrivals, planned: BatchPlan) -> str:
     names = sorted(arrivals.fresh)
     more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
-    told = f"Complete: {', '.join(names[:_NAMED])}{more}." if names else "Something was taken away."
+    told = f"Complete: {', '.join(names[:_NAMED])}{more}." if names else "Something was removed."
     held = ", ".join(person.id for person in planned.held)
     return f"{told} Still being written: {held}." if held else told
 
@@ -330,18 +330,18 @@ def _say_unknown(book: Gradebook) -> None:
     people = [person.name or person.id for person, found in late if found and found.words.endswith(NOT_KNOWN)]
     if people:
         put(error_console())
-        told = f"It is not known when these handed in, so lateness cost them no points: {', '.join(people)}."
-        _say(error_console(), f"{told} Write it into deadlines.yaml, under handed_in.")
+        told = "Submission times are not known, so lateness cost no points, for: {', '.join(people)}."
+        _say(error_console(), f"{told} Write the times into deadlines.yaml, under handed_in.")
 
 
 # Instead of a scheduler's address: workers on this machine.
 LOCAL = "local"
 
 EXAMPLES = examples(
-    ("grade class/", "all that is found"),
+    ("grade class/", "everything it finds"),
     ("grade class.zip --dry-run", "only show what is found"),
-    ("grade class.csv --exercises 18,20-client", "some, of a roster"),
-    ("grade class/ --watch", "also what arrives"),
+    ("grade class.csv --exercises 18,20-client", "a roster, two exercises"),
+    ("grade class/ --watch", "also what arrives later"),
     ("grade class/ --cluster tcp://host:8786", "on Dask workers"),
 )
 
@@ -349,13 +349,11 @@ EXAMPLES = examples(
 def grade(
     ctx: typer.Context,
     submissions: Annotated[
-        Path, typer.Argument(metavar="SUBMISSIONS", help="A folder, an archive or a CSV roster.")
+        Path, typer.Argument(metavar="SUBMISSIONS", help="A folder, an archive, or a CSV roster.")
     ],
     exercises: Annotated[
         str,
-        typer.Option(
-            "--exercises", metavar="ID,...", help="Only these; by default, all whose files are found."
-        ),
+        typer.Option("--exercises", metavar="ID,...", help="Only these; by default, all that are found."),
     ] = "",
     jobs: Annotated[
         int | None, typer.Option("--jobs", min=1, max=64, help="Gradings at once; by default, four per core.")
@@ -371,7 +369,7 @@ def grade(
     ] = True,
     names: Annotated[
         Literal["strict", "lenient"],
-        typer.Option("--names", help="lenient: another name costs one point, not the exercise."),
+        typer.Option("--names", help="lenient: a different name costs one point, not the exercise."),
     ] = "strict",
     out: Annotated[Path, typer.Option("--out", metavar="DIR", help="The folder for the results.")] = Path(
         "grades"
@@ -380,7 +378,7 @@ def grade(
         bool, typer.Option("--dry-run", help="Show what is found, and grade nothing.")
     ] = False,
     watch: Annotated[
-        bool, typer.Option("--watch", help="Go on, and grade what arrives in the folder. Ctrl+C ends it.")
+        bool, typer.Option("--watch", help="Keep grading what arrives in the folder, until Ctrl+C.")
     ] = False,
     single: Annotated[bool, typer.Option("--single", help="SUBMISSIONS is one submission.")] = False,
     gradescope: Annotated[
@@ -388,11 +386,11 @@ def grade(
         typer.Option("--gradescope", metavar="FILE", help="With --single: Gradescope's results.json."),
     ] = None,
     no_sandbox: Annotated[
-        bool, typer.Option("--no-sandbox", help="Run submissions even where they cannot be contained.")
+        bool, typer.Option("--no-sandbox", help="Run submissions even if they cannot be contained.")
     ] = False,
     cluster: Annotated[
         str | None,
-        typer.Option("--cluster", metavar="ADDRESS", help="Grade on a Dask scheduler's workers; or `local`."),
+        typer.Option("--cluster", metavar="ADDRESS", help="Grade on a Dask scheduler's workers, or `local`."),
     ] = None,
     cluster_security: Annotated[
         Path | None,
@@ -402,7 +400,7 @@ def grade(
     """Grade a class of submissions.
 
     Each result is stored at once. If the command is stopped or killed, the same
-    command continues where it was. Submissions run contained: without a
+    command continues where it stopped. Submissions run contained: without a
     network, without access to this machine's files, and with limits.
     """
     if gradescope and not single:
@@ -454,14 +452,14 @@ def _holds_gradings(out: Path) -> bool:
 def _look_at_cluster(cluster: str, security: Path | None) -> None:
     extra("cluster")
     if security and cluster == LOCAL:
-        raise UsageError(f"--cluster {LOCAL} makes keys of its own.", "Leave --cluster-security out.")
+        raise UsageError(f"--cluster {LOCAL} creates its own keys.", "Leave --cluster-security out.")
 
 
 def _look_at_machine() -> None:
     obstacle = obstacle_to(Level.CONTAINED)
     if obstacle is not None:
-        step = "--no-sandbox grades all the same: only for programs that you trust."
+        step = "--no-sandbox grades anyway; use it only for programs that you trust."
         raise MissingHere(
             f"Submissions cannot be contained on this machine: {obstacle}.",
-            f"`{typed('doctor')}` tells how to get that. {step}",
+            f"`{typed('doctor')}` shows how to fix that. {step}",
         )

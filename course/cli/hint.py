@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     ("hint", "the next hint for your current exercise"),
     ("hint 18-publisher", "for another one"),
-    ("hint --again", "the last one once more"),
+    ("hint --again", "the last one again"),
     ("hint --all", "all of them"),
 )
 
@@ -27,7 +27,7 @@ EXAMPLES = examples(
 def hint(
     ctx: typer.Context,
     exercise: CurrentExercise = None,
-    again: Annotated[bool, typer.Option("--again", help="Show the last one once more.")] = False,
+    again: Annotated[bool, typer.Option("--again", help="Show the last one again.")] = False,
     all_: Annotated[bool, typer.Option("--all", help="Show all of them.")] = False,
 ) -> None:
     """Show the next hint for an exercise.

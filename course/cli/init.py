@@ -39,7 +39,7 @@ def init(
         ),
     ] = None,
 ) -> None:
-    """Make a course home, the folder in which you work.
+    """Create a course home, the folder that you work in.
 
     Files that already exist are not changed. With --course, commands in this
     home use that course from then on.
@@ -55,7 +55,7 @@ def _show_setup_line(console: Console) -> None:
     # A home can be made without ROS 2; the first check says what is missing.
     with contextlib.suppress(MissingHere):
         line = setup_line()
-        put(console, f"The line that makes ROS 2 ready in a terminal, for later:\n  {line}\n")
+        put(console, f"For later, the line that sets up ROS 2 in a terminal:\n  {line}\n")
 
 
 def place_for(options: Options) -> Path:

@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from course.content import Chapter, ChapterRef, Exercise
     from course.progress import Progress
 
-EXAMPLES = examples(("list", "all exercises, with what you have reached"))
+EXAMPLES = examples(("list", "all exercises, with your progress"))
 
 
 def list_(ctx: typer.Context) -> None:
-    """List the exercises with what you have reached in each."""
+    """List the exercises and your progress in each."""
     with open_session(ctx) as session:
         chapters = session.course.chapters()
         rows = [row_of(one, session.progress) for chapter in chapters for one in chapter.exercises]

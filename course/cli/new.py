@@ -41,13 +41,13 @@ class What(str, Enum):
 
 def new(
     ctx: typer.Context,
-    what: Annotated[What, typer.Argument(metavar="WHAT", help="course, chapter or exercise.")],
+    what: Annotated[What, typer.Argument(metavar="WHAT", help="course, chapter, or exercise.")],
     name: Annotated[str, typer.Argument(metavar="NAME", help="See the examples.")],
     kind: Annotated[
-        ExerciseKind | None, typer.Option("--kind", help="The topic of an exercise.", show_default="topic")
+        ExerciseKind | None, typer.Option("--kind", help="What the exercise is about.", show_default="topic")
     ] = None,
 ) -> None:
-    """Make a course, a chapter or an exercise to start from.
+    """Create a course, a chapter, or an exercise to start from.
 
     An exercise is complete: it has a starter, a solution, a grader and known
     mistakes, and passes `validate` as it is. Existing files are not overwritten.
@@ -56,7 +56,7 @@ def new(
         raise UsageError("--kind is for an exercise.", "Leave it out.")
     made, steps = _MAKERS[what](options_of(ctx), name, kind or ExerciseKind.TOPIC)
     console = open_console()
-    render_made(console, f"Made the {what.value} {made.name}", made.root, made.new, made.changed)
+    render_made(console, f"Created the {what.value} {made.name}", made.root, made.new, made.changed)
     put_steps(console, steps)
 
 
@@ -75,8 +75,8 @@ def _exercise(options: Options, name: str, kind: ExerciseKind) -> tuple[Made, St
     root = _root(options)
     made = new_exercise(root, name, kind)
     return made, [
-        (typed(f"validate {made.name} {_of(root)}"), "to prove it, now and whenever you changed it"),
-        (typed(f"next {made.name} {_of(root)}"), "to see it as a learner does"),
+        (typed(f"validate {made.name} {_of(root)}"), "to prove it, now and whenever you change it"),
+        (typed(f"next {made.name} {_of(root)}"), "to see it as learners do"),
     ]
 
 
@@ -84,7 +84,7 @@ def _root(options: Options) -> Path:
     """The given course, or the one in the current folder."""
     root = (options.course or Path()).absolute()
     if options.course is None and not is_course(root):
-        raise UsageError("It is not clear which course it is for.", "Say which: `--course DIR`.")
+        raise UsageError("It is not clear which course this is for.", "Say which: `--course DIR`.")
     return root
 
 

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 EXAMPLES = examples(
     ("next", "begin, or continue where you left off"),
-    ("next --lesson", "with its part of the lesson once more"),
+    ("next --lesson", "with its part of the lesson again"),
     ("next 18-publisher", "go to this exercise"),
     ("--home ~/ros2 next", "in another course home"),
 )
@@ -54,7 +54,7 @@ def next_(
 ) -> None:
     """Show the next exercise and put its files in place.
 
-    Makes a course home if there is none. Shows each part of a lesson the first
+    Creates a course home if there is none. Shows each part of a lesson the first
     time. Files that already exist are never changed.
     """
     console = open_console()
@@ -94,7 +94,7 @@ def _after_a_block(session: CourseSession, exercise: Exercise) -> bool:
 def _steps(exercise: Exercise) -> Iterator[tuple[str, str]]:
     is_quiz = bool(exercise.questions) and not exercise.packages
     if exercise.play:
-        yield typed("play"), "to start what is to be explored, in a terminal of its own"
+        yield typed("play"), "to start the nodes that you will explore, in a separate terminal"
     if exercise.play or not is_quiz:
         yield typed("shell"), "for a shell in your course home, with ROS 2 ready"
     if is_quiz:

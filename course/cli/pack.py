@@ -34,7 +34,7 @@ from course.rosenv import Ros, find_ros
 
 EXAMPLES = examples(
     ("pack", "your current exercise"),
-    ("pack 17 18", "all exercises of two chapters"),
+    ("pack 17 18", "all exercises in two chapters"),
     ("pack 18-publisher --out ada.zip", "under another name"),
 )
 
@@ -54,14 +54,14 @@ def pack(
 ) -> None:
     """Make a zip to hand in.
 
-    It contains just the files that these exercises need. They are checked as
+    It contains only the files that these exercises need. They are checked as
     they are in the zip, without the rest of your course home, so you see what
-    your instructor will see. The results, your versions and a digest of each
+    your instructor will see. The results, your versions, and a digest of each
     file go into it, too. The exit codes are those of `check`.
     """
     with open_session(ctx) as session:
         chosen = _chosen(session, exercises or [])
-        with storing(f"{out} cannot be made"):
+        with storing(f"{out} cannot be written"):
             results, lacks = _packed(session, chosen, out)
     console = open_console()
     for result in results:
@@ -101,7 +101,7 @@ def _packed(
         if found.kind is SubmissionKind.NOTHING or not set(found.exercises).intersection(
             one.id for one in chosen
         ):
-            raise UsageError(f"There is nothing of {chosen[0].id} in {home.path} yet.")
+            raise UsageError(f"There are no files of {chosen[0].id} in {home.path} yet.")
         lay_out(found, folder / "home")
         ros = find_ros() if any(map(runs_programs, chosen)) else None
         results = [_checked(one, folder / "home", ros, home.seed()) for one in chosen]

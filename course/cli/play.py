@@ -80,5 +80,5 @@ def _tell(exercise: Exercise) -> None:
 
 def _no_mystery(session: CourseSession, exercise: Exercise) -> Exception:
     others = [one.id for one in session.course.readable_exercises() if one.play is not None]
-    advice = f"These have: {', '.join(others)}." if others else "No exercise of this course has."
+    advice = f"You can play: {', '.join(others)}." if others else "This course has no mysteries."
     return UsageError(f"{exercise.id} has nothing to play.", advice)

@@ -189,7 +189,7 @@ def _prompt(question: Question) -> str:
         return "Your answer: "
     last = LETTERS[len(question.choices) - 1]
     if question.form == "choices":
-        return f"Your answer, one or more of a to {last}, such as `a, {last}`: "
+        return f"Your answer, one or more letters from a to {last}, such as `a, {last}`: "
     return f"Your answer, a to {last}: "
 
 

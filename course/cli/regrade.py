@@ -24,19 +24,19 @@ from course.report.console import error_console, open_console, put
 
 EXAMPLES = examples(
     ("regrade grades/", "after points or checks were changed"),
-    ("regrade grades/ --dry-run", "only show whose marks would move"),
+    ("regrade grades/ --dry-run", "only show whose marks would change"),
     ("regrade grades/ --rerun", "and run again where that is needed"),
 )
 
 
 def regrade(
     ctx: typer.Context,
-    results: Annotated[Path, typer.Argument(metavar="DIR", help="The results' folder of `grade`.")],
+    results: Annotated[Path, typer.Argument(metavar="DIR", help="The results folder of `grade`.")],
     rerun: Annotated[
-        bool, typer.Option("--rerun", help="Grade those again whose recordings are not enough.")
+        bool, typer.Option("--rerun", help="Grade again where the recordings are not enough.")
     ] = False,
     dry_run: Annotated[
-        bool, typer.Option("--dry-run", help="Show whose marks would move, and change nothing.")
+        bool, typer.Option("--dry-run", help="Show whose marks would change, and change nothing.")
     ] = False,
     jobs: Annotated[
         int | None, typer.Option("--jobs", min=1, max=64, help="Processes at once; by default, one per core.")
@@ -44,7 +44,7 @@ def regrade(
 ) -> None:
     """Judge a graded class again.
 
-    Uses the recordings that `grade` keeps, so changed points, tolerances and
+    Uses the recordings that `grade` keeps, so changed points, tolerances, and
     checks take effect, but no submission runs. Shows whose marks changed, and
     why. Either all marks change together, or none do.
     """
@@ -65,7 +65,7 @@ def regrade(
 
 def _is_there(out: Path) -> None:
     if not (out / FILE).is_file():
-        raise UsageError(f"No results of `grade` are in {out}.", "Name the folder that was given to --out.")
+        raise UsageError(f"{out} has no results of `grade`.", "Name the folder given to --out.")
 
 
 def _judge_again(

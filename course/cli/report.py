@@ -30,13 +30,13 @@ EXAMPLES = examples(
     ("report grades/ --out class.html", "under another name"),
     ("report grades/ --before last/", "what changed since then"),
     ("report grades/ --learners pages/", "a page for each learner"),
-    ("report grades/ --learner ada", "for one of them"),
+    ("report grades/ --learner ada", "a page for one of them"),
 )
 
 
 def report(
     ctx: typer.Context,
-    results: Annotated[Path, typer.Argument(metavar="DIR", help="The results' folder of `grade`.")],
+    results: Annotated[Path, typer.Argument(metavar="DIR", help="The results folder of `grade`.")],
     out: Annotated[
         Path | None,
         typer.Option("--out", metavar="FILE", help="The file to write; by default, report.html in DIR."),
@@ -54,12 +54,10 @@ def report(
     ] = None,
     title: Annotated[
         str,
-        typer.Option(
-            "--title", metavar="TEXT", help="The assignment; by default, the one that `grade` was given."
-        ),
+        typer.Option("--title", metavar="TEXT", help="The assignment's name; by default, as for `grade`."),
     ] = "",
 ) -> None:
-    """Make a page of a graded class.
+    """Make a report page for a graded class.
 
     It is a single file that needs no server. It shows people and exercises to
     sort and filter, the distribution of marks, how hard each check was, and
@@ -67,7 +65,7 @@ def report(
     feedback with pictures of what happened.
     """
     if learners and (learner or out):
-        raise UsageError("--learners makes a page each.", "Leave --learner and --out out.")
+        raise UsageError("--learners makes a page for each learner.", "Leave out --learner and --out.")
     page = _page(options_of(ctx), results.absolute(), title, everybody=learner is None, who=learner)
     if before:
         with Results.look(before.absolute()) as stored:
@@ -98,8 +96,8 @@ def _place_of(page: ClassPage, who: str) -> int:
     found = [place for place, sheet in enumerate(page.sheets) if who in (sheet.person.id, sheet.person.name)]
     if len(found) == 1:
         return found[0]
-    what = f"{len(found)} submissions are of" if found else "There is no submission of"
-    raise UsageError(f"{what} {who}.", "Name the id, as in the first column of results.csv.")
+    what = f"{len(found)} submissions are from" if found else "There is no submission from"
+    raise UsageError(f"{what} {who}.", "Give the id, as in the first column of results.csv.")
 
 
 def _write_class(page: ClassPage, file: Path) -> Path:

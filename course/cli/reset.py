@@ -18,16 +18,16 @@ if TYPE_CHECKING:
 
 EXAMPLES = examples(
     ("reset 18-publisher", "start again; your files go to a backup"),
-    ("reset 18-publisher --yes", "without being asked"),
+    ("reset 18-publisher --yes", "without a question"),
 )
 
 
 def reset(
     ctx: typer.Context,
     exercise: ExerciseId,
-    yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask.")] = False,
+    yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask for confirmation.")] = False,
 ) -> None:
-    """Put an exercise's files back as they were at its start.
+    """Put an exercise's files back as they were at the start.
 
     Your work is not lost: it is moved to a dated backup in your course home,
     and the command says where.
@@ -44,10 +44,10 @@ def reset(
 
 
 def _agrees(exercise: Exercise) -> bool:
-    typer.echo("These files go to a backup, and the exercise's first ones take their place:")
+    typer.echo("These files go to a backup, and the exercise's original files replace them:")
     for file in exercise.files:
         typer.echo(f"  {file}")
     try:
-        return typer.confirm("Go on?")
+        return typer.confirm("Continue?")
     except typer.Abort:
         raise KeyboardInterrupt from None

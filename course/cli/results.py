@@ -50,7 +50,7 @@ _SEND = """\
     https://YOUR-CANVAS/api/v1/courses/COURSE/assignments/ASSIGNMENT/submissions/update_grades"""
 
 results = typer.Typer(rich_markup_mode=None, add_completion=False, no_args_is_help=True)
-Folder = Annotated[Path, typer.Argument(metavar="DIR", help="The results' folder of `grade`.")]
+Folder = Annotated[Path, typer.Argument(metavar="DIR", help="The results folder of `grade`.")]
 
 
 @results.callback()
@@ -68,7 +68,7 @@ def marks(ctx: typer.Context, folder: Folder) -> None:
     """
     file = folder / MARKS
     if file.exists():
-        raise UsageError(f"{file} is there already, and stays as it is.", "Edit it, or move it away first.")
+        raise UsageError(f"{file} already exists, and is left as it is.", "Edit it, or move it away first.")
     found = _class(ctx, folder)
     code_of = extra("similar", "tokens").code_of
     pieces = marks_to_review(found.page.sheets, lambda place, name: code_of(found.written((place, name))))
@@ -85,20 +85,21 @@ def fill_in(
         str, typer.Option("--column", metavar="NAME", help="Which assignment: its name, or its id.")
     ] = "",
     exercise: Annotated[
-        str, typer.Option("--exercise", metavar="ID", help="Only its points; by default, the total.")
+        str,
+        typer.Option("--exercise", metavar="ID", help="This exercise's points; by default, the total."),
     ] = "",
     scale: Annotated[
         bool | None, typer.Option("--scale/--no-scale", help="Whether to convert to the LMS's maximum.")
     ] = None,
     out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="By default filled-SHEET in DIR.")
+        Path | None, typer.Option("--out", metavar="FILE", help="By default, filled-SHEET in DIR.")
     ] = None,
 ) -> None:
     """Fill in the sheet that your LMS exported.
 
-    That is Canvas' gradebook, Moodle's grading worksheet or Blackboard's
-    columns. You can then import it there. People are found by the LMS's own
-    ids. No other cell is changed, and SHEET itself stays as it is.
+    The sheet is Canvas's gradebook, Moodle's grading worksheet, or Blackboard's
+    columns. You can import the filled sheet there. People are matched by the
+    LMS's own ids. No other cell is changed, and SHEET itself stays as it is.
     """
     with storing(f"{sheet} cannot be read"):
         content = sheet.read_bytes()
@@ -127,7 +128,7 @@ def moodle(ctx: typer.Context, folder: Folder) -> None:
 def canvas(ctx: typer.Context, folder: Folder) -> None:
     """Make a file of the letters for Canvas.
 
-    Each letter becomes a comment. The command sends nothing: it shows the line
+    Each letter becomes a comment. The command sends nothing; it shows the line
     that does. Canvas adds a new comment each time you send it.
     """
     file = folder / "canvas-comments.json"
@@ -144,11 +145,11 @@ def _letters(ctx: typer.Context, folder: Path, lms: Lms) -> list[tuple[str, str,
         numbers = _numbers(people_of(stored), {one.person: one.source for one in stored.submissions()}, lms)
     if not any(numbers):
         step = f"Grade what {lms.value} exports with all submissions."
-        raise UsageError(f"None of these submissions has a number of {lms.value} in its name.", step)
+        raise UsageError(f"None of these submissions has a {lms.value} number in its name.", step)
     for sheet, number in zip(page.sheets, numbers, strict=True):
         if not number:
             what = (
-                f"{sheet.person.id} {sheet.person.name}: left out, since {lms.value}'s number is not known."
+                f"{sheet.person.id} {sheet.person.name}: left out, because the {lms.value} id is not known."
             )
             put_prose(open_console(), sanitize.paragraph(what))
     return [

@@ -26,7 +26,7 @@ Name = tuple[str, str]  # of a question: its exercise's id, and its own
 
 
 def review(ctx: typer.Context) -> None:
-    """Answer a few questions of earlier quizzes again.
+    """Answer a few questions from earlier quizzes again.
 
     Questions that you answered wrong come up more often, until you answer them
     right in a review. A review gives no points and changes none.
@@ -69,4 +69,4 @@ def _ask(questions: Mapping[Name, Question], progress: Progress) -> None:
             progress.record_review(exercise, question.id, right=result.earned > 0)
             right += result.earned > 0
     put(console)
-    put(console, f"You answered {right} of {len(questions)} right.", "bold")
+    put(console, f"You answered {right} of {len(questions)} correctly.", "bold")

@@ -17,27 +17,27 @@ from course.spelling import did_you_mean
 EXAMPLES = examples(
     ("schema", "of lesson.yaml"),
     ("schema mistakes", "of mistakes.yaml"),
-    ("schema --out lesson.json", "into a file, which is replaced"),
+    ("schema --out lesson.json", "to a file, replacing what it contains"),
 )
 
 
 def schema(
     file: Annotated[
-        str, typer.Argument(metavar="[FILE]", help="Whose: lesson, mistakes or alternative.")
+        str, typer.Argument(metavar="[FILE]", help="Of which file: lesson, mistakes, or alternative.")
     ] = "lesson",
     out: Annotated[
         Path | None,
         typer.Option(
             "--out",
             metavar="FILE",
-            help="Write it to this file; by default, it is shown.",
+            help="Write it to this file; by default, it is printed.",
             show_default=False,
         ),
     ] = None,
 ) -> None:
-    """Show the JSON Schema of lesson.yaml and the like.
+    """Show the JSON Schema of lesson.yaml and similar files.
 
-    Editors check and complete with it: the first line of such a file names it,
+    Editors use it to check and complete such a file, whose first line names it:
     `# yaml-language-server: $schema=../../.schema/lesson.schema.json`.
     """
     text = schema_text(_kind(file))
@@ -54,7 +54,7 @@ def _kind(name: str) -> Kind:
     plain = name.removesuffix(".yaml")
     if plain not in known:
         raise UsageError(
-            f"there is no schema of `{name}`{did_you_mean(plain, known)}",
+            f"there is no schema for `{name}`{did_you_mean(plain, known)}",
             f"allowed: {', '.join(known)}",
         )
     return Kind(plain)

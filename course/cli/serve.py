@@ -16,16 +16,17 @@ from course.report.console import error_console, open_console, put
 from course.report.page.serving import serving
 
 EXAMPLES = examples(
-    ("serve grades/", "look on while `grade` fills it"),
-    ("serve grades/ --port 8123", "always at the same port"),
+    ("serve grades/", "watch while `grade` fills it"),
+    ("serve grades/ --port 8123", "always on the same port"),
 )
 
 
 def serve(
     ctx: typer.Context,
-    results: Annotated[Path, typer.Argument(metavar="DIR", help="The results' folder of `grade`.")],
+    results: Annotated[Path, typer.Argument(metavar="DIR", help="The results folder of `grade`.")],
     port: Annotated[
-        int, typer.Option("--port", min=0, max=65535, help="By default, a free one.", show_default=False)
+        int,
+        typer.Option("--port", min=0, max=65535, help="By default, a free port.", show_default=False),
     ] = 0,
 ) -> None:
     """Show a class while it is being graded.

@@ -33,7 +33,7 @@ class CourseSession:
         """The named exercise, or else the current one."""
         wanted = name or self.progress.current()
         if wanted is None:
-            raise UsageError("No exercise has been begun yet.", f"`{typed('next')}` begins the first one.")
+            raise UsageError("You have not begun an exercise yet.", f"`{typed('next')}` opens the first one.")
         return self.course.exercise(wanted)
 
     def is_passed(self, exercise: str) -> bool:
@@ -128,7 +128,7 @@ ExerciseId = Annotated[
     str,
     typer.Argument(
         metavar="ID",
-        help="The exercise, such as 18-publisher; a part that fits only one will do.",
+        help="The exercise, such as 18-publisher; a part of the id is enough if only one matches.",
         autocompletion=complete_exercise,
     ),
 ]
@@ -136,7 +136,7 @@ CurrentExercise = Annotated[
     str | None,
     typer.Argument(
         metavar="ID",
-        help="The exercise, such as 18-publisher; a part that fits only one will do. "
+        help="The exercise, such as 18-publisher; a part of the id is enough if only one matches. "
         "Without it, your current exercise.",
         autocompletion=complete_exercise,
         show_default=False,

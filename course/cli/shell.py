@@ -78,8 +78,8 @@ EXAMPLES = examples(
 )
 ENV_EXAMPLES = (
     "\b\nExamples:\n"
-    f'  eval "$({PROGRAM} env)"      make this shell ready\n'
-    f"  {PROGRAM} env >> ~/.bashrc   make every new one ready"
+    f'  eval "$({PROGRAM} env)"      set up this shell\n'
+    f"  {PROGRAM} env >> ~/.bashrc   set up every new one"
 )
 
 
@@ -87,13 +87,13 @@ def shell(
     ctx: typer.Context,
     command: Annotated[
         str | None,
-        typer.Option("--command", "-c", metavar="COMMAND", help="Run this instead of asking for commands."),
+        typer.Option("--command", "-c", metavar="COMMAND", help="Run this command instead of a shell."),
     ] = None,
 ) -> None:
     """Open bash in your course home, with ROS 2 ready.
 
-    In it, ~ is your course home, so every path in the lessons can be typed as it
-    stands; your own home is not touched. Ends with bash's exit code.
+    In it, ~ is your course home, so you can type every path in the lessons
+    exactly as written. Your own home is not touched. The exit code is bash's.
     """
     bash = shutil.which("bash")
     if bash is None:
@@ -108,7 +108,7 @@ def shell(
 
 
 def env(ctx: typer.Context) -> None:
-    """Print what makes your own shell ready for the course.
+    """Print the lines that set up your own shell for the course.
 
     The lines set ROS 2 up, say where your course home is, and let you type
     ros2course in any folder.

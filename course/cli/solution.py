@@ -27,15 +27,15 @@ def solution(
     anyway: Annotated[bool, typer.Option("--anyway", help="Show it even if you have not passed.")] = False,
     pager: Pager = False,
 ) -> None:
-    """Show a solution as the difference to your files.
+    """Show how a solution differs from your files.
 
-    Lines with - are yours, lines with + are the solution's. Nothing is changed,
-    and there are other right ways: `check` judges what your program does.
+    Lines with - are yours, lines with + are the solution's. Nothing is changed.
+    There are other right ways, too: `check` judges what your program does.
     """
     with open_session(ctx) as session:
         chosen = session.exercise(exercise)
         if not anyway and not session.is_passed(chosen.id):
-            what = f"{chosen.id} is not passed yet, and the solution would spoil it."
+            what = f"{chosen.id} is not passed yet, and seeing the solution would spoil it."
             steps = (
                 f"`{typed('hint')}` gives a hint. `{typed(f'solution {chosen.id} --anyway')}` shows it now."
             )

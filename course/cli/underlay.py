@@ -37,7 +37,7 @@ def build_underlay(
     if not names:
         print("Nothing is missing.")
         return
-    with activity(error_console(), f"Building {', '.join(names)}, this once") as say:
+    with activity(error_console(), f"Building {', '.join(names)}, only this once") as say:
         build(names, ros, on_progress=say)
 
 
@@ -48,5 +48,5 @@ def _known(wanted: list[str] | None, ros: Ros) -> list[str]:
     for name in wanted:
         if name not in known:
             step = f"There are: {', '.join(known)}." if known else "This ROS 2 is complete."
-            raise UsageError(f"The course brings no package {name} that must be built.", step)
+            raise UsageError(f"The course has no package {name} that must be built.", step)
     return wanted

@@ -220,8 +220,8 @@ def _unknown(name: str, known: Sequence[str]) -> str:
 EXAMPLES = examples(
     ("validate", "the whole course"),
     ("validate 18-publisher", "one exercise, while writing it"),
-    ("validate 18 --repeat 20", "a chapter, to find what is flaky"),
-    ("validate --static", "only what is written, in seconds"),
+    ("validate 18 --repeat 20", "a chapter, to find flaky checks"),
+    ("validate --static", "only read the files, in seconds"),
     ("validate --course my-course/", "another course"),
 )
 
@@ -232,7 +232,7 @@ def validate(
         list[str] | None,
         typer.Argument(
             metavar="[ID...]",
-            help="Exercises, or numbers of chapters; by default, all.",
+            help="Exercises, or chapter numbers; by default, all.",
             autocompletion=complete_exercise,
             show_default=False,
         ),
@@ -258,9 +258,9 @@ def validate(
 
     Reads all files, then grades what the course itself supplies. Solutions and
     alternatives must earn all points, and starters must not pass. Each known
-    mistake must be caught by its check, in its words. The exit code is 0 if
-    nothing was found, 1 if something was, and 4 if this machine cannot grade
-    some exercise.
+    mistake must be caught by its check, with the expected words. The exit code
+    is 0 if nothing was found, 1 if something was, and 4 if this machine cannot
+    grade some exercise.
     """
     if mutate and (static or repeat > 1 or junit):
         raise UsageError("--mutate does not go with --static, --repeat, or --junit.", "Run them separately.")

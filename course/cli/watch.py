@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 EXAMPLES = examples(
     ("watch", "begin, or continue where you left off"),
-    ("watch 18-publisher", "at this exercise"),
+    ("watch 18-publisher", "start at this exercise"),
 )
 
 
@@ -43,8 +43,8 @@ def watch(
 ) -> None:
     """Check at every save, and show the results.
 
-    Leave it open in a terminal next to your editor. A save during a check
-    starts it again. Your files are only read.
+    Leave it open in a terminal next to your editor. Saving during a check
+    restarts it. Your files are only read.
 
     Keys: n goes to the next exercise when this one is passed, and h gives a
     hint. t shows the task or the lesson, r the last result, and l all

@@ -65,7 +65,7 @@ def read_marker(path: Path) -> int:
         marker = json.loads(content)
         schema, seed = int(marker["schema"]), int(marker["seed"])
     except (ArithmeticError, LookupError, RecursionError, TypeError, ValueError):  # somebody edited it
-        raise StorageError(f"{file} is damaged", f"`ros2course init {path}` makes it again") from None
+        raise StorageError(f"{file} is damaged", f"`ros2course init {path}` creates it again") from None
     if schema > SCHEMA_VERSION:
         raise UsageError(f"{path} was made by a newer ros2course", "upgrade ros2course, then try again")
     return seed
@@ -92,7 +92,7 @@ def find_home(
     for folder in (cwd, *cwd.parents, default):
         if is_home(folder):
             return CourseHome(folder)
-    raise UsageError(f"there is no course home here, nor at {default}", "make one: ros2course init")
+    raise UsageError(f"there is no course home here, nor at {default}", "create one: ros2course init")
 
 
 def default_home(environ: Mapping[str, str] | None = None) -> Path:
@@ -112,7 +112,7 @@ def _named(path: Path, by: str) -> CourseHome:
     if is_home(path):
         return CourseHome(path)
     reason = "is not a course home" if path.exists() else "does not exist"
-    raise UsageError(f"{path} (from {by}) {reason}", f"make one there: ros2course init {path}")
+    raise UsageError(f"{path} (from {by}) {reason}", f"create one there: ros2course init {path}")
 
 
 def _full(path: Path, environ: Mapping[str, str], cwd: Path) -> Path:
@@ -146,7 +146,7 @@ def create_home(path: Path) -> CourseHome:
     """
     home = CourseHome(Path(os.path.normpath(path.absolute())))
     _refuse(home.path)
-    with storing(f"the course home {home.path} cannot be made"):
+    with storing(f"the course home {home.path} cannot be created"):
         for folder in ("", *FOLDERS, STATE):
             (inside(home.path, folder) if folder else home.path).mkdir(parents=True, exist_ok=True)
         with home.lock():

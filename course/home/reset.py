@@ -50,8 +50,8 @@ def reset(home: CourseHome, exercise: Exercise, *, now: datetime | None = None) 
             there = tuple(file for file in listed if os.path.lexists(inside(home.path, file)))
             backup = _back_up(home, there, f"{now or datetime.now():%Y-%m-%dT%H-%M-%S}-{exercise.id}")
         gone = tuple(file for file in there if file not in starter and file not in shared)
-        where = f"; what was there is in {backup}" if backup else ""
-        with storing(f"{exercise.id} is reset only in part{where}"):
+        where = f"; the earlier files are in {backup}" if backup else ""
+        with storing(f"{exercise.id} is only partly reset{where}"):
             _lay_anew(home, exercise.starter, starter)
             for file in gone:
                 _remove(home.path / file)

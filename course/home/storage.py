@@ -64,7 +64,7 @@ def inside(home: Path, relative: str) -> Path:
     for folder in reversed(target.parents):  # from the top, so that the error names the link itself
         if folder.is_relative_to(home) and not _real(folder).is_relative_to(_real(home)):
             raise UsageError(
-                f"{folder} is a link that leads out of the course home, so nothing was written there",
+                f"{folder} is a link that leads outside the course home, so nothing was written there",
                 "put a real folder in its place, then try again",
             )
     return target

@@ -91,7 +91,7 @@ def obstacle(level: Level) -> str | None:
         return _namespace_obstacle()
     inner = [program(), *arguments(_someone()), "--", "/bin/true"]
     found = _tried(
-        [program(), *_APART, *_READABLE, *inner], "this system allows no sandbox within namespaces"
+        [program(), *_APART, *_READABLE, *inner], "this system does not allow a sandbox inside namespaces"
     )
     return found and (_namespace_obstacle() or found)
 
@@ -130,7 +130,7 @@ def _why(error: OSError | subprocess.TimeoutExpired) -> str:
     if isinstance(error, OSError):
         return f"bubblewrap does not start here: {error}"
     if load > _BUSY * (os.cpu_count() or 1):
-        return f"it is too busy to test bubblewrap (load {load:.0f}), so try again when less else runs"
+        return f"it is too busy to test bubblewrap (load {load:.0f}), so try again when less is running"
     return f"bubblewrap does not start here: it hung for {_PROBE_TIMEOUT:.0f} s"
 
 
@@ -390,7 +390,7 @@ def restriction(settings: Path = _SETTINGS) -> Restriction | None:
     if _value(settings / "kernel/apparmor_restrict_unprivileged_userns") == 1:
         return Restriction(
             "AppArmor restricts user namespaces (kernel.apparmor_restrict_unprivileged_userns is 1).",
-            f"Allow them to bubblewrap: write `{_PROFILE}` into /etc/apparmor.d/bwrap, then "
+            f"Allow them for bubblewrap: write `{_PROFILE}` into /etc/apparmor.d/bwrap, then "
             "`sudo apparmor_parser -r /etc/apparmor.d/bwrap`.",
         )
     if _value(settings / "kernel/unprivileged_userns_clone") == 0:
@@ -400,7 +400,7 @@ def restriction(settings: Path = _SETTINGS) -> Restriction | None:
         )
     if _value(settings / "user/max_user_namespaces") == 0:
         return Restriction(
-            "No user namespace may be made (user.max_user_namespaces is 0).",
+            "No user namespace can be created (user.max_user_namespaces is 0).",
             "sudo sysctl -w user.max_user_namespaces=15000",
         )
     return None

@@ -113,9 +113,9 @@ def render_moves(console: Console, rows: Sequence[Moved], judged: int) -> None:
     if rows:
         put(console)
     moved = sum(not row.same for row in rows)
-    told = f"{moved} of them moved" if moved else "none of them moved"
+    told = f"{moved} of them changed" if moved else "none of them changed"
     if len(rows) > moved:
-        told += f", and {len(rows) - moved} came to the same points in another way"
+        told += f", and {len(rows) - moved} reached the same points in a different way"
     put(console, f"{judged} gradings were judged again; {told}.")
 
 

@@ -62,12 +62,10 @@ def render_new_home(console: Console, home: Path, *, was_there: bool, course: Pa
     course: the course that it belongs to from now on, if that should be shown.
     """
     if was_there:
-        put(console, f"This is a course home already: {sanitize.one_line(str(home))}")
+        put(console, f"This already is a course home: {sanitize.one_line(str(home))}")
     else:
-        put(console, Text.assemble(("Made a course home: ", "bold"), sanitize.one_line(str(home))))
-        put_prose(
-            console, "It is the folder you will work in. Where a lesson writes ~, it means this folder."
-        )
+        put(console, Text.assemble(("Created a course home: ", "bold"), sanitize.one_line(str(home))))
+        put_prose(console, "It is the folder you will work in. When a lesson writes ~, it means this folder.")
     if course is not None:
         put(console, f"It is for the course {sanitize.one_line(str(course.absolute()))}")
     put(console)
@@ -116,7 +114,7 @@ class Reset(Protocol):
 def render_reset(console: Console, report: Reset) -> None:
     """Where the backup is, and which files were restored, removed or left as they were."""
     if report.backup is None:
-        put(console, "There were no files of yours to save.")
+        put(console, "You had no files to save.")
     else:
         put(
             console,
@@ -125,7 +123,7 @@ def render_reset(console: Console, report: Reset) -> None:
         _put_files(console, " ", report.saved)
     _put_files(console, "+", report.restored, "Restored:")
     _put_files(console, "-", report.removed, "Removed (they are in the backup):")
-    _put_files(console, "=", report.kept, "Left as they are, since other exercises use them too:")
+    _put_files(console, "=", report.kept, "Left as they are, because other exercises use them too:")
     put(console)
 
 
@@ -194,8 +192,8 @@ STATE_MARKS = {
     "begun": ("..", "yellow"),
     "new": ("  ", ""),
 }
-TO_READ = "to read only: it is shown on the way"
-LEGEND = "ok passed   no not passed yet   .. begun   > where you are"
+TO_READ = "only to read: it is shown along the way"
+LEGEND = "ok passed   no not passed yet   .. started   > where you are"
 
 
 @dataclass(frozen=True)

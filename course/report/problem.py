@@ -24,7 +24,7 @@ def render_problem(console: Console, what: str, next_step: str = "") -> None:
 def render_bug(console: Console, what: str, log: Path | None) -> None:
     """A bug in the course: one line about it, and where the details are."""
     put_prose(
-        console, Text.assemble(("A fault of the course, not yours: ", "bold red"), sanitize.one_line(what))
+        console, Text.assemble(("An error in the course, not yours: ", "bold red"), sanitize.one_line(what))
     )
     if log:
         put(console, f"The details are in {sanitize.one_line(str(log))}")
@@ -33,7 +33,7 @@ def render_bug(console: Console, what: str, log: Path | None) -> None:
 def render_our_fault(console: Console, log: Path | None) -> None:
     """After a check that ended in our error: it does not count, and where to read more."""
     put(console)
-    put_prose(console, "This is a fault of the course, not yours, and the attempt does not count.")
+    put_prose(console, "This is an error in the course, not yours, and the attempt does not count.")
     if log:
         put(console, f"The details are in {sanitize.one_line(str(log))}")
 
@@ -103,4 +103,4 @@ def _summary(findings: Sequence[MachineFinding]) -> str:
         return f"Something that is needed is missing: {', '.join(missing)}."
     if any(finding.state is State.LESS for finding in findings):
         return "Everything that is needed is here."
-    return "Everything is well."
+    return "All is well."

@@ -124,8 +124,8 @@ def render_end(console: Console, found: int, rows: Sequence[ProofRow], *, stoppe
 def _ending(found: int, done: int, total: int) -> str:
     held = "All proofs hold." if done == total else f"{done} of {total} proofs are done, and hold."
     if found:
-        return "1 thing was found." if found == 1 else f"{found} things were found."
-    return held if total else "Nothing was found."
+        return "1 problem was found." if found == 1 else f"{found} problems were found."
+    return held if total else "No problems were found."
 
 
 def _place(note: Note) -> tuple[str, int]:

@@ -31,7 +31,7 @@ HEADLINES = {
     Verdict.NOT_PASSED: ("Not passed yet", "bold red"),
     Verdict.NOT_APPLICABLE: ("Does not apply here", "bold yellow"),
     Verdict.NOT_AVAILABLE: ("Could not be checked on this machine", "bold yellow"),
-    Verdict.OUR_ERROR: ("The course itself has a fault", "bold magenta"),
+    Verdict.OUR_ERROR: ("The course itself has an error", "bold magenta"),
 }
 INDENT = " " * 6
 LABEL_WIDTH = 10
@@ -103,7 +103,7 @@ def _put_check(console: Console, check: CheckResult, before: Outcome | None) -> 
         tail = f"{' ' * (room - line.cell_len)}  {points}" if row == 0 and points else ""
         put(console, Text.assemble(head, line, (tail, "dim")))
     if before is Outcome.PASSED and check.outcome is Outcome.FAILED:
-        put_prose(console, Text("This check passed the last time.", "yellow"), first=INDENT)
+        put_prose(console, Text("This check passed last time.", "yellow"), first=INDENT)
     if check.feedback and check.outcome in (Outcome.FAILED, Outcome.ERROR):
         put_feedback(console, check.feedback)
     if check.feedback and check.outcome is Outcome.PASSED:

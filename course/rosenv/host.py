@@ -97,11 +97,11 @@ def _bad_machine(host: Host) -> MissingHere | None:
 
 def _bad_libc(host: Host) -> MissingHere | None:
     if not host.libc.startswith("glibc "):
-        what = "ROS 2 from pip needs the C library glibc; this system has another one (musl, as on Alpine)."
+        what = "ROS 2 from pip needs the C library glibc; this system has another, such as Alpine's musl."
         return MissingHere(what, _PACKAGES)
     numbers = tuple(int(part) for part in host.libc.split()[1].split(".")[:2])
     if numbers < _GLIBC:
-        return MissingHere(f"ROS 2 from pip needs glibc 2.28 or newer; here is {host.libc}.", _PACKAGES)
+        return MissingHere(f"ROS 2 from pip needs glibc 2.28 or newer, not {host.libc}.", _PACKAGES)
     return None
 
 

@@ -103,9 +103,9 @@ def _numpy_include(ros: Ros) -> Path:
 def _storage_error(ros: Ros, error: OSError) -> StorageError:
     where = error.filename or ros.prefix
     return StorageError(
-        f"ROS 2 in {ros.prefix} could not be made ready: {where}: {error.strerror}.",
-        "If the disk is full, make room. If the folder belongs to somebody else, let them run "
-        "`ros2course doctor` once, or set the course up in a folder of your own: ./ros2course next",
+        f"ROS 2 in {ros.prefix} could not be prepared: {where}: {error.strerror}.",
+        "If the disk is full, free some space. If the folder belongs to somebody else, ask them "
+        "to run `ros2course doctor` once, or set the course up in a folder of your own: ./ros2course next",
     )
 
 

@@ -271,14 +271,14 @@ def cmake_standin(package: str, own: Path, real: Path, builder: Builder) -> str:
     set_variables = [f"{name}={value}" for name, value in builder.variables.items()]
     command = _cmake_words(["-E", "env", *set_variables, *builder.words(package)])
     return f"""\
-# {package} is built when it is first needed; after that this file is not found any more.
+# {package} is built when it is first needed; after that, this file is no longer found.
 get_filename_component(_ros2course_here [==[{own}]==] REALPATH)
 get_filename_component(_ros2course_found [==[{real}]==] REALPATH)
 if(_ros2course_found STREQUAL _ros2course_here)
-  message(STATUS "Building {package}, this once")
+  message(STATUS "Building {package}, only this once")
   execute_process(COMMAND ${{CMAKE_COMMAND}} {command} RESULT_VARIABLE _ros2course_failed)
   if(_ros2course_failed)
-    message(FATAL_ERROR "{package} could not be built; the reason stands above.")
+    message(FATAL_ERROR "{package} could not be built; the reason is above.")
   endif()
 endif()
 set({package}_DIR [==[{real}]==])
@@ -289,7 +289,7 @@ include([==[{real}/{package}Config.cmake]==])
 def python_standin(package: str, real: Path, builder: Builder) -> str:
     """A Python package that has the one in `real` built, and then takes its place."""
     return f'''\
-"""{package} is built when it is first imported; after that this file is not found any more."""
+"""{package} is built when it is first imported; after that, this file is no longer found."""
 
 import os
 import pathlib
@@ -302,7 +302,7 @@ if _real.resolve() == _here:
         raise ImportError("{package} was not built before it was needed")
     _environment = {{**os.environ, **{builder.variables!r}}}
     if subprocess.run({builder.words(package)!r}, env=_environment, stdout=sys.stderr).returncode:
-        raise ImportError("{package} could not be built; the reason stands above")
+        raise ImportError("{package} could not be built; the reason is above")
 __path__, __file__ = [str(_real.parent)], str(_real)
 exec(compile(_real.read_bytes(), __file__, "exec"))
 '''
@@ -313,7 +313,7 @@ def program_standin(package: str, own: Path, real: Path, builder: Builder) -> st
     variables = " ".join(shlex.quote(f"{name}={value}") for name, value in builder.variables.items())
     return f"""\
 #!/bin/sh
-# {package} is built when it is first run; after that this file is not found any more.
+# {package} is built when it is first run; after that, this file is no longer found.
 real={shlex.quote(str(real))}
 if [ "$(readlink -f "$real")" = "$(readlink -f {shlex.quote(str(own / real.name))})" ]; then
     env {variables} {shlex.join(builder.words(package))} >&2 || exit 1

@@ -156,7 +156,7 @@ class _Watch:
 
 
 def _gone(home: CourseHome) -> UsageError:
-    return UsageError(f"The course home is gone: {home.path}", "Make one: ros2course init")
+    return UsageError(f"The course home is gone: {home.path}", "Create one: ros2course init")
 
 
 async def _first_of(*parts: Coroutine[Any, Any, int | None]) -> int:

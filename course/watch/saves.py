@@ -79,5 +79,5 @@ def _fits(file: PurePosixPath, pattern: PurePosixPath) -> bool:
 
 
 def _cannot_watch(home: Path, error: OSError) -> MissingHere:
-    step = "`WATCHFILES_FORCE_POLLING=1 ros2course watch` looks for changes in another way."
-    return MissingHere(f"This machine cannot tell of saves in {home}: {error}.", step)
+    step = "`WATCHFILES_FORCE_POLLING=1 ros2course watch` looks for changes in a different way."
+    return MissingHere(f"This machine cannot report saves in {home}: {error}.", step)

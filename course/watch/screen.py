@@ -137,7 +137,7 @@ def gain(change: ResultChange) -> str:
     points = abs(change.points)
     unit = "point" if points == 1 else "points"
     if not points:
-        return "as many points"
+        return "the same points"
     return f"{number(points)} {unit} {'more' if change.points > 0 else 'fewer'}"
 
 
@@ -226,7 +226,7 @@ def _lines(body: Body, console: Console, typed: Typed) -> list[Text]:
     try:
         render(body, console, typed)
     except _Full:
-        end = [Text(f"It goes on; cut here. `{typed('check')}` shows all of it.", "bold")]
+        end = [Text(f"The rest is cut here. `{typed('check')}` shows all of it.", "bold")]
     written = _taken(console).rstrip("\n").split("\n")
     wrapped = (Text.from_ansi(line).wrap(console, console.width, tab_size=4) or [Text()] for line in written)
     return [line for lines in wrapped for line in lines] + end

@@ -37,10 +37,10 @@ def require_terminal() -> None:
     """Raises UsageError if there is no terminal that `watch` can draw on."""
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         what = "`watch` shows a screen and reads keys, and this is not a terminal."
-        raise UsageError(what, "Run it in a terminal; elsewhere: ros2course check")
+        raise UsageError(what, "Run it in a terminal; elsewhere, run: ros2course check")
     if os.environ.get("TERM", "dumb") in ("dumb", "unknown", ""):
         what = "This terminal says that it cannot be drawn on (TERM is not set, or dumb)."
-        raise UsageError(what, "Use another one, set TERM (to xterm, for example), or: ros2course check")
+        raise UsageError(what, "Use another one, set TERM (to xterm, for example), or run: ros2course check")
 
 
 class Terminal:

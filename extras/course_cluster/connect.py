@@ -71,7 +71,9 @@ def _require_keys(address: str) -> None:
             f"{address} needs keys for TLS.", f"Give them with --cluster-security. {_SETTINGS_ARE}"
         )
     if address.startswith(("tcp:", "ws:")) and keys.get("require_encryption"):
-        raise UsageError(f"Dask's settings ask for TLS, which {address} has not.", "Begin it with `tls://`.")
+        raise UsageError(
+            f"Dask's settings ask for TLS, which {address} does not use.", "Start it with `tls://`."
+        )
 
 
 @contextlib.contextmanager

@@ -42,10 +42,10 @@ MOST_BYTES = 64_000_000
 _LOOK = 1.0
 _FETCH = 30.0
 _BEFORE_GRADINGS = 10
-_WAITING = "No worker that may grade is there: waiting for one. Ctrl+C stops; the same command goes on."
-_RESUME = "When it is there again, the same command goes on where it was."
+_WAITING = "There is no worker that may grade: waiting for one. Ctrl+C stops; the same command continues."
+_RESUME = "When it is back, the same command continues where it stopped."
 _NOT_INSTALLED = Unfit(
-    "has no ros2course, or one of another version",
+    "has no ros2course, or a different version",
     "Install the same version on it, with its extra `cluster`, then start the worker again.",
 )
 
@@ -87,7 +87,9 @@ class Roster:
             return None
         count = len(self._unfit)
         which = "The cluster's only worker" if count == 1 else f"None of the cluster's {count} workers"
-        return MissingHere(f"{which} can{'not' if count == 1 else ''} be used.", "What to do stands above.")
+        return MissingHere(
+            f"{which} can{'not' if count == 1 else ''} be used.", "The messages above say what to do."
+        )
 
     def look(self) -> None:
         """See which workers came and went. Raises MissingHere if the scheduler does not answer."""
@@ -145,7 +147,7 @@ def _answer(future: Future) -> tuple[str, Unfit | None]:
 
 def _lost(error: BaseException | None = None) -> MissingHere:
     """The error if the scheduler is gone."""
-    return MissingHere(f"The scheduler does not answer any more{f': {error}' if error else ''}.", _RESUME)
+    return MissingHere(f"The scheduler no longer answers{f': {error}' if error else ''}.", _RESUME)
 
 
 @dataclass(frozen=True)

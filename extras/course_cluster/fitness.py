@@ -78,13 +78,13 @@ def _other_lessons(asked: Wanted) -> Unfit | None:
     try:
         lessons = _lessons_digest(Path(asked.course) if asked.course else None)
     except (CourseError, OSError) as error:
-        advice = "Lay the folder of --course at the same place on it, then start the worker again."
+        advice = "Put the folder of --course in the same place on it, then start the worker again."
         return Unfit(f"cannot read the course: {error}", advice)
     return None if lessons == asked.lessons else _other_files("course")
 
 
 def _other_files(what: str) -> Unfit:
-    why = f"has a {what} whose files are not those of the machine that asks"
+    why = f"has a {what} whose files differ from those of the machine that asks"
     return Unfit(why, "Install the same there, from the same commit, then start the worker again.")
 
 
@@ -92,7 +92,7 @@ def _no_ros() -> Unfit | None:
     try:
         find_ros()
     except CourseError as error:
-        advice = error.next_step or "`ros2course doctor` on it tells what is missing."
+        advice = error.next_step or "`ros2course doctor` on it shows what is missing."
         return Unfit(f"has no ROS to grade with: {error.what}", advice)
     return None
 
@@ -101,7 +101,7 @@ def _not_contained() -> Unfit | None:
     obstacle = obstacle_to(Level.CONTAINED)
     if obstacle is None:
         return None
-    advice = "`ros2course doctor` on it tells how to get that; then start the worker again."
+    advice = "`ros2course doctor` on it shows how to fix that; then start the worker again."
     return Unfit(f"cannot contain submissions: {obstacle}", advice)
 
 

@@ -126,7 +126,7 @@ class GradingPlugin(WorkerPlugin):  # type: ignore[misc]  # Dask's types are not
 
 
 def _called_off(task: GradingTask) -> Graded:
-    return not_laid(task.unit, StorageError("The grading was called off."))
+    return not_laid(task.unit, StorageError("The grading was canceled."))
 
 
 def _gate() -> Path:
@@ -152,10 +152,12 @@ def _folder(scratch: Path) -> Iterator[Path]:
     try:
         folder = Path(tempfile.mkdtemp(prefix="grading-", dir=scratch))
     except OSError as error:
-        raise StorageError(f"{host()} has no room for a submission: {error}.", "Make room there.") from error
+        raise StorageError(
+            f"{host()} has no space for a submission: {error}.", "Free space there."
+        ) from error
     try:
         yield folder
     except OSError as error:
-        raise StorageError(f"{host()} cannot keep a submission: {error}.", "Make room there.") from error
+        raise StorageError(f"{host()} cannot store a submission: {error}.", "Free space there.") from error
     finally:
         wipe(folder)

@@ -85,17 +85,17 @@ def suggestion(mutant: Mutant) -> str:
     if mutant.change.bounds:
         low, high = sorted(mutant.change.bounds)
         between = f"between {low:g} and {high:g}"
-        return f"no mistake makes {checks} fail by so little: add one that lies {between} here"
+        return f"no mistake makes {checks} fail by so little: add one that is {between} here"
     return _MISSING[mutant.change.operator].format(checks)
 
 
 _MISSING = {
-    Operator.RETURN: "no mistake makes {} fail by what stands here: add one",
+    Operator.RETURN: "no mistake makes {} fail because of this line: add one",
     Operator.RAISE: "no mistake makes {} fail in this place: add one",
     Operator.EXPECT: "no mistake makes {} fail by this expectation: add one that fails it and nothing else",
-    Operator.BOUNDARY: "no mistake of {} lies just on this boundary: add one",
-    Operator.COMPARISON: "no mistake of {} depends on this comparison: add one, or do without it",
-    Operator.NOT: "no mistake of {} depends on this `not`: add one, or do without it",
-    Operator.AND_OR: "in no mistake of {} one of these holds and the other does not: add one",
+    Operator.BOUNDARY: "no mistake of {} is exactly on this boundary: add one",
+    Operator.COMPARISON: "no mistake of {} depends on this comparison: add one, or remove it",
+    Operator.NOT: "no mistake of {} depends on this `not`: add one, or remove it",
+    Operator.AND_OR: "in no mistake of {} is one of these true and the other false: add one",
     Operator.BOUND: "no mistake makes {} fail by so little: add one that is only just wrong",
 }

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     ("similar class/", "pairs that are alike"),
     ("similar class/ --exercises 18", "only the code of one chapter"),
-    ("similar class/ --out alike.html", "all of both sides, as a page"),
+    ("similar class/ --out alike.html", "both sides in full, as a page"),
     ("similar class/ --with-solutions", "with the course's solutions, too"),
 )
 
@@ -37,7 +37,8 @@ def similar(
         Path,
         typer.Argument(
             metavar="DIR",
-            help="A folder of submissions, each a folder or an archive; a class's zip or a roster will do.",
+            help="A folder of submissions, each a folder or an archive; a class's zip or a roster "
+            "works, too.",
         ),
     ],
     exercises: Annotated[
@@ -61,7 +62,7 @@ def similar(
     ] = 20,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE.html", help="Write a page that shows all of both sides."),
+        typer.Option("--out", metavar="FILE.html", help="Write a page that shows both sides in full."),
     ] = None,
     with_solutions: Annotated[
         bool, typer.Option("--with-solutions", help="Compare with the course's own solutions, too.")

@@ -112,7 +112,7 @@ def without(comparison: Comparison) -> str:
     names = ", ".join(sanitize.one_line(name, _NAME) for name in comparison.without[:10])
     more = len(comparison.without) - 10
     tail = f" and {more} more" if more > 0 else ""
-    return f"Too little code of their own to compare, beside what the course gives: {names}{tail}."
+    return f"Too little code of their own to compare, apart from what the course gives: {names}{tail}."
 
 
 def counted(count: int, noun: str) -> str:

@@ -54,7 +54,9 @@ def find_similar(
     works = reading.works(submissions, opened, exercises_named(course, only))
     own = [work for work in works if work.words]
     if len(works) < 2:
-        raise UsageError("There are no two submissions to compare.", "Name the folder that holds them all.")
+        raise UsageError(
+            "There are no two submissions to compare.", "Name the folder that contains them all."
+        )
     if solutions is Solutions.COMPARED:
         own += reading.solutions()
     pairs, more = compare(own, wanted, on_progress)

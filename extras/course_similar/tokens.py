@@ -144,10 +144,10 @@ LONGEST = 10.0  # seconds of this thread's own time for one submission; usually 
 _LEFT_OUT = frozenset({"build", "install", "log", "resource", "answers", "__pycache__"})
 
 _TOO_LARGE = f"Files larger than {LARGEST // 1024} kB were not compared."
-_BINARY = "Files that are no text were not compared."
+_BINARY = "Files that are not text were not compared."
 _SLOW = "Files that take too long to read were not compared."
 _UNREADABLE = "Files that cannot be read were not compared."
-_TOO_MUCH = "Of so much code, only a part was compared; left out are the last files by name."
+_TOO_MUCH = "There is so much code that only a part was compared; the last files by name were left out."
 
 
 class Reader:

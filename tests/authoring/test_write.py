@@ -27,7 +27,7 @@ def test_all_of_it(tmp_path: Path) -> None:
 
 def test_nothing_when_one_is_there(tmp_path: Path) -> None:
     (tmp_path / "b").symlink_to("nowhere")
-    with pytest.raises(UsageError, match="is there already, and is left as it is"):
+    with pytest.raises(UsageError, match="already exists, and is left as it is"):
         carry_out(Plan({tmp_path / "a": "", tmp_path / "b": ""}, {}, (tmp_path / "c",)), tmp_path, "it")
     assert files(tmp_path) == ["b"]
 

@@ -145,7 +145,7 @@ def test_what_is_read_is_of_one_moment(out: Path) -> None:
 
 
 def test_a_folder_without_results_is_told(tmp_path: Path, course: Course) -> None:
-    with pytest.raises(UsageError, match="No results"):
+    with pytest.raises(UsageError, match="no results"):
         Live(tmp_path, course).news()
 
 

@@ -105,7 +105,7 @@ def check_the_damaged(results: Results) -> None:
     assert stored.result.verdict is Verdict.OUR_ERROR
     assert stored.result.fault is not None
     assert "is damaged" in stored.result.fault.summary
-    assert "graded again" in (stored.result.fault.advice or "")
+    assert "grades this one again" in (stored.result.fault.advice or "")
     assert [person for person, _ in results.damaged()] == ["ada"]
     assert [person for person, _ in results.drop_damaged()] == ["ada"]
     assert results.gradings("ada") == []
@@ -156,7 +156,7 @@ def test_what_was_asked_for_is_damaged(results: Results, tmp_path: Path, change:
     spoil(tmp_path, f"UPDATE batch SET {change}")
     with pytest.raises(StorageError, match="damaged") as caught:
         settings_of(results)
-    assert "keeps what was graded" in (caught.value.next_step or "")
+    assert "keeps the results" in (caught.value.next_step or "")
 
 
 @pytest.fixture
@@ -246,7 +246,7 @@ def test_every_command_goes_on(
     assert main([*COURSE, "regrade", str(command.out)]) == 0
     told = capsys.readouterr().out
     for person in ("ada", "bao"):
-        assert f"{person}  {QUIZ}  What was stored of it is damaged." in told
+        assert f"{person}  {QUIZ}  Its stored result is damaged." in told
     assert "our error" in (command.out / "results.csv").read_text()
     assert "the course owes a verdict" in (command.out / "feedback/ada.md").read_text()
     assert "the course owes a verdict" not in (command.out / "feedback/cyd.md").read_text()

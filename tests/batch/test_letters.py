@@ -58,7 +58,7 @@ def test_canvas_has_a_comment_for_everybody(
     for who, data in sent.items():
         assert data == {"text_comment": (out / f"feedback/{who}.md").read_text(encoding="utf-8")}
     assert ros2course("results", "moodle", str(out)) == 2
-    assert "number of Moodle" in capsys.readouterr().err
+    assert "a Moodle number" in capsys.readouterr().err
 
 
 def test_student_numbers_are_not_taken_for_moodle_s(

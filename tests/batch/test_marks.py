@@ -55,10 +55,10 @@ def test_no_files_are_no_decisions(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("entry", "said"),
     [
-        ("person: baoo", "nobody in this class is `baoo`; did you mean `bao`"),
-        ("person: [cy, bao, baoo]", "nobody in this class is `baoo`; did you mean `bao`"),
-        ("person: Same", "nobody in this class is `Same`"),
-        ("person: '7'", "nobody in this class is `7`"),
+        ("person: baoo", "nobody in this class is called `baoo`; did you mean `bao`"),
+        ("person: [cy, bao, baoo]", "nobody in this class is called `baoo`; did you mean `bao`"),
+        ("person: Same", "nobody in this class is called `Same`"),
+        ("person: '7'", "nobody in this class is called `7`"),
         ("bonus: 1", "`person` is missing"),
         ("person: bao, exercise: 05-quizz, points: 1", "no exercise `05-quizz`; did you mean `05-quiz`"),
         ("person: bao, exercise: 05-quiz, check: whi, points: 1", "no check `whi`; did you mean `why`"),

@@ -29,7 +29,7 @@ SRC = "ros2_tutorial_workspace/src"
 NODE = f"{SRC}/{MESSAGES}/{MESSAGES}/amazing_quote_publisher_node.py"
 MOODLE = "_assignsubmission_file_"
 LENIENT = f"{EXERCISE} is graded as if "
-LAID = f"Packages that were not handed in are the course's own. ({INTERFACES})"
+LAID = f"For packages that were not handed in, the course's own are used. ({INTERFACES})"
 
 # Lays what one person hands in: home (right, for this person alone), folder of the class.
 Lay = Callable[[Path, Path], object]
@@ -145,9 +145,7 @@ def broken(home: Path, folder: Path) -> None:
 
 WAYS = (
     Way("4101", "course home", 12, lambda home, to: zipped(home, to / "okaforada_4101_8001_a.zip")),
-    Way(
-        "4102", "course home", 12, two_tries, ("It contains more than one course home. Taken: `homework-2`",)
-    ),
+    Way("4102", "course home", 12, two_tries, ("It contains more than one course home. Used: `homework-2`",)),
     Way("4103", "course home", 12, report_beside, ("Other files were not used. (report.pdf)",)),
     Way("4104", "packages", 12, flat, (LAID, "Its files were handed in without their folders")),
     Way("4105", "course home", 5, late_tar),
@@ -158,7 +156,7 @@ WAYS = (
             11,
             lambda home, to: shutil.copy(home / NODE, to / f"eh_4106_8006_{Path(NODE).name}"),
         ),
-        (f"{LENIENT}a setup.py", LAID, "Files of the package that were not handed in"),
+        (f"{LENIENT}a setup.py", LAID, "For files of the package that were not handed in"),
     ),
     Way("4107", "nothing", 0, lambda _, to: put(to, "ho_4107_link.html"), ("A link was handed in",)),
     Way(
@@ -181,7 +179,7 @@ WAYS = (
         "gus", "packages", 12, lambda home, to: zipped(home / SRC / MESSAGES, to / "gus.zip", "a/b/"), (LAID,)
     ),
     Way("leo", "workspace", 12, beside_src),
-    Way("max", "packages", 12, twice, ("It contains a package more than once. Taken: `a/",)),
+    Way("max", "packages", 12, twice, ("It contains a package more than once. Used: `a/",)),
     Way("noa", "workspace", 0, ignored),
     Way("oli", "course home", 12, put_nested),
     Way("tim", "course home", 12, clone("lab1-tim")),
@@ -231,7 +229,7 @@ def test_everybody_is_recognized_and_what_is_wrong_is_named(folder: Path) -> Non
     for way in WAYS:
         assert len(told[way.id]) == len(way.remarks), (way.id, told[way.id])
         assert all(map(str.startswith, told[way.id], way.remarks)), (way.id, told[way.id])
-    nobodys = "Files that are not a submission were passed over. (README.txt, grades.xlsx)"
+    nobodys = "Files that are not a submission were ignored. (README.txt, grades.xlsx)"
     assert [sentence(finding) for finding in plan.findings] == [nobodys]
     found = {found.person.id: found.person for found in plan.found}
     assert [person.id for person in found.values() if person.late] == ["4105"]

@@ -65,7 +65,7 @@ def test_what_is_wrong_is_packed_and_said(solved: Path, capsys: pytest.CaptureFi
 
 def test_nothing_is_no_zip(home: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert ros2course("pack", QUIZ) == 2
-    assert "nothing of 05-quiz" in capsys.readouterr().err
+    assert "no files of 05-quiz" in capsys.readouterr().err
     assert not (home / "hand-in.zip").exists()
 
 
@@ -116,7 +116,7 @@ def test_a_class_that_packed(solved: Path, tmp_path: Path, capsys: pytest.Captur
     assert len(rows) == 27
     assert (rows["4201"]["total"], rows["4201"]["remarks"]) == ("6", "")
     changed_later = rows["4202"]["remarks"]
-    assert f"Files changed after `pack` had checked them. ({ANSWERS})" in changed_later
+    assert f"Files were changed after `pack` checked them. ({ANSWERS})" in changed_later
     assert "and has 0 of 6 here. Different: " in changed_later
     assert "\x1b" not in rows["4203"]["remarks"] and rows["4203"]["total"] == "0"
     assert [rows[who]["total"] for who in ("4204", "4205")] == ["6", "6"]

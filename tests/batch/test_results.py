@@ -103,7 +103,7 @@ def test_notes_are_kept(results: Results) -> None:
 
 
 def test_a_folder_without_results_is_none(tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match="No results"):
+    with pytest.raises(UsageError, match="no results"):
         Results.open(tmp_path / "nothing", create=False)
     assert not (tmp_path / "nothing").exists()
 
@@ -146,7 +146,7 @@ def test_names_of_tables_that_are_no_text_are_told(tmp_path: Path) -> None:
 
 def test_a_folder_that_cannot_be_made_is_told(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
-    with pytest.raises(StorageError, match="cannot be kept"):
+    with pytest.raises(StorageError, match="cannot be saved"):
         Results.open(tmp_path / "file" / "out")
 
 
@@ -175,7 +175,7 @@ def test_a_full_disk_loses_nothing_that_was_recorded(tmp_path: Path) -> None:
     command = [sys.executable, "-c", _UNTIL_FULL, str(tmp_path)]
     done = subprocess.run(command, cwd=REPO, capture_output=True, text=True, timeout=60, check=True)
     count, advice = done.stdout.split(" ", 1)
-    assert advice.strip() == "Make room, then go on."
+    assert advice.strip() == "Free some space, then run the command again."
     with Results.open(tmp_path) as results:
         assert len(results.done()) == int(count) > 0
 

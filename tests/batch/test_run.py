@@ -296,7 +296,7 @@ def test_what_a_killed_run_left_of_a_submission_may_be_deep(deep: Path) -> None:
 def test_a_folder_that_cannot_be_made_is_told(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     with (
-        pytest.raises(StorageError, match="results cannot be kept"),
+        pytest.raises(StorageError, match="results cannot be saved"),
         results_folder(tmp_path / "file" / "out"),
     ):
         pass

@@ -126,7 +126,7 @@ def test_a_crash_of_the_engine_is_ours(ros2course: Ros2course, checker: Checker)
     checker.answer = RuntimeError("\x1b[31mboom")
     run = ros2course("check")
     assert run.code == 3
-    assert "A fault of the course, not yours: RuntimeError: boom" in run.err
+    assert "An error in the course, not yours: RuntimeError: boom" in run.err
     log = Path(run.err.split("The details are in ")[1].splitlines()[0])
     assert "Traceback" in log.read_text() and "check" in log.read_text()
     assert "Traceback" not in run.err

@@ -49,7 +49,7 @@ class TestInit:
     def test_where_told(self, ros2course: Ros2course, tmp_path: Path) -> None:
         run = ros2course("init", str(tmp_path / "there"))
         assert run.code == 0
-        assert f"Made a course home: {tmp_path / 'there'}" in run.out
+        assert f"Created a course home: {tmp_path / 'there'}" in run.out
         assert "ros2course next" in run.out
         assert (tmp_path / "there/ros2_tutorial_workspace/src").is_dir()
 
@@ -75,5 +75,5 @@ class TestInit:
         (home / ".bashrc").write_text("mine")
         run = ros2course("init")
         assert run.code == 0
-        assert "This is a course home already" in run.out
+        assert "This already is a course home" in run.out
         assert (home / ".bashrc").read_text() == "mine"

@@ -137,7 +137,7 @@ def test_doctor_ends_with_4_only_when_something_needed_is_missing(
     monkeypatch.setattr(doctor, "program", lambda name, package: MachineFinding(name, State.OK, "here"))
     without_home = ros2course("doctor")
     assert without_home.code == 0
-    assert "-> `ros2course next` makes one." in without_home.out
+    assert "-> `ros2course next` creates one." in without_home.out
     monkeypatch.setattr(doctor, "ros", lambda: MachineFinding("ROS 2", State.MISSING, "none", "install it"))
     run = ros2course("doctor")
     assert run.code == 4

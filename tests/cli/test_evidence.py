@@ -163,6 +163,6 @@ def test_a_file_that_is_not_there_and_one_that_is_something_else(
 ) -> None:
     assert "There is no file" in ros2course("evidence", "show", "nowhere.mcap").err
     (tmp_path / "text.mcap").write_text("text", encoding="utf-8")
-    assert "no recording of the course" in " ".join(
+    assert "not a recording of the course" in " ".join(
         ros2course("evidence", "show", str(tmp_path / "text.mcap")).err.split()
     )

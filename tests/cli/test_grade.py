@@ -112,7 +112,7 @@ def test_files_that_are_no_submission_are_named(grade: Grade, submissions: Path,
     (submissions / "notes.txt").touch()
     (submissions / "marks.xlsx").touch()
     out = " ".join(grade("--dry-run").out.split())
-    assert "Files that are not a submission were passed over. (marks.xlsx, notes.txt)" in out
+    assert "Files that are not a submission were ignored. (marks.xlsx, notes.txt)" in out
 
 
 def test_a_line_of_the_roster_without_an_id_is_named(grade: Grade, submissions: Path, pool: Pool) -> None:
@@ -202,7 +202,7 @@ def test_not_passed_is_no_failure_of_the_command(grade: Grade, pool: Pool) -> No
 def test_ctrl_c_says_that_it_goes_on(grade: Grade, pool: Pool, tmp_path: Path) -> None:
     pool.answer = KeyboardInterrupt()
     run = grade()
-    assert run.code == 130 and "goes on from here" in run.err
+    assert run.code == 130 and "continues from here" in run.err
     assert not (tmp_path / "grades/work").exists()
 
 
@@ -223,7 +223,7 @@ def test_a_full_disk_is_told(grade: Grade, submissions: Path) -> None:
     if not sys.platform.startswith("linux"):
         pytest.skip("needs /dev/full")
     run = grade("--out", "/dev/full/out")
-    assert run.code == 4 and "cannot be kept" in run.err
+    assert run.code == 4 and "cannot be saved" in run.err
 
 
 def test_hostile_names_do_not_reach_the_terminal(grade: Grade, submissions: Path) -> None:

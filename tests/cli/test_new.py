@@ -104,14 +104,14 @@ def test_the_first_lines_name_schemas_that_are_there(ros2course: Ros2course, rob
 @pytest.mark.parametrize(
     ("words", "said", "step"),
     [
-        (("chapter", "30-other"), "There is a chapter 30 already: 30-power", "leave it out: other"),
+        (("chapter", "30-other"), "There already is a chapter 30: 30-power", "leave it out: other"),
         (("chapter", "Power"), "`Power` is not a name", "`30-battery`"),
         (("chapter", "99-last"), None, None),
         (("exercise", "battery"), "does not say in which chapter", "`30-power/30-battery`"),
         (("exercise", "31/battery"), "There is no chapter `31`", "There are: 30-power"),
         (("exercise", "30-pwer/battery"), "did you mean `30-power`?", "ros2course new chapter NAME"),
         (("exercise", "30/31-battery"), "has that chapter's number, not 31", "Allowed: 30-battery"),
-        (("exercise", "30/old"), "There is a package old_package already", "another name"),
+        (("exercise", "30/old"), "There already is a package old_package", "another name"),
         (("exercise", "30/a/b"), "`a/b` is not a name", "`30-battery`"),
     ],
 )

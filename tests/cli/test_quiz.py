@@ -197,7 +197,7 @@ def test_play_of_what_is_no_mystery(run: Callable[..., Run]) -> None:
     done = run("play")
     assert done.code == 2
     assert "05-quiz has nothing to play." in done.err
-    assert "These have: 05-keepers." in done.err
+    assert "You can play: 05-keepers." in done.err
 
 
 def test_the_seed_is_not_shown(run: Callable[..., Run], home: Path) -> None:

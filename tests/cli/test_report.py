@@ -59,8 +59,8 @@ def test_a_page_for_one_learner(out: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("--learner", "eve"), "no submission of eve"),
-        (("--learners", "pages", "--learner", "ada"), "--learners makes a page each"),
+        (("--learner", "eve"), "no submission from eve"),
+        (("--learners", "pages", "--learner", "ada"), "--learners makes a page for each learner"),
     ],
 )
 def test_what_does_not_fit(

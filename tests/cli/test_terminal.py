@@ -141,7 +141,7 @@ def test_reset_asks_first(start: Start, tmp_path: Path, answer: str, content: st
     first = file.read_text()
     file.write_text("mine")
     child = start("reset", "04-light")
-    child.expect_exact("Go on?")
+    child.expect_exact("Continue?")
     child.sendline(answer)
     assert ended(child) == 0
     assert file.read_text() == (content or first)
@@ -152,7 +152,7 @@ def test_reset_can_be_left_with_ctrl_c(start: Start, tmp_path: Path) -> None:
     start("next").expect(pexpect.EOF)
     (tmp_path / "home" / LIGHT).write_text("mine")
     child = start("reset", "04-light")
-    child.expect_exact("Go on?")
+    child.expect_exact("Continue?")
     interrupt(child)
     assert ended(child) == 130
     assert (tmp_path / "home" / LIGHT).read_text() == "mine"

@@ -74,7 +74,7 @@ def test_the_recipe_for_a_chapter(tmp_path: Path, capsys: pytest.CaptureFixture[
     )
     shown = capsys.readouterr().out
     assert made == [0, 0] and checked == 1, shown
-    assert f"{shown.count('write your own text here')} things were found." in shown
+    assert f"{shown.count('write your own text here')} problems were found." in shown
     assert [exercise.id for exercise in open_course(course).exercises()] == ["30-battery"]
     assert problems(open_course(course)) == ()
 

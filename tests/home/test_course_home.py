@@ -168,7 +168,7 @@ def test_a_state_folder_that_leads_out_is_not_written(tmp_path: Path) -> None:
 def test_a_read_only_place_is_told(
     open_folder: Path, read_only: Callable[[Path], AbstractContextManager[None]]
 ) -> None:
-    with read_only(open_folder), pytest.raises(StorageError, match="cannot be made") as caught:
+    with read_only(open_folder), pytest.raises(StorageError, match="cannot be created") as caught:
         create_home(open_folder / "home")
     assert "choose another folder" in (caught.value.next_step or "")
 
@@ -231,7 +231,7 @@ def test_one_that_is_named_is_not_replaced_by_another(tmp_path: Path, user: Path
     environ = {"HOME": str(user), **({} if option else {"ROS2COURSE_HOME": str(tmp_path)})}
     with pytest.raises(UsageError, match=f"from {by}.* is not a course home") as caught:
         find_home(option, environ, user / "ros2course")
-    assert caught.value.next_step == f"make one there: ros2course init {tmp_path}"
+    assert caught.value.next_step == f"create one there: ros2course init {tmp_path}"
 
 
 def test_environment_and_folder_are_the_process_s_own_unless_given(

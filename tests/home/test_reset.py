@@ -121,7 +121,7 @@ def test_a_disk_that_is_full_at_the_starter_names_the_backup(
     worked: CourseHome, light: Exercise, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(storage.Path, "replace", full)
-    with pytest.raises(StorageError, match=r"what was there is in .*-04-light"):
+    with pytest.raises(StorageError, match=r"the earlier files are in .*-04-light"):
         reset(worked, light)
     assert (worked.path / LIGHT).read_text() == "my work"
     (backup,) = (worked.state / "backups").iterdir()

@@ -242,7 +242,7 @@ def test_a_folder_that_leads_elsewhere(tmp_path: Path) -> None:
     home = create_home(tmp_path / "home")
     (tmp_path / "other").mkdir()
     (home.path / "answers").symlink_to(tmp_path / "other")
-    with pytest.raises(UsageError, match="leads out of the course home"):
+    with pytest.raises(UsageError, match="leads outside the course home"):
         keep_answers(home, "05-quiz", "a: b\n")
 
 

@@ -176,7 +176,7 @@ def test_the_obstacle_is_told_in_one_line(
     ("load", "words"),
     [
         (0.5, "bubblewrap does not start here: it hung for 0 s"),
-        (4000.4, "it is too busy to test bubblewrap (load 4000), so try again when less else runs"),
+        (4000.4, "it is too busy to test bubblewrap (load 4000), so try again when less is running"),
     ],
 )
 @pytest.mark.parametrize("level", [Level.NAMESPACES, Level.CONTAINED])

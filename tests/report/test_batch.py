@@ -149,4 +149,4 @@ def test_moves_show_what_could_be_had_and_count_only_marks_that_moved(console: C
     render_moves(console, [up, same], 5)
     assert "It shines: worth 4, was 2" in said(console)
     assert "2 of 12 → 4 of 14" in said(console) and "2 of 12, as before" in said(console)
-    assert "1 of them moved, and 1 came to the same points in another way." in said(console)
+    assert "1 of them changed, and 1 reached the same points in a different way." in said(console)

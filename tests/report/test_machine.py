@@ -31,4 +31,4 @@ def test_the_last_line_sums_up(page: Page) -> None:
     render_findings(page.console, [GOOD, LESS])
     assert page.lines[-1] == "Everything that is needed is here."
     render_findings(page.console, [GOOD])
-    assert page.lines[-1] == "Everything is well."
+    assert page.lines[-1] == "All is well."

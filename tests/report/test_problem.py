@@ -39,5 +39,5 @@ def test_steps_on_lines_of_their_own(page: Page) -> None:
 
 def test_a_bug_names_its_log(page: Page) -> None:
     render_bug(page.console, "ValueError: \x1b[31mx\ny", Path("/tmp/a very/long path" + "/x" * 40))
-    assert page.lines[0] == "A fault of the course, not yours: ValueError: x\\ny"
+    assert page.lines[0] == "An error in the course, not yours: ValueError: x\\ny"
     assert page.lines[1] == "The details are in /tmp/a very/long path" + "/x" * 40

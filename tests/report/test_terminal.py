@@ -103,7 +103,7 @@ def test_what_changed_since_the_last_time(page: Page) -> None:
     passed_topic = replace(TOPIC, outcome=Outcome.PASSED, feedback=None)
     before = replace(FAILED, checks=(BUILDS, passed_topic, RATE, EXTRA))
     render_result(page.console, FAILED, Named(), before)
-    assert "      This check passed the last time." in page.lines
+    assert "      This check passed last time." in page.lines
     assert "(last time 3.5)" in page.text
 
 
@@ -120,7 +120,7 @@ def test_a_pass_is_said_plainly(page: Page) -> None:
 def test_our_error_is_no_failure_of_the_learner(page: Page) -> None:
     fault = Feedback("the recorder ended early", details=("RuntimeError: x",))
     render_result(page.console, Result("18-publisher", Verdict.OUR_ERROR, fault=fault), Named())
-    assert "  The course itself has a fault. This attempt does not count." in page.lines
+    assert "  The course itself has an error. This attempt does not count." in page.lines
     assert "      the recorder ended early" in page.lines
     assert "points" not in page.text
 

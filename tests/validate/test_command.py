@@ -34,7 +34,7 @@ def test_static_grades_nothing(validate: Validate, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr("course.cli.validate.run", None)
     edit(MISTAKES, *NOT_CAUGHT)
     ended = validate("--static")
-    assert (ended.code, ended.out) == (0, "\nNothing was found.\n")
+    assert (ended.code, ended.out) == (0, "\nNo problems were found.\n")
 
 
 @pytest.mark.slow

@@ -113,6 +113,6 @@ def test_a_machine_that_cannot_tell(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
     monkeypatch.setattr(module, "awatch", exhausted)
     home = create_home(tmp_path / "home")
-    with pytest.raises(MissingHere, match="cannot tell of saves") as raised:
+    with pytest.raises(MissingHere, match="cannot report saves") as raised:
         told_of(home, lambda: None, bool)
     assert "WATCHFILES_FORCE_POLLING" in (raised.value.next_step or "")

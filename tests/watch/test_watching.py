@@ -236,7 +236,7 @@ def test_what_has_no_verdict_is_told_and_the_next_save_is_checked(seat: Seat) ->
     seat.save("lacks")
     seat.see("Error: There is no lamp oil on this machine.", "Next: Buy some.")
     seat.save("breaks")
-    seat.see("The course itself has a fault", "RuntimeError: the wick", "does not count")
+    seat.see("The course itself has an error", "RuntimeError: the wick", "does not count")
     seat.save("falls")
     seat.see("ended without a verdict", "out of oil")
     seat.save("half")

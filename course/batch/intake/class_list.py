@@ -25,7 +25,7 @@ _FIRST, _LAST = ("firstname",), ("lastname", "surname")
 _GROUP = ("group", "groups", "groupname")
 _TIME = ("submitted", "lastmodified(submission)")
 _PARTICIPANT = re.compile(r"Participant (\d+)")
-_FORM = "Export Canvas' gradebook, Moodle's grading worksheet or participants' list, or write id,name,group."
+_FORM = "Export Canvas's gradebook, Moodle's worksheet or participants list, or write id,name,group."
 # Names that are not people's: Canvas' second row, and its test student.
 _NOBODY = ("Points Possible", "Student, Test")
 NOTHING_HANDED_IN = "Nothing was handed in."
@@ -42,10 +42,11 @@ class Listed:
 
 def read_class_list(file: Path) -> tuple[Listed, ...]:
     """Everybody once, in the list's order. Raises UsageError for a file that lists nobody."""
-    rows = [{_letters(head): cell for head, cell in row.items()} for row in read_table(file)]
+    table = read_table(file, "a class list", _FORM)
+    rows = [{_letters(head): cell for head, cell in row.items()} for row in table]
     found = {one.person.id: one for row in rows if (one := _listed(row))}
     if not found:
-        raise UsageError(f"{visible(file.name)} lists nobody: it lacks a column of ids or of names.", _FORM)
+        raise UsageError(f"{visible(file.name)} lists nobody: it has no column of ids or names.", _FORM)
     return tuple(found.values())
 
 

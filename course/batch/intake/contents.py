@@ -38,7 +38,7 @@ NOTHING = Remark(
 )
 LACKING = "It needs the package `{}`, which was not handed in."
 NO_PACKAGE = "Single files of a package were handed in, without the package that they belong to."
-NOT_OPENED = "Archives in archives, deep in folders or beyond the first twenty are not opened."
+NOT_OPENED = "Archives inside archives, deep in folders, or after the first twenty are not opened."
 NOT_USED = "Other files were not used."
 
 
@@ -191,7 +191,7 @@ def _in(archive: Part, finding: Remark) -> Remark:
     return replace(finding, where=f"{name}: {visible(finding.where, 400)}" if finding.where else name)
 
 
-UNREADABLE = "Files that may not be read were left out."
+UNREADABLE = "Files without read permission were left out."
 
 
 def lay_out(found: Found, home: Path, limits: Limits = USUAL) -> tuple[Remark, ...]:
@@ -202,7 +202,7 @@ def lay_out(found: Found, home: Path, limits: Limits = USUAL) -> tuple[Remark, .
     submission has grown meanwhile.
     """
     notes = Notes()
-    with storing(f"the submission of {found.person.id} cannot be laid out"), new_folder(home) as part:
+    with storing(f"the submission of {found.person.id} cannot be put in place"), new_folder(home) as part:
         (part / SRC).mkdir(parents=True)
         for target, entry in made_of(read_tree(found.parts, limits), found.places):
             _lay(entry, part / target, target, notes)

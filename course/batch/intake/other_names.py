@@ -32,7 +32,7 @@ setup(name='{0}', packages=[], data_files=data_files, entry_points={{'console_sc
 _SETUP_CFG = "[develop]\nscript_dir=$base/lib/{0}\n[install]\ninstall_scripts=$base/lib/{0}\n"
 AS_IF = "{} is graded as if {} were {}, for one point less."
 ENTERED = "{} is graded as if a setup.py with the entry point `{}` had been handed in, for one point less."
-UNCLEAR = "It cannot be told which program is meant as {}."
+UNCLEAR = "It is not clear which program is meant to be {}."
 
 
 @dataclass(frozen=True)

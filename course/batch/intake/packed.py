@@ -27,7 +27,7 @@ _LARGEST = 1_000_000  # bytes
 _JUDGED = (Verdict.PASSED, Verdict.NOT_PASSED)
 _VERSIONS = ("ros2course", "python", "ros")  # as `pack` writes them
 NOT_READ = "The manifest that `pack` wrote cannot be read."
-CHANGED = "Files changed after `pack` had checked them."
+CHANGED = "Files were changed after `pack` checked them."
 
 
 def claim_of(result: Result) -> Claim:
@@ -98,7 +98,7 @@ def differences(packed: PackManifest, results: Iterable[Result]) -> Iterator[str
         versions = ", ".join(visible(each, 40) for each in told_of)
         yield (
             f"{result.exercise} had {_points(claim)} points where it was packed ({versions}), and has "
-            f"{_points(here)} here. Different: {(', '.join(others) or 'the points alone').rstrip('.?!')}."
+            f"{_points(here)} here. Different: {(', '.join(others) or 'only the points').rstrip('.?!')}."
         )
 
 

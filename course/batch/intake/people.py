@@ -144,7 +144,7 @@ def _plain(name: str) -> Label:
     return Label(person(stem, stem), "", False)
 
 
-PASSED_OVER = "Files that are not a submission were passed over."
+PASSED_OVER = "Files that are not a submission were ignored."
 LINKED = Remark(
     "A link was handed in instead of files. Links are not followed.",
     "Ask for an archive, or clone what the link leads to.",
@@ -203,8 +203,8 @@ def unique(sources: Iterable[Upload]) -> tuple[Upload, ...]:
 
 def _told_apart(source: Upload, seen: set[str]) -> Upload:
     who = source.person
-    what = f"More than one submission goes by the id {who.id}."
-    finding = Remark(what, "They are graded one by one; remove those that do not count.", source.shown)
+    what = f"More than one submission has the id {who.id}."
+    finding = Remark(what, "They are graded separately; remove those that do not count.", source.shown)
     if who.id in seen:
         who = replace(who, id=f"{who.id}-{fingerprint(source.shown)}")
     seen.add(source.person.id)

@@ -175,8 +175,8 @@ _PACKAGE = re.compile(r"[A-Za-z0-9][\w-]{0,99}", re.ASCII)
 LARGEST_MANIFEST = 100_000  # bytes
 _MOST_PACKAGES = 1000
 
-OTHERS = "It contains more than one course home. Taken: {}. The others were left out."
-TWICE = "It contains a package more than once. Taken: {}. The others were left out."
+OTHERS = "It contains more than one course home. Used: {}. The others were left out."
+TWICE = "It contains a package more than once. Used: {}. The others were left out."
 FLAT = "Its files were handed in without their folders, and were put where they belong."
 UNCLEAR = "Files that could belong to several packages were left out."
 
@@ -200,7 +200,7 @@ def recognize(tree: Tree, known: Iterable[str]) -> Recognized:
     """known: files of exercises, relative to a course home. Raises Refused if there are too many packages."""
     if sum(path.rpartition("/")[2] == "package.xml" for path in tree.files()) > _MOST_PACKAGES:
         what = f"It contains more than {_MOST_PACKAGES:,} packages."
-        raise Refused(what, "Ask for the packages of the course only.")
+        raise Refused(what, "Ask for only the packages of the course.")
     known = tuple(known)
     roots = roots_in(tree, known)
     planned = _Recognizing(tree, roots, known).recognized() if roots else _NOTHING

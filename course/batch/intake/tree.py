@@ -157,7 +157,7 @@ class _Walk:
         try:
             names = self._names(folder)
         except OSError:
-            self.notes.add("Folders that may not be read were left out.", prefix)
+            self.notes.add("Folders without read permission were left out.", prefix)
             return
         if prefix and "pyvenv.cfg" in names:
             return
@@ -184,7 +184,7 @@ class _Walk:
         if safe != path.name:
             self.notes.add(RENAMED, path.name)
         if name in self.entries:
-            self.notes.add("Of names that became the same, only the first was taken.", path.name)
+            self.notes.add("Where names became the same, only the first was used.", path.name)
         else:
             self._add(path, name, top, above)
 
@@ -202,7 +202,7 @@ class _Walk:
 
     def _folder(self, real: Path, name: str, top: Path, above: tuple[Path, ...]) -> None:
         if real in above:
-            self.notes.add("Links to a folder that they lie in were left out.", name)
+            self.notes.add("Links to a folder that contains them were left out.", name)
         elif len(above) > DEEPEST:
             self.notes.add(f"Folders more than {DEEPEST} deep were left out.", name)
         elif is_results(real):

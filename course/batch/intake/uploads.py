@@ -43,7 +43,7 @@ def read_roster(file: Path) -> tuple[tuple[Upload, ...], tuple[Remark, ...]]:
     """
     people: dict[str, Upload] = {}
     findings = []
-    for number, row in _rows(file, {"id", "path"}):
+    for number, row in _rows(file, "a roster", _FORM, {"id", "path"}):
         if not row.get("id"):
             findings.append(Remark("A line of the roster has no id.", "Give it one.", f"line {number}"))
             continue
@@ -53,16 +53,16 @@ def read_roster(file: Path) -> tuple[tuple[Upload, ...], tuple[Remark, ...]]:
     return tuple(people.values()), tuple(findings)
 
 
-def read_table(file: Path) -> list[dict[str, str]]:
+def read_table(file: Path, kind: str, form: str) -> list[dict[str, str]]:
     """The rows of a file with at least two columns. Each is a dict by column name, in lowercase.
 
-    Raises UsageError for a file that is not a table.
+    Raises UsageError for a file that is not a table. kind: what it should be. form: how to write one.
     """
-    return [row for _, row in _rows(file, set())]
+    return [row for _, row in _rows(file, kind, form, set())]
 
 
-def _rows(file: Path, needed: set[str]) -> list[tuple[int, dict[str, str]]]:
-    lines = _text(file).splitlines(keepends=True)
+def _rows(file: Path, kind: str, form: str, needed: set[str]) -> list[tuple[int, dict[str, str]]]:
+    lines = _text(file, kind, form).splitlines(keepends=True)
     for delimiter in _DELIMITERS:
         reader = csv.reader(lines, delimiter=delimiter, skipinitialspace=True)
         try:
@@ -74,15 +74,16 @@ def _rows(file: Path, needed: set[str]) -> list[tuple[int, dict[str, str]]]:
                     if any(cell.strip() for cell in row)
                 ]
         except csv.Error as error:
-            raise UsageError(f"{visible(file.name)} is not a roster: {error}", _FORM) from None
-    raise UsageError(f"{visible(file.name)} is not a roster: it lacks the columns id and path", _FORM)
+            raise UsageError(f"{visible(file.name)} is not {kind}: {error}", form) from None
+    lack = f"lacks the columns {' and '.join(sorted(needed))}" if needed else "has no line of column names"
+    raise UsageError(f"{visible(file.name)} is not {kind}: it {lack}", form)
 
 
-def _text(file: Path) -> str:
+def _text(file: Path, kind: str, form: str) -> str:
     """Decode UTF-8, or what Excel writes: UTF-16 with a mark, or a Windows code page."""
     with storing(f"{file.name} cannot be read"):
         if file.stat().st_size > _LARGEST:
-            raise UsageError(f"{visible(file.name)} is too large for a roster", _FORM)
+            raise UsageError(f"{visible(file.name)} is too large for {kind}", form)
         data = file.read_bytes()
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return data.decode("utf-16", errors="replace")
@@ -103,9 +104,9 @@ def _source(row: dict[str, str], folder: Path, where: str) -> Upload:
     if "\\" in given and "\0" not in given and not _is_there(path):  # written on Windows
         path = folder / given.replace("\\", "/")
     if not given:
-        missing = Remark("The roster names no path for this person.", "Nothing was handed in?", where)
+        missing = Remark("The roster gives no path for this person.", "Was nothing handed in?", where)
     elif "\0" in given or not _is_there(path):
-        missing = Remark("There is nothing at the path that the roster names.", "Correct the path.", where)
+        missing = Remark("There is nothing at the path that the roster gives.", "Correct the path.", where)
     else:
         return Upload(who, visible(given), (Part(path.name, path),))
     return Upload(who, visible(given), (), (missing,))
@@ -122,7 +123,7 @@ def _together(one: Upload, other: Upload) -> Upload:
     findings = one.findings + other.findings
     if _name(one.person) != _name(other.person):
         what = f"The roster gives this id to {one.person.name} and to {other.person.name}."
-        findings += (Remark(what, "Give each person an id of their own."),)
+        findings += (Remark(what, "Give each person a different id."),)
     shown = f"{one.shown}, {other.shown}"
     return Upload(one.person, shown, one.parts + other.parts, findings)
 
@@ -147,11 +148,11 @@ def find_sources(submissions: Path, opened: Path, limits: Limits = USUAL) -> Upl
     elif submissions.is_file() and is_archive(submissions.name):
         found = _archive(submissions, opened, limits)
     else:
-        what = "there is no" if not submissions.exists() else "not a folder, archive or CSV roster:"
-        raise UsageError(f"{what} {visible(str(submissions))}", "name a folder, a zip or a CSV roster")
+        what = "there is no" if not submissions.exists() else "not a folder, archive, or CSV roster:"
+        raise UsageError(f"{what} {visible(str(submissions))}", "name a folder, a zip, or a CSV roster")
     if not found.each:
         raise UsageError(
-            f"no submission is in {visible(str(submissions))}", "name the folder that holds them"
+            f"no submission is in {visible(str(submissions))}", "name the folder that contains them"
         )
     return replace(found, each=tuple(sorted(found.each, key=_by_name)))
 

@@ -31,7 +31,7 @@ def safe_path(name: str) -> str:
         raise Unsafe("an absolute path")
     parts = [part for part in name.split("/") if part not in ("", ".")]
     if ".." in parts:
-        raise Unsafe("a path that leads out (`..`)")
+        raise Unsafe("a path that leads outside (`..`)")
     if len(parts) > DEEPEST:
         raise Unsafe(f"more than {DEEPEST} folders deep")
     path = "/".join(safe_name(part) for part in parts)
@@ -165,13 +165,13 @@ class Meter:
         if count > self.limits.bytes:
             raise Refused(f"It contains more than {megabytes(self.limits.bytes)}.", SOURCES_ONLY)
         if count > self._unpacked:
-            what = f"It becomes more than {self.limits.ratio} times as large as its archive, as traps do."
+            what = f"It unpacks to more than {self.limits.ratio} times its archive's size, as zip bombs do."
             raise Refused(what, SOURCES_ONLY)
 
     def on_time(self) -> None:
         if time.thread_time() > self._end:
             raise Refused(
-                f"It takes more than {self.limits.seconds:.0f} s of computing to be opened.", SOURCES_ONLY
+                f"It takes more than {self.limits.seconds:.0f} s of computing to open.", SOURCES_ONLY
             )
 
 
@@ -193,7 +193,7 @@ BROKEN = (
     ValueError,  # invalid numbers, names that are not text
     TypeError,
 )
-BROKEN_UPLOAD = "Ask for it again; perhaps the upload broke off."
+BROKEN_UPLOAD = "Ask for it again; the upload may have been cut off."
 
 
 @contextlib.contextmanager

@@ -121,7 +121,7 @@ class _Forward:
         if to == self._at - 1 and self.last:
             self._back = True
         elif to < self.tell():
-            raise tarfile.ReadError("a member that begins before the one before it ends")
+            raise tarfile.ReadError("a member that overlaps the one before it")
         while self.tell() < to:
             if not self._read(min(_STEP, to - self.tell())):
                 raise EOFError
@@ -135,7 +135,7 @@ class _Forward:
         if self._headers is not None:
             self._headers += size
             if not 0 <= size <= _LARGEST_EXTRA or self._headers > _HEADERS_OF_ONE:
-                raise tarfile.ReadError("a header larger than any that is meant well")
+                raise tarfile.ReadError("a suspiciously large header")
         return self._read(size) if size else b""
 
     def _read(self, size: int) -> bytes:
@@ -183,7 +183,7 @@ class _Bounded(io.BufferedReader):
     def read(self, size: int | None = -1, /) -> bytes:
         wanted = self._size - self.tell() if size is None or size < 0 else size
         if wanted > self._most:
-            raise Refused("Its list of contents is longer than any submission's.", SOURCES_ONLY)
+            raise Refused("Its list of contents is longer than any real submission's.", SOURCES_ONLY)
         return super().read(size)
 
 
@@ -193,10 +193,10 @@ def _refuse(infos: Iterable[zipfile.ZipInfo]) -> None:
         if info.flag_bits & _ENCRYPTED:
             raise Refused("The archive is encrypted.", "Ask for it without a password.", info.filename)
         if info.compress_type not in _METHODS:
-            what = "The archive is compressed in a way that is not opened here."
+            what = "The archive uses a compression method that is not supported here."
             raise Refused(what, "Ask for an ordinary zip (method `deflate`).", info.filename)
         if info.header_offset < end:
-            raise Refused("Its files overlap within the archive, as in traps.", SOURCES_ONLY, info.filename)
+            raise Refused("Its files overlap, as in zip bombs.", SOURCES_ONLY, info.filename)
         end = info.header_offset + 30 + len(info.orig_filename) + info.compress_size
 
 

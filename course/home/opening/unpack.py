@@ -33,11 +33,11 @@ from course.model import replace
 
 _STEP = 1 << 16
 
-RENAMED = "Names with characters that cannot be printed were changed (to `_`)."
-TWICE = "The archive contains more than one file of this name; the last one was taken."
-BOTH = "A name stands for a file and a folder; the later one was left out."
-LINK_OUT = "Links that lead out of the submission, or nowhere, were left out."
-NO_FILE = "It is not an ordinary file, but a device, a pipe or a sparse file: it was left out."
+RENAMED = "Unprintable characters in names were replaced with `_`."
+TWICE = "The archive contains more than one file with this name; the last one was used."
+BOTH = "A file and a folder have the same name; the later one was left out."
+LINK_OUT = "Links that lead outside the submission or nowhere were left out."
+NO_FILE = "It is not an ordinary file, but a device, a pipe, or a sparse file; it was left out."
 
 
 def unpack(members: Iterable[Member], folder: Path, meter: Meter) -> tuple[Remark, ...]:
@@ -209,7 +209,7 @@ def _kind(archive: Path) -> str:
         return "zip"
     if not start:
         raise Refused("The archive is empty.", BROKEN_UPLOAD)
-    raise Refused("This is not a zip or a tar.", "Ask for a zip, tar.gz, tar.bz2 or tar.xz.")
+    raise Refused("This is not a zip or a tar.", "Ask for a zip, tar.gz, tar.bz2, or tar.xz.")
 
 
 _PEOPLE = 10  # a zip of a whole class may have this many times the files of one submission
@@ -270,7 +270,7 @@ def _path(member: Member) -> str:
 def _left_out(names: tuple[str, ...]) -> Iterator[Opened]:
     notes = Notes()
     for name in names:
-        notes.add("Entries whose names lead out of the archive were left out.", name)
+        notes.add("Entries whose names lead outside the archive were left out.", name)
     if names:
         yield Opened("", None, notes.findings())
 

@@ -23,7 +23,7 @@ _NOTHING_AT_ALL = "Nothing of yours was found. If you did hand something in, tel
 _NOTHING_IN_IT = "Nothing that can be graded was found in what you handed in. The note says why."
 _OWED = (
     "Something could not be checked, through no fault of yours: see below. "
-    "Your points are final when that has been done."
+    "Your points are final once that is done."
 )
 
 
@@ -91,7 +91,7 @@ def _decision(mark: HandMark, titles: Mapping[str, str]) -> str:
 def late_words(sheet: Sheet) -> str:
     """`Handed in 2 days late: 10 points become 8.`"""
     if sheet.lateness and not sheet.lateness.seconds:
-        return "It is not known when this was handed in; no points were taken away for it."
+        return "The submission time is not known, so lateness cost no points."
     if sheet.raw_points == sheet.judged_points:
         return f"Handed in {sheet.late}; this costs no points."
     before, after = number(sheet.raw_points), number(sheet.judged_points)
@@ -113,7 +113,7 @@ def summary(sheet: Sheet) -> str:
         return EXCUSED
     if sheet.points is None:
         judged = score(sheet.judged_points, sheet.judged_max)
-        return f"not complete: {judged} points so far, and the course owes a verdict"
+        return f"not complete: {judged} points so far; a verdict is still missing"
     return f"{score(sheet.points, sheet.max_points)} points"
 
 

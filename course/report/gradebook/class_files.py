@@ -199,9 +199,9 @@ def _digest(data: bytes) -> str:
 
 
 _MARKS_HEAD = """\
-# People's marks, on top of what the machine found. Fields left empty change nothing.
-# An entry counts for everyone in its list: people with equal code and equal results are in one.
-#   points   instead of the machine's      bonus    added; below zero takes away
+# Marks by hand, on top of the machine's results. Empty fields change nothing.
+# An entry counts for everyone in its list. People with equal code and equal results share one.
+#   points   instead of the machine's      bonus    added; below zero is subtracted
 #   comment  for the learner               rubric   ids of items below
 #   check    the id of one check           excused  true: it does not count
 #   late     no, or by how much (2 days)

@@ -40,7 +40,7 @@ _HIDDEN = "[hidden]"
 _NO_TEXT = re.compile("[\u200b\u2060-\u2064\ufeff\ufdd0-\ufdef\ufff9-\uffff\U000e0000-\U000e007f]")
 
 _OURS = Feedback(
-    summary="The course itself has a fault here.",
+    summary="The course itself has an error here.",
     advice="This is not the learner's failure, and it does not count. The instructor can run it again.",
 )
 _LACKING = Feedback(

@@ -25,7 +25,7 @@ _OTHER_IDS = frozenset("emailaddress email idnumber sisuserid sisloginid student
 _POINTS_POSSIBLE = "Points Possible"
 _READ_ONLY = "(read only)"
 _FORM = (
-    "It must be as the LMS exported it: Canvas' gradebook, Moodle's grading worksheet, Blackboard's columns."
+    "It must be as the LMS exported it: Canvas's gradebook, Moodle's grading worksheet, Blackboard's columns."
 )
 
 
@@ -195,7 +195,7 @@ def _decoded(content: bytes) -> tuple[str, str]:
             try:
                 return content.decode(encoding), encoding
             except UnicodeDecodeError:
-                raise UsageError("The sheet is damaged: it is not UTF-16 all through.", _FORM) from None
+                raise UsageError("The sheet is damaged: not all of it is UTF-16.", _FORM) from None
     return content.decode("utf-8", "surrogateescape"), "utf-8"
 
 
@@ -254,7 +254,7 @@ def _chosen(columns: Mapping[int, tuple[str, str]], wanted: str) -> int:
     if len(exact) == 1:
         return exact[0]
     listed = ", ".join(names[at] for at in (exact or columns)) or "none"
-    what = f"{'Several columns' if exact else 'No column'} of the sheet can be meant."
+    what = "Several columns of the sheet match." if exact else "No column of the sheet matches."
     raise UsageError(what, f"Name one with --column, by its name or id: {listed}")
 
 
@@ -278,7 +278,7 @@ def _cell(text: str, start: int, delimiter: str) -> Cell:
         return Cell(start, end, text[start:end])
     closing = re.compile(r'"(?:[^"]|"")*"').match(text, start)
     if closing is None:
-        raise UsageError("The sheet is damaged: a quoted cell has no end.", _FORM)
+        raise UsageError("The sheet is damaged: a quoted cell is not closed.", _FORM)
     ended = re.compile(rf"[{delimiter}\r\n]").search(text, closing.end())
     end = ended.start() if ended else len(text)
     return Cell(start, end, closing[0][1:-1].replace('""', '"'))

@@ -78,7 +78,7 @@ class _Handler(BaseHTTPRequestHandler):
     do_HEAD = do_GET  # noqa: N815
 
     def _refuse(self) -> None:
-        self._send(HTTPStatus.METHOD_NOT_ALLOWED, "This page can only be read.", {"Allow": "GET, HEAD"})
+        self._send(HTTPStatus.METHOD_NOT_ALLOWED, "This page is read-only.", {"Allow": "GET, HEAD"})
 
     do_POST = do_PUT = do_DELETE = do_PATCH = do_OPTIONS = do_TRACE = do_CONNECT = _refuse  # noqa: N815
 
@@ -96,7 +96,7 @@ class _Handler(BaseHTTPRequestHandler):
         elif found and inside != path:
             self._send_submission(int(found[1]))
         else:
-            self._send(HTTPStatus.NOT_FOUND, "There is nothing here: open the whole address.")
+            self._send(HTTPStatus.NOT_FOUND, "There is nothing here: open the full address.")
 
     def _send_news(self) -> None:
         if self.headers.get("If-None-Match") == f'"{self.server.source.tag()}"':
@@ -108,7 +108,7 @@ class _Handler(BaseHTTPRequestHandler):
     def _send_submission(self, place: int) -> None:
         text = self.server.source.submission(place)
         if text is None:
-            self._send(HTTPStatus.NOT_FOUND, "Nobody is at this place of the class.")
+            self._send(HTTPStatus.NOT_FOUND, "The class has nobody at this position.")
         else:
             self._send(HTTPStatus.OK, text, kind=_JSON)
 

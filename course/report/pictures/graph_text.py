@@ -118,11 +118,11 @@ def render_graph(console: Console, recording: Recording, told: Told) -> None:
     """A line for each topic and service: `publishers -> topic -> subscriptions`. Needs no color."""
     topics, services = topics_of(recording, told.names()), services_of(recording)
     if not topics and not services:
-        put_prose(console, Text("No topic and no service was seen.", "dim"))
+        put_prose(console, Text("No topics or services were seen.", "dim"))
         return
     for title, some in (
         ("Who publishes, and who listens", topics),
-        ("Who asks a service, and who answers", services),
+        ("Who calls a service, and who answers", services),
     ):
         if some:
             put(console, title, "bold")
@@ -140,7 +140,7 @@ def _put_all(console: Console, connections: Sequence[Connection]) -> None:
         put(console, f"  ... {len(connections) - len(first)} more ...", "dim")
     for one_name, other in pairs:
         names = f"{sanitize.one_line(one_name, _NAME)} and {sanitize.one_line(other, _NAME)}"
-        text = Text(f"{names} are nearly alike, and each lacks what the other has: is one a slip?", _SLIP)
+        text = Text(f"{names} are nearly alike, and each lacks what the other has: is one a typo?", _SLIP)
         put_prose(console, text, first="! ")
 
 

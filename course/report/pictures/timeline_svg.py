@@ -69,7 +69,7 @@ def _drawn(lanes: Lanes, key: str, columns: int) -> str:
         inner.append(text(LEFT, height + 8, more, cls="axis"))
         height += 16
     told = " ".join([*(f"{named(lane)} {lane.words}" for lane in lanes.lanes), more]).strip()
-    return element(key, height, "What happened, on one time line", told, inner)
+    return element(key, height, "What happened, on one timeline", told, inner)
 
 
 def named(lane: Lane) -> str:

@@ -92,7 +92,7 @@ def _put_others(console: Console, lanes: Lanes, told: Told) -> None:
     others = [check for check in told.failed if check.id not in shown]
     if others:
         put(console)
-        put(console, "Expected otherwise", "bold")
+        put(console, "Not as expected", "bold")
     for check in others:
         _put_failed(console, check)
 

@@ -73,7 +73,7 @@ def _of_command(
         return
     said = _said(command, words, complaint) if complaint and words else None
     if said:
-        what = f"`{' '.join(command.words)}` is nothing that {_PROGRAM} understands: {said}"
+        what = f"`{' '.join(command.words)}` is not a command of {_PROGRAM}: {said}"
         step = f"correct it; `{_PROGRAM} --help` lists the commands"
         yield Finding(text.file, text.at(command.line), what, step, text.exercise)
     elif words and words[0] in _OF_EXERCISES:
@@ -118,7 +118,7 @@ def ros2_findings(course: Path, texts: Sequence[Prose]) -> Iterator[Finding]:
                     shown.append((text, found))
     for (text, command), complaint in zip(shown, _complaints([one for _, one in shown]), strict=True):
         if complaint:
-            what = f"`{' '.join(command.words)}` is nothing that `ros2` understands: {_short(complaint)}"
+            what = f"`{' '.join(command.words)}` is not a command of `ros2`: {_short(complaint)}"
             step = "correct it; `ros2 COMMAND --help` shows what there is"
             yield Finding(text.file, text.at(command.line), what, step, text.exercise)
     yield from _of_types(course, shown)

@@ -70,7 +70,7 @@ def _unknown_questions(
                 step = f"questions of the exercise: {', '.join(known) or 'none'}"
                 yield Finding(document.file, line, what, step, exercise.id)
         if edit.answers and edit.file != answers_file(exercise.id):
-            what = f"`{mistake.id}`: the answers of {exercise.id} do not lie in `{edit.file}`"
+            what = f"`{mistake.id}`: the answers of {exercise.id} are not in `{edit.file}`"
             line = document.line((*place, "file"))
             yield Finding(document.file, line, what, f"write `{answers_file(exercise.id)}`", exercise.id)
 

@@ -86,7 +86,7 @@ def spelling_findings(course: Path) -> Iterator[Finding]:
     for line in done.stdout.splitlines():
         file, number, words = line.split(":", 2)
         word, _, right = words.strip().partition(" ==> ")
-        yield Finding(Path(file), int(number), f"`{word}` is a typing error, or British", f"write: {right}")
+        yield Finding(Path(file), int(number), f"`{word}` is misspelled, or British", f"write: {right}")
 
 
 def plain_findings(text: str) -> Iterator[tuple[int, str, str]]:
@@ -127,7 +127,7 @@ def repetitions(text: str) -> Iterator[tuple[int, str, str]]:
         if found and is_prose and not _ALLOWED.search(paragraph[0]):
             line = plain.count("\n", 0, paragraph.start() + found.start()) + 1
             words = " ".join((found[1] or found["run"]).split())
-            yield line, f"`{words}` is there twice", "delete one of the two"
+            yield line, f"`{words}` appears twice", "delete one of the two"
 
 
 def early_terms(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding]:

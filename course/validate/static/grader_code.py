@@ -40,11 +40,11 @@ _OPENING = frozenset(
 )
 _WRITING_MODES = frozenset("wax+")
 _WRITES = "writes a file, where a submission may have put a link"
-_STARTS = "starts a program with all rights, which may write where a submission has put a link"
+_STARTS = "starts a program with all permissions, which may write where a submission has put a link"
 _ENGINE, _API = "course", "course.api"
 _STEP = (
-    "`arena.fresh({path: text})` lays files into a new home, `arena.handed(file)` gives programs a file of "
-    "the course, `arena.tool('rm', ...)` does the rest with the submission's own rights"
+    "`arena.fresh({path: text})` puts files into a new home, `arena.handed(file)` gives programs a file of "
+    "the course, `arena.tool('rm', ...)` does the rest with the submission's own permissions"
 )
 
 

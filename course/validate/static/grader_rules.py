@@ -33,7 +33,7 @@ def _declaration_findings(file: Path, declared: Declaration) -> Iterator[Finding
     for check in declared.checks:
         if check.id in first:
             what = f"{declared.exercise} has two checks `{check.id}`; the first is on line {first[check.id]}"
-            step = "give each an id of its own (`builds` comes by itself unless `builds=None`)"
+            step = "give each a different id (`builds` is added automatically unless `builds=None`)"
             yield Finding(file, check.line, what, step, declared.exercise)
         first.setdefault(check.id, check.line)
     if declared.whole:
@@ -60,10 +60,10 @@ def _need_problem(
         if check.id != min(circle):  # reported once, not for each member of the circle
             return None
         what = f"check `{check.id}` needs itself: {' -> '.join((check.id, *circle))}"
-        return what, "take one of them out of `needs`"
+        return what, "remove one of them from `needs`"
     if lines[need] > check.line:
         what = f"check `{check.id}` needs `{need}`, which is only on line {lines[need]}"
-        return what, f"move `{need}` before it: checks are made in their order"
+        return what, f"move `{need}` before it: checks run in this order"
     return None
 
 

@@ -78,7 +78,7 @@ def _nothing_to_do(exercise: Exercise) -> Iterator[Finding]:
     same = [file for file in own if _is_same(exercise.starter / file, exercise.solution / file)]
     if own and len(same) == len(own):
         what = f"the starter of {exercise.id} is its solution: {', '.join(same)}"
-        step = "take out of the starter what the learner is to write"
+        step = "remove from the starter what the learner should write"
         yield Finding(exercise.starter / same[0], None, what, step, exercise.id)
 
 
@@ -111,7 +111,7 @@ def _copy(file: Path, where: str, wanted: Wanted) -> Iterator[Finding]:
     known = wanted.get(_plain(text_of(file) or ""))
     if known:
         what = f"{where} contains the solution of {known[1].id}, `{known[0]}`"
-        yield Finding(file, None, what, "take it out, or leave a part of it for the learner", known[1].id)
+        yield Finding(file, None, what, "remove it, or leave a part of it for the learner", known[1].id)
 
 
 def _answers_in_starter(exercise: Exercise, subject: Subject) -> Iterator[Finding]:
@@ -122,7 +122,7 @@ def _answers_in_starter(exercise: Exercise, subject: Subject) -> Iterator[Findin
             if match and match[1] in questions and _is_right(questions[match[1]][0], match[2].strip("\"'[]")):
                 what = f"this is the right answer to `{match[1]}` of {questions[match[1]][1].id}"
                 place = exercise.starter / name
-                yield Finding(place, number, what, "take it out of the starter", exercise.id)
+                yield Finding(place, number, what, "remove it from the starter", exercise.id)
 
 
 def _is_right(question: Question, given: str) -> bool:
@@ -146,11 +146,11 @@ def _laid(home: CourseHome, exercise: Exercise, laid: Path) -> Iterator[Finding]
     name = laid.relative_to(home.path)
     place = exercise.starter / name
     if name.parts[0] == "answers":
-        what = f"the starter of {exercise.id} brings an answers file, `{name}`"
-        yield Finding(place, None, what, "take it out: answers are the learner's own", exercise.id)
+        what = f"the starter of {exercise.id} contains an answers file, `{name}`"
+        yield Finding(place, None, what, "remove it: answers are the learner's own", exercise.id)
     if name.name in _OURS or name.parts[0] in layout.PARTS:
         what = f"`{name}` of the course itself is copied into the course home"
-        yield Finding(place, None, what, "take it out of the starter", exercise.id)
+        yield Finding(place, None, what, "remove it from the starter", exercise.id)
     if laid.is_symlink():
-        what = f"`{name}` of this starter is a link, which leads out of the course home"
+        what = f"`{name}` of this starter is a link that leads outside the course home"
         yield Finding(place, None, what, "put a copy of the file there", exercise.id)

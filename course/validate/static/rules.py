@@ -90,4 +90,4 @@ def id_findings(subject: Subject) -> Iterator[Finding]:
             other, there = first.setdefault(name, (chapter, line))
             if other != chapter:
                 what = f"`{name}` is an exercise of {other.name} too, on line {there} of its lesson.yaml"
-                yield Finding(reading.document.file, line, what, "give each an id of its own", name)
+                yield Finding(reading.document.file, line, what, "give each a different id", name)

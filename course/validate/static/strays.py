@@ -69,7 +69,7 @@ def _solutions(subject: Subject) -> Iterator[Finding]:
     for path in sorted(folder.iterdir()) if folder.is_dir() else ():
         if path.name not in (*known, _README) and path.name[0] not in "._":
             what = f"no chapter is called `{path.name}`{did_you_mean(path.name, known)}"
-            yield Finding(path, None, what, "give the solutions the name of their chapter's folder")
+            yield Finding(path, None, what, "give the folder of solutions the name of its chapter's folder")
     for chapter in subject.chapters:
         others = layout.solution_folder(chapter) / "alternatives"
         for path in sorted(others.iterdir()) if others.is_dir() else ():
@@ -91,7 +91,7 @@ def _graders(subject: Subject) -> Iterator[Finding]:
         if not any(re.search(rf"\b{re.escape(file.stem)}\b", text) for text in others):
             what = f"no chapter has a grader called `{file.name}`, and no grader uses it"
             what += did_you_mean(file.name, [grader.name for grader in known])
-            yield Finding(file, None, what, "call it as its chapter: `ch18_name.py` for `18-name`")
+            yield Finding(file, None, what, "name it after its chapter: `ch18_name.py` for `18-name`")
 
 
 def _starter(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
@@ -99,7 +99,7 @@ def _starter(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
     for file in starter_files(exercise):
         if not _is_used(file, subject.exercises.values()) and PurePosixPath(file).name not in told:
             what = f"no exercise uses `{file}` of this starter"
-            step = "name it in `files` or `looks_at` of lesson.yaml, tell of it in the text, or delete it"
+            step = "name it in `files` or `looks_at` of lesson.yaml, mention it in the text, or delete it"
             yield Finding(exercise.starter / file, None, what, step, exercise.id)
 
 
@@ -112,7 +112,7 @@ def _promised(subject: Subject, exercise: Exercise) -> Iterator[Finding]:
     text = layout.exercise_text(exercise.folder, exercise.id)
     for number, line in enumerate((text_of(text) or "").splitlines(), 1):
         for name in (own - there).intersection(_THERE.findall(line)):
-            what = f"the text says that `{name}` is there, but the starter does not bring it"
+            what = f"the text says that `{name}` is there, but the starter does not contain it"
             step = f"add it to {exercise.starter.relative_to(exercise.folder)}, or correct the text"
             yield Finding(text, number, what, step, exercise.id)
 

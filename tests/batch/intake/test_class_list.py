@@ -78,6 +78,12 @@ def test_what_lists_nobody(tmp_path: Path, text: str) -> None:
         listed(tmp_path, text)
 
 
+def test_what_is_no_table(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="is not a class list: it has no line of column names") as raised:
+        listed(tmp_path, "ada\n")
+    assert "id,name,group" in str(raised.value.next_step)
+
+
 def test_everybody_is_there_whoever_handed_in(tmp_path: Path) -> None:
     (tmp_path / "list.csv").write_text(CANVAS, encoding="utf-8")
     uploads = Uploads((upload("12346", "nguyenbao", late=True), upload("999", "eve")))

@@ -167,7 +167,7 @@ def test_a_full_disk_leaves_nothing(tmp_path: Path, looked: Looked, monkeypatch:
 
     with monkeypatch.context() as patched:
         patched.setattr("course.batch.intake.contents.read_into", full)
-        with pytest.raises(StorageError, match="submission of jane cannot be laid out"):
+        with pytest.raises(StorageError, match="submission of jane cannot be put in place"):
             lay_out(found, tmp_path / "home")
     assert {path.name for path in tmp_path.iterdir()} <= {"in", "opened"}
 

@@ -126,7 +126,7 @@ def test_one_bomb_in_a_class_harms_nobody_else(tmp_path: Path, exercises: tuple[
     assert sorted(ids(found)) == ["11", "22", "33", "66"]
     (eve,) = (source for source in found.each if source.person.id == "66")
     assert look(eve, tmp_path / "eve", exercises).kind is SubmissionKind.NOTHING
-    assert "200 times as large" in look(eve, tmp_path / "eve", exercises).findings[0].what
+    assert "200 times its archive's size" in look(eve, tmp_path / "eve", exercises).findings[0].what
     assert [finding.where for finding in found.findings] == ["../evil"]
 
 

@@ -150,7 +150,7 @@ def test_unfit_workers_are_named_and_left_alone(of: Callable[[int], Class]) -> N
     assert {tuple(future.resources) for future in client.gradings} == {(WANTED.resource,)}
     assert sorted(group.told) == [
         "Worker bad (two) is not used: it has ros2course 9.9. Install 0.1.0 on it.",
-        "Worker bare is not used: it has no ros2course, or one of another version. Install the same"
+        "Worker bare is not used: it has no ros2course, or a different version. Install the same"
         " version on it, with its extra `cluster`, then start the worker again.",
     ]
     assert len(client.looks) == 3
@@ -169,7 +169,7 @@ def test_a_scheduler_that_is_gone_ends_it(of: Callable[[int], Class]) -> None:
         future.cancel()
 
     client = Client({"a": 1}, lose)
-    with pytest.raises(MissingHere, match="does not answer"):
+    with pytest.raises(MissingHere, match="no longer answers"):
         list(of(3).round(client))
 
 

@@ -106,7 +106,7 @@ def test_bytes_that_cannot_be_opened_are_our_error(machine: Machine, home: bytes
 def test_a_full_disk_is_our_error(machine: Machine) -> None:
     machine.scratch.rmdir()
     result = codec.from_json(machine.grade()[0], Graded, "it").result
-    assert result.verdict is Verdict.OUR_ERROR and result.fault and "no room" in result.fault.summary
+    assert result.verdict is Verdict.OUR_ERROR and result.fault and "no space" in result.fault.summary
 
 
 def test_what_nobody_waits_for_any_more_is_interrupted(machine: Machine) -> None:

@@ -41,7 +41,7 @@ def test_survivors_by_line() -> None:
         "    12  18-publisher, `rate`: a bound made wider",
         "        - a < 1",
         "        + a < 2",
-        "        try  no mistake makes `rate` fail by so little: add one that lies between 1 and 2 here",
+        "        try  no mistake makes `rate` fail by so little: add one that is between 1 and 2 here",
         "",
         "1 of 13 mutants survived: a mistake is missing for each.",
     ]

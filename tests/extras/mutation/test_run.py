@@ -106,7 +106,7 @@ def test_the_command(lanterns: Path) -> None:
     assert done.returncode == 1, done.stderr
     line = GRADER.splitlines().index("    if number < 100:") + 1
     assert f"  {line:>4}  04-light, `is_bright`: a bound made wider" in done.stdout
-    assert "add one that lies between 50 and 100 here" in done.stdout
+    assert "add one that is between 50 and 100 here" in done.stdout
     assert f"::error title=04-light,file=graders/ch04_lanterns.py,line={line}::" in done.stdout
     assert "recording" in done.stderr
 
@@ -139,4 +139,4 @@ def test_what_a_survivor_asks_for() -> None:
     [finding] = findings(every)
     assert (finding.line, finding.exercise) == (3, "01-a")
     assert finding.what == "no mistake notices `not` removed: `if not a:` → `if a:`"
-    assert finding.next_step == "no mistake of `a` or `b` depends on this `not`: add one, or do without it"
+    assert finding.next_step == "no mistake of `a` or `b` depends on this `not`: add one, or remove it"

@@ -77,7 +77,7 @@ def test_it_says_that_it_is_no_verdict_and_what_was_left_out() -> None:
         assert "12 submissions compared. 4 pairs are alike: 60 % or more of" in text
         assert "Alike is not a verdict" in text
         assert "3 more pairs not shown here" in text
-        assert "Note: Too little code of their own to compare, beside what the course gives: Cy." in text
+        assert "Note: Too little code of their own to compare, apart from what the course gives: Cy." in text
         assert "Note: Dee: a file was left out." in text
 
 

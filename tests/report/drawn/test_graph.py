@@ -26,7 +26,7 @@ def test_a_line_for_each_topic_and_service(page: Page) -> None:
     assert drawn(page, CALLS) == [
         "Who publishes, and who listens",
         "  the grader ─→ /told ─→ /adder",
-        "Who asks a service, and who answers",
+        "Who calls a service, and who answers",
         "  /asker, the grader ─→ /add ─→ /adder",
     ]
 
@@ -74,7 +74,7 @@ def test_the_grader_s_own_ends_are_told_of_recordings_of_before_too() -> None:
 
 
 def test_nothing_was_seen(page: Page) -> None:
-    assert drawn(page, recording()) == ["No topic and no service was seen."]
+    assert drawn(page, recording()) == ["No topics or services were seen."]
 
 
 @pytest.mark.parametrize("width", [80, 40])

@@ -49,7 +49,7 @@ def test_a_topic_on_which_nothing_came_has_a_lane_too(page: Page) -> None:
     lines = drawn(page, TYPO, judged(failed("/counted", "/counteds", "it publishes")))
     place = lines.index("Messages on /counted: none came.")
     assert lines[place + 1 : place + 3] == ["  no  it publishes: expected /counted, seen /counteds", ""]
-    assert "Expected otherwise" not in page.text
+    assert "Not as expected" not in page.text
 
 
 def test_the_legend_explains_what_is_drawn_and_nothing_else(page: Page) -> None:
@@ -75,7 +75,7 @@ def test_what_a_check_expected_stands_at_what_it_is_about(page: Page) -> None:
     lines = drawn(page, recording(*COUNTER), result)
     place = next(place for place, line in enumerate(lines) if line.startswith("Messages on /counted"))
     assert lines[place + 2] == "  no  it is called: expected /counter, seen /counted"
-    assert lines[-3:] == ["", "Expected otherwise", "  no  it speaks: expected five lines, seen none"]
+    assert lines[-3:] == ["", "Not as expected", "  no  it speaks: expected five lines, seen none"]
 
 
 @pytest.mark.slow

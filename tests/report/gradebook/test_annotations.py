@@ -72,7 +72,7 @@ def test_places_can_be_moved_into_the_repository() -> None:
 def test_who_passed_has_none_and_our_error_has_no_place() -> None:
     assert github.commands(samples.sheet_of(samples.ADA)) == []
     (line,) = github.commands(samples.sheet_of(samples.DILARA))
-    assert "file=" not in line and "The course itself has a fault here." in line
+    assert "file=" not in line and "The course itself has an error here." in line
 
 
 def test_what_means_something_to_the_runner_is_escaped() -> None:

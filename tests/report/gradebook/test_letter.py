@@ -46,7 +46,7 @@ def test_evidence_is_a_block_of_code() -> None:
 
 def test_our_error_is_no_failure_and_owes_a_verdict() -> None:
     told = lines(samples.DILARA)
-    assert "**The course itself has a fault**." in told
+    assert "**The course itself has an error**." in told
     assert any(line.startswith("Something could not be checked, through no fault of yours") for line in told)
     assert not any("60 s" in line or "Traceback" in line for line in told)
 

@@ -118,7 +118,7 @@ def test_a_decimal_comma_stays_a_comma() -> None:
         ("Student,ID\nJane,1\n", "", "No column"),
         ("a,b\n1,2\n", "", "not a sheet of Canvas, Moodle or Blackboard"),
         ("", "", "not a sheet"),
-        (CANVAS.replace("A,3.0", '"A,3.0'), "Lights", "a quoted cell has no end"),
+        (CANVAS.replace("A,3.0", '"A,3.0'), "Lights", "a quoted cell is not closed"),
     ],
 )
 def test_what_cannot_be_filled(text: str, column: str, said: str) -> None:

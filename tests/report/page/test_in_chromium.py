@@ -102,7 +102,7 @@ def test_a_lasting_link_leads_to_a_person(open_page: Open) -> None:
     page = open_page(whole(small()))
     page.evaluate("location.hash = '#person-bao'")
     expect(page.locator("#submission-name")).to_have_text("Bảo Nguyễn")
-    expect(page.get_by_role("link", name="lasting link")).to_have_attribute("href", "#person-bao")
+    expect(page.get_by_role("link", name="permanent link")).to_have_attribute("href", "#person-bao")
     page.evaluate("location.hash = '#person-nobody'")
     expect(page.locator("#submission")).to_be_hidden()
 
@@ -147,7 +147,7 @@ def test_hostile_texts_are_shown_and_do_nothing(open_page: Open) -> None:
 def test_no_script_no_harm(open_page: Open) -> None:
     page = open_page(whole(small()), script=False)
     expect(page.get_by_role("rowheader", name="Carl Lind")).to_be_visible()
-    expect(page.get_by_role("heading", name="Commonest mistakes")).to_be_visible()
+    expect(page.get_by_role("heading", name="Most common mistakes")).to_be_visible()
     expect(page.get_by_role("button", name="Show all")).to_be_hidden()
     learner = open_page(learner_page(small(), 2), script=False)
     expect(learner.locator("pre.letter")).to_contain_text("AttributeError")

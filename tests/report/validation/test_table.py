@@ -80,9 +80,9 @@ def test_texts_of_a_course_are_harmless(console: Console) -> None:
     ("found", "rows", "stopped", "words"),
     [
         (0, [SOUND], False, "All proofs hold."),
-        (2, [BROKEN], False, "2 things were found."),
-        (1, [], False, "1 thing was found."),
-        (0, [], False, "Nothing was found."),
+        (2, [BROKEN], False, "2 problems were found."),
+        (1, [], False, "1 problem was found."),
+        (0, [], False, "No problems were found."),
         (0, [SOUND, LACKING], False, "13 of 15 proofs are done, and hold."),
         (0, [LACKING], False, "Not available here: 04-far. There is no ROS."),
         (1, [BROKEN], True, "Stopped: 9 of 11 proofs were known."),

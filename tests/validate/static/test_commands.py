@@ -22,11 +22,11 @@ TEXT = "chapters/04-lanterns/04-dim.md"
         ("`check 4`", "`4` matches several exercises"),
         ("`ros2course check 18`", "there is no exercise `18`"),
         ("`04-moon`", "there is no exercise `04-moon`"),
-        ("`ros2course xcheck`", "`ros2course xcheck` is nothing that ros2course understands: there is no "
+        ("`ros2course xcheck`", "`ros2course xcheck` is not a command of ros2course: there is no "
          "command `xcheck`; did you mean `check`?"),
-        ("`ros2course check --quikc`", "`ros2course check --quikc` is nothing that ros2course understands: "
+        ("`ros2course check --quikc`", "`ros2course check --quikc` is not a command of ros2course: "
          "No such option: --quikc"),
-        ("\n```bash\nros2course grade\n```\n", "`ros2course grade` is nothing that ros2course understands: "
+        ("\n```bash\nros2course grade\n```\n", "`ros2course grade` is not a command of ros2course: "
          "`submissions` is missing"),
     ],
 )  # fmt: skip
@@ -110,7 +110,7 @@ def test_what_is_right_for_ros2() -> None:
 
 
 def test_what_is_wrong_for_ros2() -> None:
-    wrong = "is nothing that `ros2` understands:"
+    wrong = "is not a command of `ros2`:"
     assert told(WRONG) == [
         (2, f"`ros2 topic ecoh` {wrong} there is no `ecoh`; did you mean `echo`?"),
         (4, f"`ros2 topic echo --onec /x` {wrong} unrecognized arguments: --onec"),
@@ -135,7 +135,7 @@ def test_texts_of_lesson_yaml(old: str, new: str, line: int, change: Change, tel
     lesson = "chapters/04-lanterns/lesson.yaml"
     change(lesson, old, new)
     (only,) = tell()
-    assert only.startswith(f"{lesson}:{line}: `ros2 topic ecoh` is nothing that")
+    assert only.startswith(f"{lesson}:{line}: `ros2 topic ecoh` is not a command of `ros2`:")
 
 
 @pytest.mark.parametrize(

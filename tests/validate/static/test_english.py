@@ -38,7 +38,7 @@ def test_the_line_is_told_and_what_to_write() -> None:
 )
 def test_spelling(file: str, old: str, word: str, change: Change, tell: Tell) -> None:
     change(file, old, f"{word} {old}")
-    assert [line.partition(": ")[2] for line in tell()] == [f"`{word}` is a typing error, or British"]
+    assert [line.partition(": ")[2] for line in tell()] == [f"`{word}` is misspelled, or British"]
 
 
 def test_spelling_is_allowed_in_a_line(change: Change, tell: Tell) -> None:
@@ -87,7 +87,7 @@ LEFT = "where you read a parameter, or where you call."
     ],
 )
 def test_words_that_an_edit_left_behind(text: str, line: int, words: str) -> None:
-    assert [*repetitions(text)] == [(line, f"`{words}` is there twice", "delete one of the two")]
+    assert [*repetitions(text)] == [(line, f"`{words}` appears twice", "delete one of the two")]
 
 
 @pytest.mark.parametrize(

@@ -187,7 +187,7 @@ print(mode, subprocess.PIPE)
 
 @pytest.mark.parametrize(
     ("lines", "words"),
-    [(WRITE, "writes a file,"), (START, "starts a program with all rights,"), (READ, None)],
+    [(WRITE, "writes a file,"), (START, "starts a program with all permissions,"), (READ, None)],
     ids=["writing", "starting", "reading"],
 )
 def test_a_grader_neither_writes_nor_starts_programs(

@@ -68,7 +68,7 @@ def test_only_a_last_hint_may_show_it(change: Change, tell: Tell) -> None:
 @pytest.mark.parametrize(
     ("name", "what"),
     [
-        ("answers/04-dim.yaml", "the starter of 04-light brings an answers file, `answers/04-dim.yaml`"),
+        ("answers/04-dim.yaml", "the starter of 04-light contains an answers file, `answers/04-dim.yaml`"),
         (
             "lanterns/lesson.yaml",
             "`lanterns/lesson.yaml` of the course itself is copied into the course home",

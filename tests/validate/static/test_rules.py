@@ -38,7 +38,7 @@ def test_a_finding_has_its_next_step(change: Change, root: Path) -> None:
     change("graders/ch05_moons.py", "", "")
     (finding,) = findings(open_course(root), open_course(root).exercises())
     assert finding.file == root / "graders/ch05_moons.py"
-    assert finding.next_step == "call it as its chapter: `ch18_name.py` for `18-name`"
+    assert finding.next_step == "name it after its chapter: `ch18_name.py` for `18-name`"
 
 
 def test_of_one_exercise_only_what_is_about_it(change: Change, tell: Tell) -> None:

@@ -143,7 +143,7 @@
 
   function steps(place) {
     const to = (at, words) => make("a", { href: `#submission-${at}` }, words);
-    const nav = make("nav", { className: "steps", "aria-label": "Submissions" }, make("a", { href: "#people" }, "Back to everybody"));
+    const nav = make("nav", { className: "steps", "aria-label": "Submissions" }, make("a", { href: "#people" }, "Back to everyone"));
     if (place > 0) nav.append(to(place - 1, "Previous"));
     if (place + 1 < data.people.length) nav.append(to(place + 1, "Next"));
     return nav;
@@ -166,7 +166,7 @@
     const head = make("h2", { id: "submission-name", tabIndex: -1 }, told.name);
     box.replaceChildren(...(mode === "learner" ? [] : [steps(place)]), head);
     box.append(
-      make("p", { className: "quiet" }, about, ...(mode === "learner" ? [] : [" (", make("a", { href: `#person-${encodeURIComponent(told.id)}` }, "lasting link"), ")"])),
+      make("p", { className: "quiet" }, about, ...(mode === "learner" ? [] : [" (", make("a", { href: `#person-${encodeURIComponent(told.id)}` }, "permanent link"), ")"])),
       make("p", { className: "headline" }, `${told.summary}.`),
       ...told.says.map((text) => make("p", {}, ...prose(text))),
       ...(told.marks.length > 1 ? [index(told.marks, place)] : []),
@@ -380,10 +380,10 @@
         renew(await answer.json());
         byId("live").textContent = `live, as of ${new Date().toLocaleTimeString()}.`;
       } else if (answer.status !== 304) {
-        byId("live").textContent = "the results cannot be read at this moment.";
+        byId("live").textContent = "the results cannot be read right now.";
       }
     } catch {
-      byId("live").textContent = "its server does not answer any more; this is how it was.";
+      byId("live").textContent = "its server no longer answers; this is its last state.";
     }
     setTimeout(ask, ASK_EVERY);
   }
