@@ -53,7 +53,7 @@ def counted(count: int, noun: str) -> str:
 
 
 def in_one_line(text: str) -> str:
-    """The text with each run of blanks and line ends as one blank."""
+    """The text on one line, with single spaces."""
     return " ".join(text.split())
 
 

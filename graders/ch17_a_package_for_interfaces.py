@@ -51,7 +51,7 @@ interfaces = Grader("17-interfaces")
 def offer_the_types(arena: Arena) -> None:
     """Use the learner's types in a program of ours. The graph shows their hashes."""
     arena.keep(PACKAGE, EXPORTS)
-    probe = arena.companion(PROBE, MESSAGE, SERVICE, NEWER, name="type probe")
+    probe = arena.companion(PROBE, MESSAGE, SERVICE, NEWER, name="types")
     if arena.until(lambda: arena.printed("ready"), timeout=15, while_running=probe):
         missing = arena.printed("missing ")
         arena.until(lambda: len(hashes_in(arena)) + missing >= 3, timeout=5, while_running=probe)

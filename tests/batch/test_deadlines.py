@@ -105,7 +105,7 @@ def test_who_handed_in_nothing_or_at_an_unknown_time(tmp_path: Path) -> None:
         (DUE + "gracee: 3 h\n", "did you mean `grace`"),
         (DUE + "penalty: {percent: 200}\n", "less than or equal to 100"),
         (DUE + "extensions: {adda: 2026-10-08 12:00}\n", "did you mean `ada`"),
-        (DUE + "due: 2026-10-06 23:59\n", "given twice"),
+        (DUE + "due: 2026-10-06 23:59\n", "appears twice here"),
     ],
 )
 def test_mistakes_are_told_with_their_line(tmp_path: Path, text: str, said: str) -> None:

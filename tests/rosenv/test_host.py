@@ -35,7 +35,7 @@ def test_the_usual_machine_is_served(python: tuple[int, int]) -> None:
         ({"machine": "aarch64"}, "x86-64 processors only; this one is aarch64", "Docker image ros:jazzy"),
         ({"system": "darwin"}, "Linux only; this is darwin", "Docker image ros:jazzy"),
         ({"libc": ""}, "musl", "Docker image ros:jazzy"),
-        ({"libc": "glibc 2.27"}, "needs glibc 2.28 or newer; here is glibc 2.27", "Docker image ros:jazzy"),
+        ({"libc": "glibc 2.27"}, "needs glibc 2.28 or newer, not glibc 2.27", "Docker image ros:jazzy"),
         ({"python": (3, 9)}, "Python 3.9 is too old", "3.10 to 3.14"),
         ({"python": (3, 15)}, "Python 3.15 is too new", "3.10 to 3.14"),
         ({"implementation": "pypy"}, "this Python is pypy", "3.10 to 3.14"),
