@@ -4,8 +4,8 @@ Each mistake is made in the solution, or in the alternative that `over` names, a
 feedback for those that match PATTERN is printed, for a person to read and judge. --figures prints the
 judgments in `bench/mistakes/judgments.yaml`. Each mistake has letters: c (the true cause is named), l (the
 feedback leads to the fix) or p (it leads there partly), m (it misleads), u (not caught). `e` marks edits
-that turned out to be right. Every other mistake of each file belongs to the set `blind`: read these only
-after explanations were improved.
+that turned out to be right. `fresh` and `strict` are sets. Every other mistake of each other file belongs
+to the set `blind`: read these only after explanations were improved.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from course.validate.claims import words_of
 
 MISTAKES = Path(__file__).parent / "mistakes"
 JUDGMENTS = MISTAKES / "judgments.yaml"
-FRESH = "fresh"
+WHOLE = ("fresh", "strict")  # sets that are a file each
 Entry = dict[str, Any]
 
 
@@ -46,7 +46,7 @@ def main() -> None:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("pattern", nargs="*", help="parts of the ids; by default, all")
-    parser.add_argument("--set", choices=("open", "blind", FRESH), help="only these")
+    parser.add_argument("--set", choices=("open", "blind", *WHOLE), help="only these")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--keep", type=Path, default=Path("feedback"), help="folder for what was said")
     parser.add_argument("--again", action="store_true", help="grade what was graded before, too")
@@ -78,7 +78,7 @@ def entries() -> Iterator[Entry]:
     for file in sorted(MISTAKES.glob("*.yaml")):
         if file != JUDGMENTS:
             for number, entry in enumerate(yaml.safe_load(file.read_text(encoding="utf-8"))):
-                yield {**entry, "set": FRESH if file.stem == FRESH else ("open", "blind")[number % 2]}
+                yield {**entry, "set": file.stem if file.stem in WHOLE else ("open", "blind")[number % 2]}
 
 
 def graded(entry: Entry) -> str:
@@ -133,7 +133,7 @@ def figures() -> None:
     unknown = sorted({*judged} - {entry["id"] for entry in every})
     assert not unknown, f"no such mistakes: {unknown}"
     rows = []
-    for name in ("open", "blind", FRESH):
+    for name in ("open", "blind", *WHOLE):
         mine = [judged[entry["id"]] for entry in every if entry["set"] == name and entry["id"] in judged]
         letters = [each for each in mine if each != "e"]
         rows.append([name, str(len(letters)), *(_share(letter, letters) for letter in "uclpm")])

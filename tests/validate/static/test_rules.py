@@ -30,7 +30,8 @@ def test_all_is_told_at_once(change: Change, tell: Tell) -> None:
     change(LESSON, "      - Half of it is left.\n", "")
     change("graders/ch05_moons.py", "", "")
     (line, stray) = tell()
-    assert line == f"{LESSON}:28: `exercises[1].hints` must contain at least 3 hints, not 2 (exercises[1].hints)"
+    what = "`exercises[1].hints` must contain at least 3 hints, not 2 (exercises[1].hints)"
+    assert line == f"{LESSON}:28: {what}"
     assert stray.startswith("graders/ch05_moons.py:None: no chapter has a grader called `ch05_moons.py`")
 
 
