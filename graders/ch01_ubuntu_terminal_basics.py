@@ -318,6 +318,17 @@ def prints(recording: Recording) -> None:
         return
     meant = expect_ran(recording, "alias say_hello").printed
     where = [n for n, line in enumerate(recording.home.file(BASHRC).lines, 1) if "alias say_hello" in line]
+    curly = [
+        n for n in where if re.search("[\u2018\u2019\u201c\u201d]", recording.home.file(BASHRC).lines[n - 1])
+    ]
+    if curly:
+        raise Failure(
+            Feedback(
+                summary="The quotation marks around the command are curly, as word processors write them.",
+                where=(Location(BASHRC, curly[-1]),),
+                advice="bash knows only straight ones: type `'` at both ends.",
+            )
+        )
     lost = any("command not found" in line for line in printed)
     raise Failure(
         Feedback(

@@ -584,6 +584,14 @@ def profile(recording: Recording) -> ElementTree.Element:
         root = ElementTree.fromstring(found.text or "")
     except ElementTree.ParseError as error:
         number = min(error.position[0], max(len(found.lines), 1))
+        if "declaration not at start" in str(error):
+            raise Failure(
+                Feedback(
+                    summary="Something comes before `<?xml`, which must be the very beginning of the file.",
+                    where=(Location(PROFILE, 1),),
+                    advice="Move it below that line, or remove it. An empty line or a space counts, too.",
+                )
+            ) from None
         raise Failure(
             Feedback(
                 summary="This file is not valid XML: an element is not closed, here or earlier."

@@ -82,7 +82,11 @@ class ProcessView:
     def traceback(self, after: float = 0.0) -> tuple[str, ...]:
         """Return the last Python traceback that it printed from time `after` (s) on; empty if it has none."""
         lines = [line.text for line in self.lines if line.t >= after]
-        starts = [index for index, text in enumerate(lines) if TRACEBACK in text]
+        starts = [
+            index
+            for index, text in enumerate(lines)
+            if TRACEBACK in text and not (index and lines[index - 1].startswith("Exception ignored in"))
+        ]
         return _one_traceback(lines[starts[-1] :]) if starts else _unreadable_script(lines)
 
 

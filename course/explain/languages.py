@@ -196,7 +196,19 @@ def _at_the_end(found: Crash, recording: Recording) -> Cause:
         spins = (call.where for call in calls(recording.sources, "spin") if call.where.file == where.file)
         where = (_loop_around(recording.sources, where) if in_loop else next(spins, None)) or where
     advice = _WITH_LOOP if in_loop else _WITH_SPIN
-    return spin_in_a_thread(recording.sources) or Cause(advice, (where,) if where else ())
+    slip = first(recording.sources, spin_in_a_thread, _only_one_caught)
+    return slip or Cause(advice, (where,) if where else ())
+
+
+def _only_one_caught(sources: Sources) -> Cause | None:
+    """`except KeyboardInterrupt and ExternalShutdownException:`."""
+    for file, node in nodes(sources):
+        if isinstance(node, ast.ExceptHandler) and isinstance(node.type, ast.BoolOp):
+            right = f"except ({', '.join(map(ast.unparse, node.type.values))}):"
+            return Cause(
+                f"This catches only one of the exceptions. Write `{right}`.", (Location(file, node.lineno),)
+            )
+    return None
 
 
 def _unhandled(found: Crash, cause: Cause) -> Feedback:

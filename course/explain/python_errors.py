@@ -28,6 +28,7 @@ from course.explain.engine import (
 )
 from course.explain.parameter_causes import undeclared, value_forgotten
 from course.explain.python_code import assigned, called_name, calls, nodes, number, parsed
+from course.explain.python_mixups import MIXUPS
 from course.explain.python_slips import (
     accidental_tuple,
     class_spun,
@@ -224,7 +225,9 @@ def _misspelled(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
 def _ros_calls_it(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """A callback that rclpy calls, but no line of the learner's code."""
     found = [one for one in callbacks(evidence.sources) if one.node.name == words["name"]]
-    return None if not found or calls(evidence.sources, words["name"]) else Proven(where=(found[0].where,))
+    prepared = [ast.unparse(one) for call in calls(evidence.sources, "partial") for one in call.args[:1]]
+    by_own_code = calls(evidence.sources, words["name"]) or words["name"] in prepared
+    return None if not found or by_own_code else Proven(where=(found[0].where,))
 
 
 _PASSED = {
@@ -670,6 +673,7 @@ SHUT_DOWN_TWICE = Known[Evidence](
 )
 
 EXCEPTIONS: tuple[Known[Evidence], ...] = (
+    *MIXUPS,
     Known(r"__init__\(\)|has no attribute", "{cause}",
           "TypeError: Node.__init__() missing 1 required positional argument: 'node_name'",
           proof=because(misnamed_constructor),

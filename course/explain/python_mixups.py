@@ -1,0 +1,248 @@
+"""Errors of Python where the line that fails may be right: the code shows what was mixed up, and where."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from course.explain.engine import Evidence, Known, Proven, Symptom, Words
+from course.explain.python_code import calls, nodes, trees
+from course.model.feedback import Location
+
+_LACKS = r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'"
+_UNDEFINED = r"name '(?P<name>\w+)' is not defined"
+_OF_RCLPY = {"spin", "spin_once", "init", "shutdown", "ok"}
+
+
+def _classes(evidence: Evidence) -> Iterator[tuple[str, ast.ClassDef]]:
+    for file, node in nodes(evidence.sources):
+        if isinstance(node, ast.ClassDef):
+            yield file, node
+
+
+def _attributes(top: ast.AST, context: type[ast.expr_context]) -> Iterator[ast.Attribute]:
+    """`self.x` where it is set (ast.Store) or deleted (ast.Del)."""
+    for node in ast.walk(top):
+        if (
+            isinstance(node, ast.Attribute)
+            and isinstance(node.ctx, context)
+            and ast.unparse(node.value) == "self"
+        ):
+            yield node
+
+
+def _function_with_self(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`def main(self)` at the left margin."""
+    for file, tree in trees(evidence.sources):
+        for node in tree.body:
+            if not isinstance(node, ast.FunctionDef) or node.name != words["name"]:
+                continue
+            if [one.arg for one in node.args.args[:1]] == ["self"]:
+                return Proven(where=(Location(file, node.lineno),))
+    return None
+
+
+def _arguments_beside(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`create_task(work, tag)`, `add_done_callback(done, tag)`."""
+    for call in calls(evidence.sources, words["name"]):
+        given = [ast.unparse(one) for one in call.args]
+        if len(given) > 1 and words["name"] == "create_task":
+            return Proven({"right": f"create_task({given[0]}({', '.join(given[1:])}))"}, (call.where,))
+        if len(given) > 1:
+            return Proven({"right": f"{words['name']}(partial({', '.join(given)}))"}, (call.where,))
+    return None
+
+
+def _of_the_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`count = 0` at the left margin, and `count += 1` in a function."""
+    for _, tree in trees(evidence.sources):
+        for node in tree.body:
+            targets = node.targets if isinstance(node, ast.Assign) else ()
+            if any(isinstance(one, ast.Name) and one.id == words["name"] for one in targets):
+                return Proven()
+    return None
+
+
+def _hides_a_method(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`self.count = 0` in a class with `def count(self)`."""
+    for file, owner in _classes(evidence):
+        methods = {part.name for part in owner.body if isinstance(part, ast.FunctionDef)}
+        for node in _attributes(owner, ast.Store):
+            if node.attr in methods:
+                given = {"name": node.attr, "line": str(node.lineno)}
+                return Proven(given, (Location(file, node.lineno),))
+    return None
+
+
+def _of_rclpy(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    own = {node.name for _, node in _classes(evidence)}
+    return Proven() if words["name"] in _OF_RCLPY and words["of"] in own else None
+
+
+def _deleted(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`del self.timer`."""
+    for file, owner in _classes(evidence):
+        for node in _attributes(owner, ast.Del):
+            if (owner.name, node.attr) == (words["of"], words["name"]):
+                return Proven({"line": str(node.lineno)}, (Location(file, node.lineno),))
+    return None
+
+
+def _other_underscores(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`self.__name` is set, and `self._name` is read."""
+    wanted = words["name"].removeprefix(f"_{words['of']}")
+    for file, owner in _classes(evidence):
+        for node in _attributes(owner, ast.Store) if owner.name == words["of"] else ():
+            if node.attr != wanted and node.attr.strip("_") == wanted.strip("_"):
+                given = {"other": node.attr, "wanted": wanted, "line": str(node.lineno)}
+                return Proven(given, (Location(file, node.lineno),))
+    return None
+
+
+def _comma_before_parentheses(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """Two tuples in a list, without a comma between them."""
+    for file, node in nodes(evidence.sources):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Tuple):
+            line = node.func.end_lineno or node.func.lineno
+            return Proven({"line": str(line)}, (Location(file, line),))
+    return None
+
+
+def _whole_parameter(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`speed = self.get_parameter('speed')`."""
+    return _assigned(evidence, "get_parameter")
+
+
+def _whole_value(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`quote = ....get_parameter_value()`."""
+    return _assigned(evidence, "get_parameter_value")
+
+
+def _assigned(evidence: Evidence, called: str) -> Proven | None:
+    for file, node in nodes(evidence.sources):
+        value = node.value if isinstance(node, ast.Assign) else None
+        if (
+            isinstance(value, ast.Call)
+            and isinstance(value.func, ast.Attribute)
+            and value.func.attr == called
+        ):
+            return Proven({"line": str(value.lineno)}, (Location(file, value.lineno),))
+    return None
+
+
+def _whole_vector(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`self.speed = message.linear`."""
+    for file, node in nodes(evidence.sources):
+        value = node.value if isinstance(node, ast.Assign) else None
+        if isinstance(value, ast.Attribute) and value.attr in ("linear", "angular"):
+            given = {"line": str(value.lineno), "right": f"{ast.unparse(value)}.x"}
+            return Proven(given, (Location(file, value.lineno),))
+    return None
+
+
+def _name_of_a_parameter(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`self.get_parameter(speed)`."""
+    for call in (
+        call for name in ("get_parameter", "declare_parameter") for call in calls(evidence.sources, name)
+    ):
+        given = call.args[0] if call.args else None
+        if isinstance(given, ast.Name) and given.id == words["name"]:
+            return Proven(where=(call.where,))
+    return None
+
+
+def _super_not_called(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`super.__init__('talker')`."""
+    for file, node in nodes(evidence.sources):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "super":
+            return Proven(where=(Location(file, node.lineno),))
+    return None
+
+
+def _already_a_message(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`message = Quote()`, and then `message()`."""
+    made = {
+        target.id
+        for _, node in nodes(evidence.sources)
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Call)
+        for target in node.targets
+        if isinstance(target, ast.Name) and ast.unparse(node.value.func) == words["of"]
+    }
+    for file, node in nodes(evidence.sources):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in made:
+            return Proven({"name": node.func.id}, (Location(file, node.lineno),))
+    return None
+
+
+def _shut_down_first(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`rclpy.shutdown()` in a line before `rclpy.spin(node)`, in the same file."""
+    for end in calls(evidence.sources, "shutdown"):
+        for spin in calls(evidence.sources, "spin"):
+            if end.where.file == spin.where.file and (end.where.line or 0) < (spin.where.line or 0):
+                return Proven(where=(end.where,))
+    return None
+
+
+MIXUPS: tuple[Known[Evidence], ...] = (
+    Known(r"(?<!\.)\b(?P<name>\w+)\(\) missing 1 required positional argument: 'self'",
+          "`{name}` is a function, not a method of a class: remove `self` from its `def`.",
+          "TypeError: main() missing 1 required positional argument: 'self'", proof=_function_with_self,
+          given={"talk/talker.py": "def main(self):\n    pass\n"}),
+    Known(r"\b(?P<name>create_task|add_done_callback)\(\) takes .* given", "Write `{right}`.",
+          "TypeError: create_task() takes 1 positional argument but 2 were given", proof=_arguments_beside,
+          given={"talk/talker.py": "asyncio.create_task(work, 'tag')\n"}),
+    Known(r"(?:cannot access local|local) variable '(?P<name>\w+)'",
+          "A function that changes a variable of the module needs the line `global {name}` first.",
+          "UnboundLocalError: cannot access local variable 'count'", proof=_of_the_module,
+          given={"talk/talker.py": "count = 0\n\ndef tick():\n    count += 1\n"}),
+    Known(r"'\w+' object is not callable",
+          "Line {line} sets `self.{name}`, which hides the method `{name}`. They need different names.",
+          "TypeError: 'int' object is not callable", proof=_hides_a_method,
+          given={"talk/talker.py": "class Talker:\n    def count(self):\n        self.count = 1\n"}),
+    Known(_LACKS, "`{name}` is a function of rclpy: write `rclpy.{name}(...)`.",
+          "AttributeError: 'Talker' object has no attribute 'spin'", proof=_of_rclpy,
+          given={"talk/talker.py": "class Talker(Node):\n    pass\n"}),
+    Known(_LACKS, "Line {line} deletes `self.{name}`. If it is a timer, call its `cancel()` instead.",
+          "AttributeError: 'Talker' object has no attribute 'timer'", proof=_deleted,
+          given={"talk/talker.py": "class Talker(Node):\n    def stop(self):\n        del self.timer\n"}),
+    Known(_LACKS, "Line {line} sets `{other}`, with other underscores than `{wanted}`. Use one name.",
+          "AttributeError: 'Talker' object has no attribute '_count'", proof=_other_underscores,
+          given={"talk/talker.py": "class Talker:\n    def __init__(self):\n        self.__count = 0\n"}),
+    Known(r"No module named '(?P<package>\w+)\.(?P<kind>msg|srv|action)\.(?P<name>[A-Z]\w*)'",
+          "`import` alone takes modules only: write `from {package}.{kind} import {name}`.",
+          "ModuleNotFoundError: No module named 'talk.msg.Quote'"),
+    Known(r"'tuple' object is not callable",
+          "A comma is missing at the end of line {line}: Python takes the next parentheses for a call.",
+          "TypeError: 'tuple' object is not callable", proof=_comma_before_parentheses,
+          given={"talk/talker.py": "QUOTES = [('a', 'b') ('c', 'd')]\n"}),
+    Known(r"'Parameter'", "Line {line} keeps the whole parameter: add `.value` after `get_parameter(...)`.",
+          "TypeError: '<' not supported between instances of 'float' and 'Parameter'", proof=_whole_parameter,
+          given={"talk/talker.py": "speed = self.get_parameter('speed')\n"}),
+    Known(r"ParameterValue", "Write `.value` instead of `.get_parameter_value()`, or add `.string_value`, "
+          "`.double_value`, or `.integer_value` after it.", "AssertionError: not 'ParameterValue'",
+          proof=_whole_value, given={"talk/talker.py": "quote = given.get_parameter_value()\n"}),
+    Known(r"'Vector3'", "Line {line} keeps the whole vector. Its part for driving ahead is `{right}`.",
+          "TypeError: unsupported operand type(s) for *: 'Vector3' and 'float'", proof=_whole_vector,
+          given={"talk/talker.py": "speed = message.linear\n"}),
+    Known(_UNDEFINED, "A parameter's name is a string: write `'{name}'`, in quotation marks.",
+          "NameError: name 'speed' is not defined", proof=_name_of_a_parameter,
+          given={"talk/talker.py": "node.get_parameter(speed)\n"}),
+    Known(r"descriptor|super", "`super` needs parentheses, too: `super().__init__(...)`.",
+          "TypeError: descriptor '__init__' requires a 'super' object but received a 'str'",
+          proof=_super_not_called, given={"talk/talker.py": "super.__init__('talker')\n"}),
+    Known(r"random\(\) takes no arguments", "`random.random()` takes no limits: `random.uniform(1, 2)` does.",
+          "TypeError: Random.random() takes no arguments (2 given)"),
+    Known(r"'(?P<of>[A-Z]\w*)' object is not callable",
+          "`{name}` is a message already: leave out the parentheses after it.",
+          "TypeError: 'Quote' object is not callable", proof=_already_a_message,
+          given={"talk/talker.py": "message = Quote()\nnode.publish(message())\n"}),
+    Known(r"a coroutine was expected, got <function (?P<name>\w+)", "Call the function: `{name}()`.",
+          "ValueError: a coroutine was expected, got <function main at 0x1>"),
+    Known(r"\S: (?:'\w+' and 'method'|'method' and)",
+          "A method is named in this line, but not called: its parentheses are missing.",
+          "TypeError: unsupported operand type(s) for +: 'float' and 'method'"),
+    Known(r"does not support the context manager protocol|\(AttributeError: __enter__\)",
+          "`rclpy.shutdown()` comes before `rclpy.spin(...)`: move it to the end.",
+          "TypeError: 'NoneType' object does not support the context manager protocol",
+          proof=_shut_down_first, given={"talk/talker.py": "rclpy.shutdown()\nrclpy.spin(node)\n"}),
+)  # fmt: skip
