@@ -218,8 +218,9 @@ MIXUPS: tuple[Known[Evidence], ...] = (
     Known(r"'Parameter'", "Line {line} keeps the whole parameter: add `.value` after `get_parameter(...)`.",
           "TypeError: '<' not supported between instances of 'float' and 'Parameter'", proof=_whole_parameter,
           given={"talk/talker.py": "speed = self.get_parameter('speed')\n"}),
-    Known(r"ParameterValue|field must be of type", "Write `.value` instead of `.get_parameter_value()`, or add `.string_value`, "
-          "`.double_value`, or `.integer_value` after it.", "AssertionError: not 'ParameterValue'",
+    Known(r"ParameterValue|field must be of type",
+          "Write `.value` instead of `.get_parameter_value()`, or add `.string_value`, `.double_value`, or "
+          "`.integer_value` after it.", "AssertionError: not 'ParameterValue'",
           proof=_whole_value, given={"talk/talker.py": "quote = given.get_parameter_value()\n"}),
     Known(r"'Vector3'", "Line {line} keeps the whole vector. Its part for driving ahead is `{right}`.",
           "TypeError: unsupported operand type(s) for *: 'Vector3' and 'float'", proof=_whole_vector,
