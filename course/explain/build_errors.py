@@ -176,6 +176,33 @@ def _of_known_package(build: Build, symptom: Symptom, words: Words) -> Proven | 
     return Proven() if words["name"] in build.known_packages else None
 
 
+def _for_itself_alone(build: Build, symptom: Symptom, words: Words) -> Proven | None:
+    """`target_include_directories(talk PRIVATE include)`, for a header that another target includes."""
+    for command in commands(build.sources, build.folder, "target_include_directories"):
+        if "PRIVATE" in command.words:
+            return Proven(where=(command.where,)) if _of_this_package(build, symptom, words) else None
+    return None
+
+
+def _header_without_folder(build: Build, symptom: Symptom, words: Words) -> Proven | None:
+    """`#include "talk.hpp"`, where the header is include/talk/talk.hpp."""
+    written = PurePosixPath(words["header_name"])
+    for file in _sources(build, headers=True):
+        below = file.partition("include/")[2]
+        if below and PurePosixPath(below).name == written.name and below != str(written):
+            return Proven({"right": below})
+    return None
+
+
+def _header_of_another_name(build: Build, symptom: Symptom, words: Words) -> Proven | None:
+    """`#include "robot.h"`, beside a file robot.hpp."""
+    proven = _header_like(build, symptom, words)
+    if proven is None or "include/" in proven.words["near"]:
+        return None
+    name = PurePosixPath(proven.words["near"]).name
+    return Proven({"right": name}) if name != words["header_name"] else None
+
+
 def _header_like(build: Build, symptom: Symptom, words: Words) -> Proven | None:
     own = {PurePosixPath(file).name: file for file in _sources(build, headers=True)}
     near = nearest(PurePosixPath(words["header_name"]).name, own, LOOSELY)
@@ -261,6 +288,24 @@ HEADERS = tuple(
             {},
         ),
         (
+            _for_itself_alone,
+            "`PRIVATE` keeps this folder from the targets that link the library: write `PUBLIC`.",
+            "talk/talk.hpp: No such file or directory",
+            {LISTS: "target_include_directories(talk PRIVATE include)"},
+        ),
+        (
+            _header_without_folder,
+            'Write the header with its folder: `#include "{right}"`.',
+            "talk.hpp: No such file or directory",
+            {"include/talk/talk.hpp": ""},
+        ),
+        (
+            _header_of_another_name,
+            'Did you mean `#include "{right}"`?',
+            "robot.h: No such file or directory",
+            {"src/robot.hpp": ""},
+        ),
+        (
             _of_this_package,
             "The header is in this package: `target_include_directories` must name the folder `include`.",
             "talk/talk.hpp: No such file or directory",
@@ -283,8 +328,8 @@ HEADERS = tuple(
         (
             _header_like,
             "Did you mean the header `{near}`? If so, `target_include_directories` must name its folder.",
-            "robot.h: No such file or directory",
-            {"src/robot.hpp": ""},
+            "robot/robot.h: No such file or directory",
+            {"include/robots/robot.hpp": ""},
         ),
         (
             _package_like,
