@@ -151,13 +151,16 @@ def texts(recording: Recording) -> None:
     for message in recording.topic(TOPIC).messages:
         for field in ("quote", "philosopher_name"):
             if not getattr(message.data, field).strip():
+                slip = slips.compared(recording.sources)
                 raise Failure(
                     Feedback(
                         summary=f"`{field}` is empty in the message with id {message.data.id}.",
                         expected="at least one character",
                         seen="an empty string",
-                        where=tuple(call.where for call in calls(recording.sources, "publish"))[:1],
-                        advice=f"Set it before publishing: `message.{field} = '...'`.",
+                        where=slip.where
+                        if slip
+                        else tuple(call.where for call in calls(recording.sources, "publish"))[:1],
+                        advice=slip.text if slip else f"Set it before publishing: `message.{field} = '...'`.",
                     )
                 )
 

@@ -159,8 +159,13 @@ def rate_in_callback(sources: Sources) -> Cause | None:
 
 
 def compared(sources: Sources) -> Cause | None:
-    """`count == count + 1` on a line of its own."""
+    """`count == count + 1` on a line of its own, or `count =+ 1`."""
     for file, node in nodes(sources):
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.UnaryOp):
+            place, line = Location(file, node.lineno), sources.files[file].splitlines()[node.lineno - 1]
+            if "=+" in line:
+                what = ast.unparse(node.value.operand)
+                return Cause(f"`=+ {what}` sets the value to {what}. To add to it, write `+=`.", (place,))
         value = node.value if isinstance(node, ast.Expr) else None
         if isinstance(value, ast.Compare) and isinstance(value.ops[0], ast.Eq):
             text = f"`{ast.unparse(value)}` only compares, and changes nothing. A single `=` assigns a value."
