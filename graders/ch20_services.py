@@ -618,14 +618,9 @@ def commands_speed(recording: Recording) -> None:
 def stops(recording: Recording) -> None:
     expect_answers(about_controller(recording), rover.STOP)
     told = recording.marked(STOPPED)
-    slip = slips.compared(about_controller(recording).sources)
     advice = (
-        slip.text
-        if slip
-        else (
-            "Store `request.data` in `self`. As long as it is true, publish a `Twist` with speed 0.0 after "
-            "each measurement."
-        )
+        "Store `request.data` in `self`. As long as it is true, publish a `Twist` with speed 0.0 after "
+        "each measurement."
     )
     for distance, speed in rover.answered_distances(
         recording, told.t if told else -inf, told_at(recording, 1)
