@@ -209,7 +209,7 @@ def test_nodes_end_when_their_parent_is_killed(
 
 def test_only_once(tmp_path: Path) -> None:
     with only_once(tmp_path / "play/05.lock", "05-keepers"):
-        with pytest.raises(UsageError, match="05-keepers is running already"):
+        with pytest.raises(UsageError, match="05-keepers is already running"):
             only_once(tmp_path / "play/05.lock", "05-keepers").__enter__()
         with only_once(tmp_path / "play/06.lock", "06-other"):
             pass

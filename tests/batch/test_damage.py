@@ -242,7 +242,7 @@ def test_every_command_goes_on(
     assert [sheet.marks[0].verdict for sheet in sheets] == ["our error", "our error", "passed"]
     said = capsys.readouterr().err
     for person in ("ada", "bao"):
-        assert f"What was stored of {person}, {QUIZ} is damaged: the command that graded" in said
+        assert f"The stored result of {person} for {QUIZ} is damaged: the command that graded" in said
     assert main([*COURSE, "regrade", str(command.out)]) == 0
     told = capsys.readouterr().out
     for person in ("ada", "bao"):

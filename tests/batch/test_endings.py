@@ -129,7 +129,7 @@ def test_stopped_it_ends_in_order_and_goes_on(command: Command, number: signal.S
         process.send_signal(number)
         said = process.communicate()[0]
     assert process.returncode == code, said
-    assert ("goes on from here" in said) is (number is signal.SIGINT)
+    assert ("continues from here" in said) is (number is signal.SIGINT)
     assert outliving(started) == []
     assert groups_of(started) == []
     assert list(half_written(command.out)) == []
