@@ -489,7 +489,7 @@ def append_counts(recording: Recording) -> None:
         "append",
         made=3,
         summary="`append`, called three times,",
-        advice="Use `emplace_back` instead of `push_back`, and pass the value that it is made from.",
+        advice="Use `emplace_back` instead of `push_back`, and pass the value itself, not a finished Thing.",
     )
 
 

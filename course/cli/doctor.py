@@ -145,7 +145,7 @@ def storage(name: str, folder: Path) -> MachineFinding:
 
 
 def clock(folder: Path) -> MachineFinding:
-    """With a wrong clock, or a file system with a different one, builds miss changes."""
+    """Check the clock: if it is wrong, or differs from the file system's, builds miss changes."""
     now = time.time()
     today = time.strftime("%Y-%m-%d %H:%M:%S")
     if time.gmtime(now).tm_year < NOT_BEFORE:

@@ -298,8 +298,8 @@ def long_sleep(sources: Sources, at_least: float = 0.0) -> Cause | None:
         value = number(sources, call.argument(0, "secs"))
         if call.where in inside and value is not None and value >= at_least:
             return Cause(
-                f"The callback sleeps for {value:g} s, and the node does nothing else meanwhile. Remove the "
-                "`sleep`: the timer alone sets the pace.",
+                f"The callback sleeps for {value:g} s, and until then, the node does nothing else. Remove "
+                "the `sleep`: the timer alone sets the pace.",
                 (call.where,),
             )
     return None

@@ -40,7 +40,7 @@ def expect_rate(
     if pacing is None:
         raise Failure(
             Feedback(
-                summary=f"Only {len(stream)} messages arrived on `{stream.name}`, too few for a rate.",
+                summary=f"Only {len(stream)} messages arrived on `{stream.name}`, too few to measure a rate.",
                 expected=f"{rate:.0f} per second",
                 seen=f"{len(stream)} messages in total",
                 where=where,

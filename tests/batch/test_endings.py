@@ -196,7 +196,7 @@ def test_on_a_full_disk_it_stops_with_words_and_goes_on_later(quiz: Command) -> 
     with process:
         said = process.communicate()[0]
     assert process.returncode == 4, said
-    assert "cannot be kept" in said and "Make room" in said, said
+    assert "cannot be saved" in said and "Free some space" in said, said
     before = gradings(quiz.out)
     assert len(before) < 40
     code, said = quiz.run()

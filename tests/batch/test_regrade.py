@@ -98,7 +98,7 @@ def test_the_command_shows_it_and_writes_the_reports_anew(
     assert main(["--course", str(place / "course"), "regrade", str(place / "grades")]) == 0
     shown = capsys.readouterr().out
     assert "it prints `Howdy!`: worth 3, was 1" in shown
-    assert "2 gradings were judged again; 2 of them moved." in shown
+    assert "2 gradings were judged again; 2 of them changed." in shown
     assert (place / "grades/results.csv").read_text() != earlier
 
 
@@ -202,4 +202,4 @@ def test_answers_are_judged_by_the_questions_of_now(
 
 def test_a_folder_without_results(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["regrade", str(tmp_path)]) == 2
-    assert "Name the folder that was given to --out" in capsys.readouterr().err
+    assert "Name the folder given to --out" in capsys.readouterr().err

@@ -129,6 +129,6 @@ def test_a_course_that_submissions_can_read_builds_and_grades_none(
     course, home, store = open_course(root), tmp_path / "handed-in", Store(tmp_path / "store")
     exercise = course.exercise("07-simplest-package")
     lay_solution(course, exercise, home)
-    with pytest.raises(OurFault, match="among the system.s files, which submissions can read"):
+    with pytest.raises(OurFault, match="files, which submissions can read"):
         check_exercise(Request(exercise, home, ros=find_ros(), store=store, local=False))
     assert not any(store.root.iterdir())
