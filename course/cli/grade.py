@@ -330,7 +330,7 @@ def _say_unknown(book: Gradebook) -> None:
     people = [person.name or person.id for person, found in late if found and found.words.endswith(NOT_KNOWN)]
     if people:
         put(error_console())
-        told = "Submission times are not known, so lateness cost no points, for: {', '.join(people)}."
+        told = f"Submission times are not known, so lateness cost no points, for: {', '.join(people)}."
         _say(error_console(), f"{told} Write the times into deadlines.yaml, under handed_in.")
 
 

@@ -50,7 +50,7 @@ def chain(src: Path, length: int, program: str = "") -> str:
 def test_too_many_packages(built: Built, runs: Runs, src: Path) -> None:
     told = failure(built(chain(src, 11), bounds=SMALL))
     assert told.kind == "packages-limit"
-    assert "are 11; 10 at most" in told.feedback.summary
+    assert "are 11; at most 10" in told.feedback.summary
     assert told.feedback.where[0].file.endswith("link10/package.xml")
     assert runs() == []
     assert built("link9", bounds=SMALL).failure is None
@@ -94,7 +94,7 @@ def test_a_chain_that_computes(built: Built, runs: Runs, src: Path) -> None:
     program = "import time\nwhile time.process_time() < 1.5: pass"
     told = failure(built(chain(src, 10, program), bounds=replace(SMALL, cpu=4.0)))
     assert told.kind == "all-cpu-limit"
-    assert "together used more than 4 s of computing" in told.feedback.summary
+    assert "together used more than 4 s of CPU time" in told.feedback.summary
 
 
 @pytest.mark.slow

@@ -95,7 +95,7 @@ LIMITED = (
     (OUTPUT, "output-limit", "never stopped printing"),
     (LOOP, "time-limit", "took longer than 8 seconds"),
     (FOLDERS, "files-limit", "or folders nested far too deep"),
-    (FILES, "files-limit", "made more than 50000 files"),
+    (FILES, "files-limit", "created more than 50000 files"),
 )
 
 
