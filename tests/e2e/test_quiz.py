@@ -150,5 +150,5 @@ def test_a_review_asks_again_and_changes_nothing(answer: Ask, course_home: Path)
     before = (course_home / "answers/05-quiz.yaml").read_text()
     in_any_order = ("looks after a light?\r\n\r\n=keeper",) * 5
     shown, code = answer("review", typed=in_any_order)
-    assert (code, "Question 5 of 5" in shown, "You answered 1 of 5 right." in shown) == (0, True, True)
+    assert (code, "Question 5 of 5" in shown, "You answered 1 of 5 correctly." in shown) == (0, True, True)
     assert (course_home / "answers/05-quiz.yaml").read_text() == before
