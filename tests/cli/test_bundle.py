@@ -72,4 +72,4 @@ def test_a_wheel_that_cannot_be_made(
     monkeypatch.setitem(os.environ, "PIP_NO_INDEX", "1")
     run = ros2course("bundle", "--out", str(tmp_path / "a.zip"))
     assert run.code == 4
-    assert "could not be made" in run.err
+    assert "was not built" in run.err

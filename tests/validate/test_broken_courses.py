@@ -123,7 +123,7 @@ def test_an_edit_that_no_longer_applies(validate: Validate) -> None:
     ended = validate()
     assert ended.code == 1
     assert "whole-file-wrong no longer applies" in ended.words
-    assert ended.words.count("Bring its `replace` in line with") == 1
+    assert ended.words.count("Make its `replace` match") == 1
 
 
 def test_a_chapter_that_cannot_be_read_stops_it_with_all_its_problems(validate: Validate) -> None:
