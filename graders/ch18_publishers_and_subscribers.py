@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from course.api import (
     Arena,
+    Cause,
     Failure,
     Feedback,
     Grader,
@@ -151,16 +152,16 @@ def texts(recording: Recording) -> None:
     for message in recording.topic(TOPIC).messages:
         for field in ("quote", "philosopher_name"):
             if not getattr(message.data, field).strip():
-                slip = slips.compared(recording.sources)
+                published = tuple(call.where for call in calls(recording.sources, "publish"))
+                advice = f"Set it before publishing: `message.{field} = '...'`."
+                cause = slips.compared(recording.sources) or Cause(advice, published[:1])
                 raise Failure(
                     Feedback(
                         summary=f"`{field}` is empty in the message with id {message.data.id}.",
                         expected="at least one character",
                         seen="an empty string",
-                        where=slip.where
-                        if slip
-                        else tuple(call.where for call in calls(recording.sources, "publish"))[:1],
-                        advice=slip.text if slip else f"Set it before publishing: `message.{field} = '...'`.",
+                        where=cause.where,
+                        advice=cause.text,
                     )
                 )
 

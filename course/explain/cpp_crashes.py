@@ -154,7 +154,7 @@ def _located(advice: str, notes: Iterable[Observed] | None, sources: Sources) ->
     return Cause(advice if notes is None else f"{NO_LINE} {advice}")
 
 
-# What the exception's text contains, and what to do. The first match counts.
+# What the exception's text contains, what to do, and for some, the code to look at. The first match counts.
 _KNOWN = (
     (r"InvalidNodeName",
      "A node's name may contain only letters, digits and `_`, and must not begin with a digit."),
@@ -163,18 +163,16 @@ _KNOWN = (
     (r"already.{0,30}initialized|ContextAlreadyInitialized",
      "Call `rclcpp::init(argc, argv)` only once, in `main`."),
     (r"init\(\) has not been called|rcl_init|not initialized|context.{1,14}(?:null|not valid|invalid)",
-     "Call `rclcpp::init(argc, argv);` first in `main`, before the node is created."),
+     "Call `rclcpp::init(argc, argv);` first in `main`, before the node is created.", r"\bmain\s*\("),
     (r"bad_weak_ptr",
      "`shared_from_this()` works only after the constructor has returned, on a node created with "
-     "`std::make_shared`."),
+     "`std::make_shared`.", r"\bshared_from_this\s*\("),
     (r"already been added to an executor", "Spin each node in one place only."),
     (r"ParameterAlreadyDeclared", "Declare each parameter once, where the node is created."),
     (r"ParameterNotDeclared", "Declare the parameter first: `declare_parameter(\"name\", 0.5);`"),
     (r"ParameterType|ParameterUninitialized",
      "A parameter has the type of its default value: `0.5` is a double, `1` an integer, `\"0.5\"` a string."),
 )  # fmt: skip
-# Where to look for some of them.
-_AT = {_KNOWN[3][0]: r"\bmain\s*\(", _KNOWN[4][0]: r"\bshared_from_this\s*\("}
 # The same for errors that depend on a value: here the advice also names the line, if it is known.
 _WRONG_VALUES = (
     (r"_M_range_check|array::at",
@@ -284,9 +282,10 @@ def _thrown(
 def _why_thrown(found: Trouble, said: str, sources: Sources, notes: Iterable[Observed] | None) -> Cause:
     if "rcl_shutdown() was called" in said and (early := _shut_down_early(sources)):
         return Cause("`rclcpp::shutdown()` comes before `rclcpp::spin`: move it to the end of `main`.", early)
-    for words, advice in _KNOWN:
+    for words, advice, *code in _KNOWN:
         if re.search(words, said):
-            return Cause(advice, places_of(sources, _AT[words])[:1] if words in _AT else ())
+            places = [place for pattern in code for place in places_of(sources, pattern)]
+            return Cause(advice, tuple(places[:1]))
     told = " ".join(found.details)
     advice = next((advice for words, advice in _WRONG_VALUES if re.search(words, told)), found.advice)
     if found.where:

@@ -79,6 +79,10 @@ class Python:
         found = ((file, node) for file, node in nodes(sources) if isinstance(node, ast.FunctionDef))
         return tuple(Location(file, node.lineno) for file, node in found if node.name == "main")[:1]
 
+    def constructor(self, sources: Sources) -> tuple[Location, ...]:
+        """Where the node is created, and where publishers and the like belong; at most one place."""
+        return (*self.places(sources, "__init__"), *self.places(sources, "Node"))[:1]
+
     def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
         """The error that ended the program, if one did, when it ended by itself."""
         found = crash(view.traceback(), recording.packages, recording.sources)
@@ -259,6 +263,9 @@ class Cpp:
 
     def entry(self, sources: Sources) -> tuple[Location, ...]:
         return places_of(sources, r"\bmain\s*\(")[:1]
+
+    def constructor(self, sources: Sources) -> tuple[Location, ...]:
+        return self.places(sources, "Node")[:1]
 
     def stopped(self, recording: Recording, view: ProcessView) -> Feedback | None:
         return self._crashed(recording, view, view.text, "The program stopped")

@@ -17,7 +17,10 @@ _UNDECLARED = re.compile(
     r"ParameterNotDeclaredException: .*undeclared parameter\(s\): \[?'?(?P<name>[^'\],]*)"
 )
 # What Python, message fields and rclpy say if they get a Parameter instead of its value.
-_WRONG_TYPE = ("not 'Parameter'", "field must be of type", "incompatible function arguments")
+_WRONG_TYPE = (
+    "not 'Parameter'", "and 'Parameter'", "'Parameter' and", "ParameterValue", "field must be of type",
+    "incompatible function arguments",
+)  # fmt: skip
 _READERS = ("get_parameter", "get_parameters", "get_parameter_or")
 
 
@@ -51,7 +54,13 @@ def value_forgotten(error: str, sources: Sources) -> Cause | None:
     if not any(words in error for words in _WRONG_TYPE):
         return None
     for file, tree in trees(sources):
-        for call in _whole_parameters(tree):
+        for call in _used_whole(tree, "get_parameter_value"):
+            text = (
+                "Write `.value` instead of `.get_parameter_value()`, or add `.string_value`, "
+                "`.double_value`, or `.integer_value` after it."
+            )
+            return Cause(text, (Location(file, call.lineno),))
+        for call in _used_whole(tree, "get_parameter"):
             written = ast.unparse(call)
             text = f"`{written}` is the parameter, not its value. The value is `{written}.value`."
             return Cause(text, (Location(file, call.lineno),))
@@ -74,13 +83,13 @@ def _whole_of_several(tree: ast.Module) -> Iterator[ast.Name]:
                     yield part
 
 
-def _whole_parameters(tree: ast.Module) -> Iterator[ast.Call]:
-    """Calls of `get_parameter` whose `.value` is never read, neither directly nor through a variable."""
+def _used_whole(tree: ast.Module, getter: str) -> Iterator[ast.Call]:
+    """Calls of `getter` with no attribute read from the result, neither directly nor through a variable."""
     nodes = list(ast.walk(tree))
     taken = [node.value for node in nodes if isinstance(node, ast.Attribute)]
     names = {_name(node) for node in taken}
     given = {node.value: _name(node.targets[0]) for node in nodes if isinstance(node, ast.Assign)}
-    reads = (node for node in nodes if isinstance(node, ast.Call) and called_name(node) == "get_parameter")
+    reads = (node for node in nodes if isinstance(node, ast.Call) and called_name(node) == getter)
     return (read for read in reads if read not in taken and given.get(read) not in names)
 
 

@@ -71,6 +71,10 @@ def functions(sources: Sources, name: str) -> tuple[ast.FunctionDef | ast.AsyncF
     )
 
 
+def takes_self(function: ast.FunctionDef) -> bool:
+    return [one.arg for one in function.args.args[:1]] == ["self"]
+
+
 def calls(sources: Sources, name: str) -> tuple[PythonCall, ...]:
     """Return calls of a function or method of this name (`create_timer`), file by file, up to a limit."""
     found = (

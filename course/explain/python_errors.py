@@ -27,7 +27,7 @@ from course.explain.engine import (
     here,
 )
 from course.explain.parameter_causes import undeclared, value_forgotten
-from course.explain.python_code import assigned, called_name, calls, nodes, number, parsed
+from course.explain.python_code import assigned, called_name, calls, nodes, number, parsed, takes_self
 from course.explain.python_mixups import MIXUPS
 from course.explain.python_slips import (
     accidental_tuple,
@@ -304,7 +304,7 @@ def _of_the_object(evidence: Evidence, symptom: Symptom, words: Words) -> Proven
         shared = {part.name for part in methods}
         shared |= {one.id for part in owner.body for one in _stored(part) if isinstance(one, ast.Name)}
         kept = {one.attr for one in _stored(owner) if isinstance(one, ast.Attribute)}
-        if around and _takes_self(around) and name in shared | kept:
+        if around and takes_self(around) and name in shared | kept:
             return Proven({"owner": "self"})
         if around and name in shared:
             return Proven({"owner": owner.name})
@@ -415,13 +415,9 @@ def _misplaced(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | N
                     return Proven({"there": there}, (Location(file, part.lineno),))
         tree = parsed(evidence.sources.files[file])
         for part in tree.body if tree else ():
-            if isinstance(part, ast.FunctionDef) and part.name == words["name"] and _takes_self(part):
+            if isinstance(part, ast.FunctionDef) and part.name == words["name"] and takes_self(part):
                 return Proven({"there": "outside of the class"}, (Location(file, part.lineno),))
     return None
-
-
-def _takes_self(function: ast.FunctionDef) -> bool:
-    return [one.arg for one in function.args.args[:1]] == ["self"]
 
 
 def _only_local(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from course.explain.engine import Evidence, Known, Proven, Symptom, Words
-from course.explain.python_code import calls, nodes, trees
+from course.explain.python_code import calls, nodes, takes_self, trees
 from course.model.feedback import Location
 
 _LACKS = r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'"
@@ -35,9 +35,7 @@ def _function_with_self(evidence: Evidence, symptom: Symptom, words: Words) -> P
     """`def main(self)` at the left margin."""
     for file, tree in trees(evidence.sources):
         for node in tree.body:
-            if not isinstance(node, ast.FunctionDef) or node.name != words["name"]:
-                continue
-            if [one.arg for one in node.args.args[:1]] == ["self"]:
+            if isinstance(node, ast.FunctionDef) and node.name == words["name"] and takes_self(node):
                 return Proven(where=(Location(file, node.lineno),))
     return None
 
@@ -105,28 +103,6 @@ def _comma_before_parentheses(evidence: Evidence, symptom: Symptom, words: Words
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Tuple):
             line = node.func.end_lineno or node.func.lineno
             return Proven({"line": str(line)}, (Location(file, line),))
-    return None
-
-
-def _whole_parameter(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`speed = self.get_parameter('speed')`."""
-    return _assigned(evidence, "get_parameter")
-
-
-def _whole_value(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`quote = ....get_parameter_value()`."""
-    return _assigned(evidence, "get_parameter_value")
-
-
-def _assigned(evidence: Evidence, called: str) -> Proven | None:
-    for file, node in nodes(evidence.sources):
-        value = node.value if isinstance(node, ast.Assign) else None
-        if (
-            isinstance(value, ast.Call)
-            and isinstance(value.func, ast.Attribute)
-            and value.func.attr == called
-        ):
-            return Proven({"line": str(value.lineno)}, (Location(file, value.lineno),))
     return None
 
 
@@ -215,13 +191,6 @@ MIXUPS: tuple[Known[Evidence], ...] = (
           "A comma is missing at the end of line {line}: Python takes the next parentheses for a call.",
           "TypeError: 'tuple' object is not callable", proof=_comma_before_parentheses,
           given={"talk/talker.py": "QUOTES = [('a', 'b') ('c', 'd')]\n"}),
-    Known(r"'Parameter'", "Line {line} keeps the whole parameter: add `.value` after `get_parameter(...)`.",
-          "TypeError: '<' not supported between instances of 'float' and 'Parameter'", proof=_whole_parameter,
-          given={"talk/talker.py": "speed = self.get_parameter('speed')\n"}),
-    Known(r"ParameterValue|field must be of type",
-          "Write `.value` instead of `.get_parameter_value()`, or add `.string_value`, `.double_value`, or "
-          "`.integer_value` after it.", "AssertionError: not 'ParameterValue'",
-          proof=_whole_value, given={"talk/talker.py": "quote = given.get_parameter_value()\n"}),
     Known(r"'Vector3'", "Line {line} keeps the whole vector. Its part for driving ahead is `{right}`.",
           "TypeError: unsupported operand type(s) for *: 'Vector3' and 'float'", proof=_whole_vector,
           given={"talk/talker.py": "speed = message.linear\n"}),

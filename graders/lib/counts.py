@@ -144,17 +144,16 @@ def _wrong(recording: Recording, reached: int, total: int, what: str) -> Feedbac
         summary = (
             f"There were {total} {what}, and the log does not count them: no message contains {reached + 1}."
         )
-    braces = any("{" in text for text in lines)
-    slip = slips.compared(recording.sources)
+    advice = "Keep the count in the node: set it to 0 in `__init__`, add 1 in each callback, then log it."
+    if any("{" in text for text in lines):
+        advice = "The braces were logged as they are. Put an `f` before the string: `f'...'`."
+    logged = tuple(call.where for call in calls(recording.sources, "info"))
+    cause = slips.compared(recording.sources) or Cause(advice, logged[:1])
     return Feedback(
         summary=summary,
         expected=f"messages with 1, 2, 3 and so on to {total}",
         seen=lines[0][:120] if lines else "no message",
-        where=slip.where if slip else tuple(call.where for call in calls(recording.sources, "info"))[:1],
-        advice=slip.text
-        if slip
-        else "The braces were logged as they are. Put an `f` before the string: `f'...'`."
-        if braces
-        else "Keep the count in the node: set it to 0 in `__init__`, add 1 in each callback, then log it.",
+        where=cause.where,
+        advice=cause.text,
         details=lines[:_SHOWN],
     )

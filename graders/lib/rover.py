@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from course.api import Arena, Failure, Feedback, OurFault, Process, Recording, slips, text_places
+from course.api import Arena, Cause, Failure, Feedback, OurFault, Process, Recording, slips, text_places
 
 if TYPE_CHECKING:
     from course.api import Listener
@@ -64,7 +64,9 @@ def expect_speed(
     """Check the speed (m/s) that followed a distance (m)."""
     if speed is not None and abs(speed - wanted) <= CLOSE:
         return
-    slip = slips.compared(recording.sources)
+    if speed is None:
+        advice = "Publish a `Twist` in `range_callback`, once for each measurement."
+    cause = slips.compared(recording.sources) or Cause(advice, text_places(recording.sources, "linear.x")[:1])
     raise Failure(
         Feedback(
             summary=f"At a distance of {distance:.2f} m, the speed is wrong."
@@ -72,11 +74,7 @@ def expect_speed(
             else f"At a distance of {distance:.2f} m, there is no command.",
             expected=f"linear.x is {wanted:.2f}",
             seen="no command" if speed is None else f"linear.x is {speed:.2f}",
-            where=slip.where if slip else text_places(recording.sources, "linear.x")[:1],
-            advice=slip.text
-            if slip
-            else advice
-            if speed is not None
-            else "Publish a `Twist` in `range_callback`, once for each measurement.",
+            where=cause.where,
+            advice=cause.text,
         )
     )

@@ -95,3 +95,20 @@ def test_one_of_several_values_is_forgotten() -> None:
 
 def test_an_error_that_is_not_about_a_type() -> None:
     assert value_forgotten("KeyError: 1", sources("x = self.get_parameter('period')")) is None
+
+
+@pytest.mark.parametrize(
+    ("getter", "error", "says"),
+    [
+        (
+            "get_parameter",
+            "TypeError: '<' not supported between instances of 'float' and 'Parameter'",
+            "not its value",
+        ),
+        ("get_parameter_value", "AssertionError: The 'quote' field must be of type 'str'", ".string_value"),
+    ],
+)
+def test_only_what_is_used_whole(getter: str, error: str, says: str) -> None:
+    cause = value_forgotten(error, sources(f"x = node.{getter}('period')\nprint(x)"))
+    assert cause is not None and says in cause.text
+    assert value_forgotten(error, sources(f"x = node.{getter}('period')\nprint(x.string_value)")) is None

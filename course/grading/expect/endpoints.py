@@ -66,7 +66,7 @@ def expect_endpoint(recording: Recording, kind: Kind, topic: str, *, remedy: str
             summary=f"No node {_VERBS[kind]} `{topic}`.",
             expected=f"a {kind} on {topic}",
             seen=f"the node {_VERBS[kind]} {listed(topics, 'no topic')}",
-            where=makers[:2] or made_in(recording),
+            where=makers[:2] or language_of(recording.sources).constructor(recording.sources),
             advice=remedy,
         )
     )
@@ -133,13 +133,6 @@ def _expect_made_once(recording: Recording, kind: Kind, topic: str) -> None:
                 advice=cause.text,
             )
         )
-
-
-def made_in(recording: Recording) -> tuple[Location, ...]:
-    """The constructor of the node, where publishers and the like belong."""
-    sources = recording.sources
-    found = (language_of(sources).places(sources, name) for name in ("__init__", "Node"))
-    return tuple(place for places in found for place in places)[:1]
 
 
 def _name_places(recording: Recording, topic: str) -> tuple[Location, ...]:

@@ -7,11 +7,11 @@ from course.evidence.recording import Recording
 from course.evidence.service_view import ServiceCall
 from course.evidence.topic_view import seconds
 from course.explain.callbacks import called_callback
+from course.explain.languages import language_of
 from course.explain.observed import unproven
 from course.explain.parameter_causes import named
 from course.explain.python_code import calls
 from course.explain.service_causes import no_response, sleeping, spin_in_callback
-from course.grading.expect.endpoints import made_in
 from course.model.events import Side
 from course.model.feedback import Failure, Feedback, Location
 from course.model.graph import Service
@@ -44,7 +44,7 @@ def expect_service(recording: Recording, side: Side, name: str, *, remedy: str) 
             summary=f"No node {_VERBS[side]} the service `{name}`.",
             expected=f"a {side} of {name}",
             seen=f"the node {_VERBS[side]} {listed(names, 'no service')}",
-            where=makers or made_in(recording),
+            where=makers or language_of(recording.sources).constructor(recording.sources),
             advice=remedy,
         )
     )
