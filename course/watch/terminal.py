@@ -40,7 +40,7 @@ def require_terminal() -> None:
         raise UsageError(what, "Run it in a terminal; elsewhere, run: ros2course check")
     if os.environ.get("TERM", "dumb") in ("dumb", "unknown", ""):
         what = "This terminal says that it cannot be drawn on (TERM is not set, or dumb)."
-        raise UsageError(what, "Use another one, set TERM (to xterm, for example), or run: ros2course check")
+        raise UsageError(what, "Use another terminal, set TERM to xterm, or run: ros2course check")
 
 
 class Terminal:
