@@ -105,7 +105,7 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"invalid operands of types 'const char ?\[\d+\]' and .*operator<<",
-        "`RCLCPP_INFO_STREAM` joins values with `<<`. `RCLCPP_INFO` takes one string with `%d` in it.",
+        "To join values with `<<`, use `RCLCPP_INFO_STREAM`. `RCLCPP_INFO` takes one string with `%d` in it.",
         "invalid operands of types 'const char [9]' and 'int' to binary 'operator<<'",
     ),
     Known(
@@ -115,7 +115,7 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"use of non-static member function|Wrong number of arguments for pointer-to-member",
-        "A member function is called on an object: `std::bind(&Class::function, this)`, or "
+        "A member function needs an object: write `std::bind(&Class::function, this)`, or "
         "`[this]() { function(); }`.",
         "invalid use of non-static member function 'void Talker::talk()'",
     ),

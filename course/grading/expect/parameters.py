@@ -104,7 +104,7 @@ def expect_set(recording: Recording, node: str, name: str) -> None:
                 where=cause.where if cause else (),
                 advice=cause.text
                 if cause
-                else "A node answers while `rclpy.spin(node)` runs and no callback keeps it busy.",
+                else "A node answers only while `rclpy.spin(node)` runs and no callback keeps it busy.",
             )
         )
 
@@ -138,7 +138,7 @@ def _view(recording: Recording, node: str) -> ParameterView:
                 expected="an answer, as from every node that `rclpy.spin` runs",
                 seen="no answer",
                 where=tuple(call.where for call in calls(recording.sources, "sleep"))[:1],
-                advice="A node answers while `rclpy.spin(node)` runs and no callback keeps it busy.",
+                advice="A node answers only while `rclpy.spin(node)` runs and no callback keeps it busy.",
             )
         )
     return view

@@ -78,7 +78,7 @@ def proven_silence(recording: Recording, process: str) -> Cause | None:
 def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
     cause = wrong_guard(recording.sources) if not view.text else broken_loop(recording.sources)
     cause = cause or unproven(
-        recording, "is `main()` called at all, and does a loop, `while True:`, keep it running?", ended=True
+        recording, "is `main()` called at all, and does a `while True:` loop keep it running?", ended=True
     )
     return Feedback(
         summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; it should keep running.",
