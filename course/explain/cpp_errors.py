@@ -110,7 +110,7 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"invalid operands of types '(?:const )?char.*'operator\+'",
-        "C++ cannot join two quoted strings with `+`. `RCLCPP_INFO_STREAM` joins them with `<<`.",
+        "C++ cannot join two quoted strings with `+`. Use `<<` in `RCLCPP_INFO_STREAM` instead.",
         "invalid operands of types 'const char*' and 'const char [8]' to binary 'operator+'",
     ),
     Known(

@@ -113,7 +113,8 @@ class Python:
             return None
         if once:
             return Cause(
-                "`spin_once` handles one event and returns. `rclpy.spin(node)` runs until Ctrl+C.", once
+                "`spin_once` handles one event and returns. Use `rclpy.spin(node)`: it runs until Ctrl+C.",
+                once,
             )
         ends = calls(sources, "spin_until_future_complete") or calls(sources, "init")
         return Cause(
@@ -295,7 +296,8 @@ class Cpp:
         where = tuple(place for name in CPP_SPINS for place in self.places(sources, name))[:2]
         if self.places(sources, "spin_some"):
             return Cause(
-                "`spin_some` runs what is ready and returns. `rclcpp::spin(node)` runs until Ctrl+C.", where
+                "`spin_some` runs what is ready and returns. Use `rclcpp::spin(node)`: it runs until Ctrl+C.",
+                where,
             )
         return Cause(
             "Nothing keeps the program running: call `rclcpp::spin(...)` with the node, after `init`.",

@@ -638,7 +638,7 @@ _NO_NAME = (
     r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'",
     r"module '(?P<module>[\w.]+)' has no attribute '(?P<name>\w+)'",
 )
-_NO_FUNCTION = "The entry point names the function `{name}`; `{module}` has {functions}."
+_NO_FUNCTION = "The entry point names the function `{name}`, but `{module}` has {functions}. Correct it."
 _IN_A_CLASS = (
     "`{name}` is inside the class `{owner}`. Move its `def` to the left margin, with all of its lines."
 )
@@ -756,7 +756,8 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(_NO_MODULE, "Include its package in the name: `{neighbor}` instead of `{name}`.",
           "ModuleNotFoundError: No module named 'helper'", proof=_of_a_package,
           given={"talk/helper.py": ""}),
-    Known(_NO_MODULE, "The entry point names a module that does not exist. The package has {modules}.",
+    Known(_NO_MODULE, "The entry point names a module that does not exist. Correct it: the package has "
+          "{modules}.",
           "ModuleNotFoundError: No module named 'talk.tolker'", proof=_entry_of_module, where=(here,),
           given={"setup.py": _ENTRY.format("talk.tolker:main"), "talk/talker.py": ""}),
     Known(_NO_MODULE, "There is no module `{name}`, but there is `{near}`: correct the import.",
@@ -1036,7 +1037,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
            "Check the spelling of `{name}`, or import it: nothing with that name exists here."),
           "AttributeError: 'Talker' object has no attribute 'cuont'", proof=_misspelled,
           given={"talk/talker.py": "self.count = 0\n"}),
-    Known("", "The error came from this line of your code.",
+    Known("", "The error came from this line of your code: check the values that it uses.",
           "ValueError: something of the program's own"),
 )  # fmt: skip
 

@@ -123,7 +123,7 @@ def _refusal(recording: Recording, reason: str) -> Cause:
             "SetParametersResult(successful=True)`.",
             callback,
         )
-    return unproven(recording, f"what the node says about it: {reason or 'nothing'}")
+    return unproven(recording, f"the reason that the node gives ({reason or 'none'}).")
 
 
 def _view(recording: Recording, node: str) -> ParameterView:

@@ -95,7 +95,7 @@ def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) 
     look_at = f"what did the program print last, and what could end `{language.spin}` after that?"
     reports = [text for text in view.text if _REPORT.search(text)]
     if reports and ended.code:
-        look_at = f"what the program reports before it ends: {reports[-1][:160]}"
+        look_at = f"what the program reports before it ends ({reports[-1][:160]})."
     cause = None if reports and ended.code else language.to_keep_running(recording)
     cause = cause or unproven(recording, look_at, ended=True)
     return Feedback(
