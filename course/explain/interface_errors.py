@@ -400,8 +400,7 @@ TYPES: tuple[Known[Build], ...] = (
           given={"msg/Quote.msg": "Point point\n"}),
     Known(kind="field-type", pattern=_NO_JSON,
           cause="There is no message `{name}` in `{of}`, but {use} uses it.",
-          remedy=("Did you mean `{near}`?", "`ros2 interface package {of}` lists its types."),
-          proof=_foreign_message,
+          remedy=("Did you mean `{near}`?", "Run `ros2 interface package {of}`."), proof=_foreign_message,
           example=f"{_HASHES}\nFileNotFoundError: [Errno 2] No such file: "
                   "'/ros/share/std_msgs/msg/Strin.json'",
           given={"msg/Quote.msg": "std_msgs/Strin text\n"}),

@@ -113,8 +113,7 @@ class Python:
             return None
         if once:
             return Cause(
-                "`spin_once` handles one event and returns. Use `rclpy.spin(node)`: it runs until Ctrl+C.",
-                once,
+                "`spin_once` handles one event. Use `rclpy.spin(node)`, which runs until Ctrl+C.", once
             )
         ends = calls(sources, "spin_until_future_complete") or calls(sources, "init")
         return Cause(
@@ -287,17 +286,14 @@ class Cpp:
     def to_keep_running(self, recording: Recording) -> Cause | None:
         sources = recording.sources
         if not self.places(sources, "init"):
-            return Cause(
-                "`main` must call `rclcpp::init(argc, argv)`, create a node, and pass it to `rclcpp::spin`.",
-                self.entry(sources),
-            )
+            text = "`main` must call `rclcpp::init(argc, argv)`, make a node, and pass it to `rclcpp::spin`."
+            return Cause(text, self.entry(sources))
         if self.places(sources, "spin"):
             return None
         where = tuple(place for name in CPP_SPINS for place in self.places(sources, name))[:2]
         if self.places(sources, "spin_some"):
             return Cause(
-                "`spin_some` runs what is ready and returns. Use `rclcpp::spin(node)`: it runs until Ctrl+C.",
-                where,
+                "`spin_some` runs what is ready. Use `rclcpp::spin(node)`, which runs until Ctrl+C.", where
             )
         return Cause(
             "Nothing keeps the program running: call `rclcpp::spin(...)` with the node, after `init`.",

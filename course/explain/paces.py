@@ -86,8 +86,7 @@ def _prints(sources: Sources, count: int, period: float) -> Cause | None:
         ]
         if len(lines) == count:
             where = tuple(Location(file, line) for line in lines[:2])
-            what = f"{count} come at once, every {period:g} s. Print only once in each round of the loop."
-            return Cause(what, where)
+            return Cause(f"{count} come at once, every {period:g} s. Print only once in each round.", where)
     return None
 
 

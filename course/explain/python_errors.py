@@ -756,8 +756,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(_NO_MODULE, "Include its package in the name: `{neighbor}` instead of `{name}`.",
           "ModuleNotFoundError: No module named 'helper'", proof=_of_a_package,
           given={"talk/helper.py": ""}),
-    Known(_NO_MODULE, "The entry point names a module that does not exist. Correct it: the package has "
-          "{modules}.",
+    Known(_NO_MODULE, "The entry point names a missing module. Correct it: the package has {modules}.",
           "ModuleNotFoundError: No module named 'talk.tolker'", proof=_entry_of_module, where=(here,),
           given={"setup.py": _ENTRY.format("talk.tolker:main"), "talk/talker.py": ""}),
     Known(_NO_MODULE, "There is no module `{name}`, but there is `{near}`: correct the import.",
@@ -1017,8 +1016,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           proof=_function_for_module, where=(here,),
           given={"talk/talker.py": "from time import time\ntime.sleep(1)\n"}),
     Known(r"name '(?P<name>\w+)' is not defined",
-          "`{name}` gets its value where this line cannot see it, or only later. Set it earlier, or pass it "
-          "as an argument.",
+          "`{name}` gets its value elsewhere, or only later. Set it earlier, or pass it as an argument.",
           "NameError: name 'count' is not defined", proof=_given_elsewhere, where=(here,),
           given={"talk/talker.py": "print(count)\n\ndef main():\n    count = 0\n"}),
     Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",
