@@ -98,7 +98,7 @@ def listing(recording: Recording) -> None:
         raise Failure(overwritten(found.lines))
     raise Failure(
         Feedback(
-            summary=f"The listing is not the one of `~`: it lacks {listed(missing)}.",
+            summary=f"This is not the listing of `~`: it lacks {listed(missing)}.",
             expected="every name that `ls ~` prints",
             seen=found.lines[0][:120] if found.lines else "an empty file",
             where=(Location(LISTING),),

@@ -452,7 +452,7 @@ def attributes(recording: Recording) -> None:
 def apart(recording: Recording) -> None:
     shares = (
         "Set the attributes of an object with `self.` in `__init__`. All objects share "
-        "`MinimalistClass.attribute`, and also a list in the class itself."
+        "`MinimalistClass.attribute`, and so does a list in the class itself."
     )
     where = place(recording, "__init__")
     two = "[first.attribute, first.get_private_attribute(), second.attribute, second.get_private_attribute()]"
@@ -496,11 +496,11 @@ def private(recording: Recording) -> None:
         "get",
         2.5,
         "MinimalistClass(1.5, 2.5).get_private_attribute()",
-        advice="`return self._private_attribute`.",
+        advice="Write `return self._private_attribute` in it.",
         where=got,
     )
     after = "after set_private_attribute(8.0),"
-    sets = "`self._private_attribute = ` and the argument, in `set_private_attribute`."
+    sets = "In `set_private_attribute`, assign the argument to `self._private_attribute`."
     if slip := slips.compared(only(recording, CLASS, INIT)):
         sets, (was_set, *_) = slip.text, slip.where
     expect_answer(
@@ -577,7 +577,7 @@ def hints(recording: Recording) -> None:
         recording,
         HINTS,
         "A type hint is missing",
-        advice="`def half(number: float) -> float:`; a function that returns nothing ends with `-> None:`.",
+        advice="Write `def half(number: float) -> float:`. If a function returns nothing, write `-> None:`.",
     )
 
 
@@ -852,8 +852,8 @@ def function(recording: Recording) -> None:
 def returns(recording: Recording) -> None:
     where = Location(COROUTINE)
     advice = (
-        "Draw a number and compare it with `<`. If it is below, return the number itself; "
-        "otherwise wait and draw again."
+        "Draw a number. If it is less than `likelihood`, return the number itself. Otherwise, wait and "
+        "draw again."
     )
     for question, what, wanted in (
         ("first", "await unlikely_to_return(tag)", 0.0271),
@@ -871,7 +871,7 @@ def tries(recording: Recording) -> None:
         if len(lines) < draws:
             raise Failure(
                 Feedback(
-                    summary=f"It has drawn {draws} numbers, and printed {len(lines)} lines with its tag.",
+                    summary=f"It drew {draws} numbers, but printed {len(lines)} lines with its tag.",
                     expected="a line with the tag for each number that is drawn",
                     seen=lines[-1][:120] if lines else "no such line",
                     where=(Location(COROUTINE),),
@@ -898,7 +898,7 @@ def pace(recording: Recording) -> None:
     lines = recording.process(AWAIT).lines
     times = tuple(line.t for line in lines if line.text.startswith("[draw 1 "))
     expect_period(
-        times, 0.1, what="draws", tolerance=0.4, advice="`await asyncio.sleep(0.1)` between two draws."
+        times, 0.1, what="draws", tolerance=0.4, advice="Write `await asyncio.sleep(0.1)` between two draws."
     )
 
 

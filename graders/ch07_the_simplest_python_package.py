@@ -132,7 +132,7 @@ def misdirected(
         expected=f"[{section}] {line}",
         seen=f"[{section}] {key}={found}" if found else f"no `{key}` under [{section}]",
         where=places[:1] or (Location(file),),
-        advice=f"Below `[{section}]` write the line `{line}`, {AGAIN}",
+        advice=f"Below `[{section}]`, write the line `{line}`, {AGAIN}",
     )
 
 

@@ -282,7 +282,7 @@ def broken(recording: Recording, call: str, error: str, where: tuple[Location, .
 
 def remedy(error: str) -> str:
     every = (text for words, text in REMEDIES if all(word in error for word in words))
-    return next(every, "This line of your code caused the error.")
+    return next(every, "The error came from this line of your code: check the values that it uses.")
 
 
 REMEDIES = (

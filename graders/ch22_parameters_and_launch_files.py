@@ -55,7 +55,8 @@ INTERFACES = "package_with_interfaces"
 QUOTE = f"{INTERFACES}/msg/AmazingQuote"
 QUOTE_HASH = "RIHS01_6eb8a339124c22e6ee8541e6132c3bccee5a2125c643270c85cae174a4aaeb21"
 COMPARE = (
-    "Compare its fields with chapter 17: names, types, order. `ros2course check 17` shows the difference."
+    "Compare the fields with chapter 17: their names, types, and order. `ros2course check 17` shows "
+    "the difference."
 )
 TEXTS = ("quote", "philosopher_name")
 DEFAULTS: dict[str, str | float] = {

@@ -69,7 +69,7 @@ def topic(recording: Recording) -> None:
     given = named(launch_file(recording, FILE), name)
     spaced = text_places(launch_file(recording, FILE), "namespace=")
     remedy = (
-        "The launch file sets it; the node must pass its parameter `topic_name` to `create_publisher`."
+        "The launch file sets `topic_name`, but the node must also pass it to `create_publisher`."
         if given and not spaced
         else "The launch file's `namespace` comes before the topic's name: remove it."
         if given
@@ -216,7 +216,7 @@ def driven(recording: Recording, *, before: bool) -> tuple[float, float]:
     raise Failure(
         Feedback(
             summary=f"No messages arrive on `{topic}`.",
-            advice=f"Start the {other} alone, and look with `ros2 topic echo {topic}`.",
+            advice=f"Start the {other} alone, and look at `ros2 topic echo {topic}`.",
         )
     )
 

@@ -599,7 +599,7 @@ def profile(recording: Recording) -> ElementTree.Element:
                 else "The file is empty.",
                 seen=found.lines[number - 1].strip()[:80] if found.lines else None,
                 where=(Location(PROFILE, number),),
-                advice="Close each `<name>` with `</name>`. Close the last one that you opened first.",
+                advice="Close each `<name>` with `</name>`, starting with the innermost one.",
                 details=(str(error),),
             )
         ) from None

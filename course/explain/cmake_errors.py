@@ -232,7 +232,7 @@ _TARGETS: tuple[Known[Build], ...] = (
     Known(kind="find-package-missing",
           pattern=r"the passed package name '(?P<name>\S+)' was not found before",
           cause=f"{LISTS} uses the package `{{name}}` without finding it first.",
-          remedy="Compare with line {line}: one of the two names is wrong.", proof=_looked_for_another,
+          remedy="Compare the name with line {line}: one of the two is wrong.", proof=_looked_for_another,
           where=(here,),
           example="ament_target_dependencies() the passed package name 'std_msgs' was not\n  found before",
           given={LISTS: "project(talk)\nfind_package(std_msg REQUIRED)"}),

@@ -105,17 +105,17 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"invalid operands of types 'const char ?\[\d+\]' and .*operator<<",
-        "`RCLCPP_INFO_STREAM` joins values with `<<`. `RCLCPP_INFO` takes one string with `%d` in it.",
+        "To join values with `<<`, use `RCLCPP_INFO_STREAM`. `RCLCPP_INFO` takes one string with `%d` in it.",
         "invalid operands of types 'const char [9]' and 'int' to binary 'operator<<'",
     ),
     Known(
         r"invalid operands of types '(?:const )?char.*'operator\+'",
-        "C++ cannot join two quoted strings with `+`. `RCLCPP_INFO_STREAM` joins them with `<<`.",
+        "C++ cannot join two quoted strings with `+`. Use `<<` in `RCLCPP_INFO_STREAM` instead.",
         "invalid operands of types 'const char*' and 'const char [8]' to binary 'operator+'",
     ),
     Known(
         r"use of non-static member function|Wrong number of arguments for pointer-to-member",
-        "A member function is called on an object: `std::bind(&Class::function, this)`, or "
+        "A member function needs an object: write `std::bind(&Class::function, this)`, or "
         "`[this]() { function(); }`.",
         "invalid use of non-static member function 'void Talker::talk()'",
     ),

@@ -54,10 +54,10 @@ def _lost(timers: tuple[CppCall, ...]) -> Cause | None:
         if len(timer.before) > _LONGEST:
             continue
         if _DECLARED.fullmatch(timer.before):
-            text = "The timer is in a local variable, which ends when the function does. Use a class member:"
+            text = "The timer is in a local variable, which ends with the function. Use a class member:"
             return Cause(f"{text} `timer_ = ...`, without a type before it.", (timer.where,))
         if _NOT_KEPT.fullmatch(timer.before):
-            text = "Nothing keeps the timer, so it ends immediately. Store it in a member of the class:"
+            text = "Nothing stores the timer, so it is deleted immediately. Use a member of the class:"
             return Cause(f"{text} `timer_ = create_wall_timer(...)`.", (timer.where,))
     return None
 
@@ -98,7 +98,7 @@ def integer_division(sources: Sources) -> Cause | None:
 def _slow_rate(sources: Sources) -> Cause | None:
     """`rclcpp::Rate rate(0.5)`, which means once every two seconds."""
     where = places_of(sources, r"Rate\s*\w*\s*[({]\s*0?\.\d+\s*[)}]")
-    text = "A rate is calls per second, not the time between two calls: twice per second is 2.0."
+    text = "A rate is the number of calls per second, not the time between them: twice per second is 2.0."
     return Cause(text, where[:1]) if where else None
 
 

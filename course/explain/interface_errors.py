@@ -270,7 +270,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           where=(at(LISTS, r"rosidl_generate_interfaces\s*\("),),
           example='add_custom_target called with invalid target name "msg/Quote.msg".  Target names'),
     Known(kind="find-package-missing", pattern=r"the passed dependency '(?P<name>\S+)' has not been found",
-          cause=f"{LISTS} names `{{name}}` in DEPENDENCIES, but does not look for it first.",
+          cause=f"{LISTS} names `{{name}}` in DEPENDENCIES, but has no `find_package` for it.",
           remedy=("Correct `find_package` on line {found}: it must be `find_package({name} REQUIRED)`.",
                   "Add `find_package({name} REQUIRED)` above `rosidl_generate_interfaces`."),
           proof=_looked_for, where=(at(LISTS, _LOOKED_FOR),),
@@ -400,7 +400,7 @@ TYPES: tuple[Known[Build], ...] = (
           given={"msg/Quote.msg": "Point point\n"}),
     Known(kind="field-type", pattern=_NO_JSON,
           cause="There is no message `{name}` in `{of}`, but {use} uses it.",
-          remedy=("Did you mean `{near}`?", "See `ros2 interface package {of}`."), proof=_foreign_message,
+          remedy=("Did you mean `{near}`?", "Run `ros2 interface package {of}`."), proof=_foreign_message,
           example=f"{_HASHES}\nFileNotFoundError: [Errno 2] No such file: "
                   "'/ros/share/std_msgs/msg/Strin.json'",
           given={"msg/Quote.msg": "std_msgs/Strin text\n"}),

@@ -113,7 +113,7 @@ class Python:
             return None
         if once:
             return Cause(
-                "`spin_once` handles one event and returns. `rclpy.spin(node)` runs until Ctrl+C.", once
+                "`spin_once` handles one event. Use `rclpy.spin(node)`, which runs until Ctrl+C.", once
             )
         ends = calls(sources, "spin_until_future_complete") or calls(sources, "init")
         return Cause(
@@ -253,7 +253,7 @@ class Cpp:
     spin = "rclcpp::spin"
     log_info = "RCLCPP_INFO_STREAM(get_logger(), ...)"
     at_the_end = "The value that `main` returns is the exit code: `return 0;` means success."
-    comes_to_an_end = "`main` must end: look for an endless loop, or for `std::cin` that waits."
+    comes_to_an_end = "`main` must end: look for an endless loop, or for a `std::cin` that waits for input."
     after_ctrl_c = (
         "The value that `main` returns is the exit code. Let it reach `return 0;` after `rclcpp::spin`."
     )
@@ -286,14 +286,14 @@ class Cpp:
     def to_keep_running(self, recording: Recording) -> Cause | None:
         sources = recording.sources
         if not self.places(sources, "init"):
-            text = "`main` must call `rclcpp::init(argc, argv)`, create the node, and `rclcpp::spin` it."
+            text = "`main` must call `rclcpp::init(argc, argv)`, make a node, and pass it to `rclcpp::spin`."
             return Cause(text, self.entry(sources))
         if self.places(sources, "spin"):
             return None
         where = tuple(place for name in CPP_SPINS for place in self.places(sources, name))[:2]
         if self.places(sources, "spin_some"):
             return Cause(
-                "`spin_some` runs what is ready and returns. `rclcpp::spin(node)` runs until Ctrl+C.", where
+                "`spin_some` runs what is ready. Use `rclcpp::spin(node)`, which runs until Ctrl+C.", where
             )
         return Cause(
             "Nothing keeps the program running: call `rclcpp::spin(...)` with the node, after `init`.",
@@ -304,7 +304,7 @@ class Cpp:
         return Cause(_CPP_DEAF, places_of(sources, _CPP_ENDLESS)[:2])
 
     def to_name_a_node(self, name: str) -> str:
-        return f'Before the braces of the constructor, pass on the name: `: rclcpp::Node("{name}")`.'
+        return f'Pass the name on before the braces of the constructor: `: rclcpp::Node("{name}")`.'
 
     def to_use_a_type(self, maker: str, package: str, name: str) -> str:
         return f"Include its header, and write `{maker}<{package}::msg::{name}>`."

@@ -68,11 +68,11 @@ def _several_at_once(gaps: Sequence[float], period: float, sources: Sources) -> 
     if count < 2:
         return None
     if timers:
-        return Cause(f"{count} come together every {period:g} s. {timers.text}", timers.where)
+        return Cause(f"{count} come at once, every {period:g} s. {timers.text}", timers.where)
     for name in ("publish", "info", "call_async"):
         inside = in_callbacks(sources, name)
         if len(inside) >= count:
-            what = f"{count} come together every {period:g} s: the callback does it {count} times."
+            what = f"{count} come at once, every {period:g} s. Call `{name}` only once in the callback."
             return Cause(what, inside[:2])
     return _prints(sources, count, period)
 
@@ -86,7 +86,7 @@ def _prints(sources: Sources, count: int, period: float) -> Cause | None:
         ]
         if len(lines) == count:
             where = tuple(Location(file, line) for line in lines[:2])
-            return Cause(f"{count} come together every {period:g} s: each round prints {count} times.", where)
+            return Cause(f"{count} come at once, every {period:g} s. Print only once in each round.", where)
     return None
 
 

@@ -41,8 +41,8 @@ def undeclared(error: str, sources: Sources) -> Cause | None:
         rows = (node for node in rows if given and _name(node.targets[0]) == _name(given))
         listed = {getattr(part, "value", None) for node in rows for part in ast.walk(node.value)}
         if before and name in declared(sources) | listed:
-            text = f"`{name}` is declared as `{before}.{name}`: the first argument of "
-            return Cause(f"{text}`declare_parameters` comes before each name. Make it `''`.", (call.where,))
+            text = f"`{name}` is declared as `{before}.{name}`: `declare_parameters` puts its "
+            return Cause(f"{text}first argument before each name. Pass `''` instead.", (call.where,))
     return Cause(
         f"A parameter must be declared before it is read: `self.declare_parameter('{name}', ...)` in "
         "`__init__`, with its default value."

@@ -638,7 +638,7 @@ _NO_NAME = (
     r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'",
     r"module '(?P<module>[\w.]+)' has no attribute '(?P<name>\w+)'",
 )
-_NO_FUNCTION = "The entry point names the function `{name}`; `{module}` has {functions}."
+_NO_FUNCTION = "The entry point names the function `{name}`, but `{module}` has {functions}. Correct it."
 _IN_A_CLASS = (
     "`{name}` is inside the class `{owner}`. Move its `def` to the left margin, with all of its lines."
 )
@@ -663,8 +663,8 @@ _ROS_1 = "This might be a ROS 1 message type but it should be a ROS 2 message ty
 
 SHUT_DOWN_TWICE = Known[Evidence](
     r"rcl_shutdown already called|Context must be initialized before it can be shutdown",
-    "ROS is shut down already: Ctrl+C does that, or an earlier `rclpy.shutdown()`. Call "
-    "`rclpy.try_shutdown()`, once, instead.",
+    "ROS was already shut down, by Ctrl+C or an earlier `rclpy.shutdown()`. Call "
+    "`rclpy.try_shutdown()` instead.",
     "RCLError: failed to shutdown: rcl_shutdown already called on the given context",
 )
 
@@ -685,7 +685,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"\btuple\b", "{cause}", "TypeError: unsupported operand: 'tuple' and 'float'",
           proof=because(accidental_tuple), given={"talk/talker.py": "period = 0.5,\n"}),
     Known(r"module 'rclpy' has no attribute '(?P<name>Node|Parameter|QoSProfile)'",
-          "`{name}` is in its own module: write `{line}` above, and `{name}` without `rclpy.`.",
+          "`{name}` is in its own module: write `{line}` at the top, and use `{name}` without `rclpy.`.",
           "AttributeError: module 'rclpy' has no attribute 'Node'", proof=_in_its_module),
     SHUT_DOWN_TWICE,
     Known(r"property|'self'|attribute", "{cause}",
@@ -716,8 +716,8 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "AttributeError: 'Talker' object has no attribute 'tick'", proof=_misplaced, where=(here,),
           given={"talk/talker.py": "class Talker(Node):\n    pass\n\ndef tick(self):\n    pass\n"}),
     Known(r"object has no attribute|object is not callable|(?:access|referenced).* variable",
-          "Line {line} gives the name `{hidden}` to something else, which hides what is called "
-          "`{hidden}` otherwise. Choose another name on line {line}.",
+          "Line {line} gives the name `{hidden}` to something else, which hides the original "
+          "`{hidden}`. Choose a different name on line {line}.",
           "AttributeError: 'float' object has no attribute 'sleep'", proof=_hidden_name, where=(here,),
           given={"talk/talker.py": "import time; time = 0.5; time.sleep(time)\n"}),
     Known(r"float\(\) argument must be|_TYPE_SUPPORT|incompatible function arguments|is not valid|msg_type",
@@ -725,7 +725,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "TypeError: float() argument must be a string or a real number, not 'function'", proof=_swapped,
           given={"talk/talker.py": "timer = node.create_timer(tick, 0.5)\n"}),
     Known(r"Expected QoSProfile or int",
-          "The function comes before the number of messages: `{right}`.",
+          "The callback comes before the queue depth: `{right}`.",
           "TypeError: Expected QoSProfile or int, but received <class 'method'>", proof=_callback_last,
           given={"talk/talker.py": "node.create_subscription(Quote, 'quotes', 10, node.heard)\n"}),
     Known(r"__init__\(\) takes \d+ positional arguments? but \d+ were given",
@@ -742,8 +742,8 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "RCLError: Couldn't parse params file: '--params-file /x/talk.yaml'. Error: Cannot have a value "
           "before ros__parameters at line 2", proof=_in_the_file, given={"talk.yaml": "a:\nb: 1\n"}),
     Known(r"InvalidParameterValueException",
-          "A callback of `add_on_set_parameters_callback` refuses the value, because this "
-          "`SetParametersResult` does not say otherwise: `SetParametersResult(successful=True)`.",
+          "A callback of `add_on_set_parameters_callback` refuses the value, because a "
+          "`SetParametersResult` reports failure by default. Write `SetParametersResult(successful=True)`.",
           "rclpy.exceptions.InvalidParameterValueException: Invalid parameter value (0.5) for parameter.",
           proof=_refused, given={"talk/talker.py": "def check(new):\n    return SetParametersResult()\n"}),
     Known(r"could not convert string to float: ''|invalid literal for int\(\) with base 10: ''",
@@ -756,7 +756,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(_NO_MODULE, "Include its package in the name: `{neighbor}` instead of `{name}`.",
           "ModuleNotFoundError: No module named 'helper'", proof=_of_a_package,
           given={"talk/helper.py": ""}),
-    Known(_NO_MODULE, "The entry point names a module that does not exist. The package has {modules}.",
+    Known(_NO_MODULE, "The entry point names a missing module. Correct it: the package has {modules}.",
           "ModuleNotFoundError: No module named 'talk.tolker'", proof=_entry_of_module, where=(here,),
           given={"setup.py": _ENTRY.format("talk.tolker:main"), "talk/talker.py": ""}),
     Known(_NO_MODULE, "There is no module `{name}`, but there is `{near}`: correct the import.",
@@ -842,7 +842,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "It takes a name and a value: `declare_parameter('name', 0.5)`.",
           "TypeError: First element 1 at index 0 in parameters list is not a str."),
     Known(r"'(?:function|method)' object has no attribute",
-          "A function is named but not called: `get_logger()` needs its parentheses.",
+          "This names a function but does not call it: write its parentheses, as in `get_logger()`.",
           "AttributeError: 'method' object has no attribute 'info'"),
     Known(r"InvalidNodeName",
           "A node's name may contain only letters, digits and `_`, and must not begin with a digit.",
@@ -857,14 +857,14 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"circular import", "Two files import each other. Move the code that both need to a third file.",
           "ImportError: cannot import (most likely due to a circular import)"),
     Known(r"'property' object (?:has no attribute|is not iterable)",
-          "This uses a class, not an object. Create an object with `()`, as in `Some.Request()`.",
+          "This uses a class instead of an object. Create an object with `()`, as in `Some.Request()`.",
           "AttributeError: 'property' object has no attribute 'quote'"),
     Known(r"'await' outside async function",
           "Write `async` before the `def` of the function that contains this line.",
           "SyntaxError: 'await' outside async function"),
     Known(r"cannot access local variable|local variable '\w+' referenced before",
-          "The function with this line assigns to this name, which makes it a local variable. If you mean "
-          "the one outside, write `nonlocal` and its name first. An attribute needs `self.` before it.",
+          "The function assigns to this name somewhere, so the name is a local variable. If you mean one "
+          "from outside, write `nonlocal` and its name first. For an attribute, write `self.` before it.",
           "UnboundLocalError: cannot access local variable 'count' where it is not associated with a value"),
     Known(r"(?P<of>\w+) index out of range",
           "The {of} has no element with this index: the last one is `len(...) - 1`. `index % len(...)` "
@@ -904,10 +904,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "TypeError: 'int' object is not callable", proof=_no_callback, where=(here,),
           given={"talk/talker.py": "self.create_service(Trigger, 'tell', 10)"}),
     Known(r"'(?P<of>int|float|str|bool|list|dict|tuple)' object is not callable",
-          "The parentheses try to call a value of type `{of}`. A property or an attribute is read "
-          "without parentheses.", "TypeError: 'int' object is not callable"),
+          "The parentheses try to call a value of type `{of}`. If it is a property or an attribute, "
+          "remove them.", "TypeError: 'int' object is not callable"),
     Known(r"argument of type '(?:builtin_function_or_method|method|function)'",
-          "A function is named after `in`, but not called: its parentheses are missing, as in `.lower()`.",
+          "The function after `in` is named, but not called: add its parentheses, as in `.lower()`.",
           "TypeError: argument of type 'builtin_function_or_method' is not iterable"),
     Known(r"argument of type '(?P<of>\w+)' is not (?:iterable|a container)",
           "`in` cannot search a `{of}` object. Search one of its fields: a string or a list.",
@@ -921,11 +921,11 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "The function called here has no argument `{name}`: compare the call with its definition.",
           "TypeError: say() got an unexpected keyword argument 'nam'"),
     Known(r"RecursionError|maximum recursion depth",
-          "The function or property with this line calls itself forever. Use the attribute or "
-          "function that has the value.", "RecursionError: maximum recursion depth exceeded"),
+          "The function or property that contains this line calls itself forever. Use the "
+          "attribute or function that has the value.", "RecursionError: maximum recursion depth exceeded"),
     Known(r"'(?P<of>\w+)' object is not an iterator",
-          "`next` needs an iterator, such as `itertools.count()`, and this is only a `{of}`: keep the "
-          "iterator, not what `next` took from it.", "TypeError: 'int' object is not an iterator"),
+          "`next` needs an iterator, such as `itertools.count()`, but this is of type `{of}`. Store the "
+          "iterator itself, not a value from it.", "TypeError: 'int' object is not an iterator"),
     Known(r"missing \d+ required positional arguments?: 'self'",
           "The method is called on the class. Call it on an object of the class.",
           "TypeError: Sample.get_name() missing 1 required positional argument: 'self'"),
@@ -955,7 +955,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "find out why it has this type.",
           "TypeError: unsupported operand type(s) for +: 'int' and 'str'"),
     Known(r"not supported between instances of '(?P<left>\w+)' and '(?P<right>\w+)'",
-          "A `{left}` cannot be compared with a `{right}`: convert one of them first.",
+          "Python cannot compare the types `{left}` and `{right}`: convert one of the values first.",
           "TypeError: '<' not supported between instances of 'str' and 'int'"),
     Known(r"cannot unpack non-iterable (?P<of>\w+)|'(?P<it>\w+)' object is not iterable",
           ("This needs several values, such as a list or a tuple, but it gets a single `{of}`.",
@@ -979,7 +979,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "This line begins with a tab, other lines with spaces. Use four spaces for each level.",
           "TabError: inconsistent use of tabs and spaces in indentation"),
     Known(r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given",
-          "ROS calls `{name}`, and passes more than it takes: write `{right}`.",
+          "ROS passes more arguments to `{name}` than it takes: write `{right}`.",
           "TypeError: Talker.hear() takes 1 positional argument but 2 were given", proof=_ros_passes_more,
           given={"talk/talker.py": "create_subscription(Text, 'a', self.hear)\ndef hear(self):\n    pass\n"}),
     Known(r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given",
@@ -1016,7 +1016,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           proof=_function_for_module, where=(here,),
           given={"talk/talker.py": "from time import time\ntime.sleep(1)\n"}),
     Known(r"name '(?P<name>\w+)' is not defined",
-          "`{name}` gets its value where this line cannot see it, or only after this line runs.",
+          "`{name}` gets its value elsewhere, or only later. Set it earlier, or pass it as an argument.",
           "NameError: name 'count' is not defined", proof=_given_elsewhere, where=(here,),
           given={"talk/talker.py": "print(count)\n\ndef main():\n    count = 0\n"}),
     Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",
@@ -1030,12 +1030,12 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"(?:'(?P<of>\w+)' object )?has no attribute '(?P<name>\w+)'|name '(?P<plain>\w+)' is not defined",
           ("You probably mean `{near}`.",
            "The object before `.{name}` is of type `{foreign}`, which has no `{name}`. Is it the "
-           "object that you mean, and is the name right?",
+           "object that you mean, and is the name spelled right?",
            "Nothing in `{own}` sets `self.{name}`. Set it in `__init__`, or correct the name.",
            "Check the spelling of `{name}`, or import it: nothing with that name exists here."),
           "AttributeError: 'Talker' object has no attribute 'cuont'", proof=_misspelled,
           given={"talk/talker.py": "self.count = 0\n"}),
-    Known("", "The error came from this line of your code.",
+    Known("", "The error came from this line of your code: check the values that it uses.",
           "ValueError: something of the program's own"),
 )  # fmt: skip
 

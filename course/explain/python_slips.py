@@ -153,8 +153,8 @@ def rate_in_callback(sources: Sources) -> Cause | None:
     found = [place for place in in_callbacks(sources, "sleep") if place in waits]
     return _in(
         found,
-        "`sleep()` of a rate never returns inside a callback: the node must spin for the rate to go on, but "
-        "it is busy with this callback. Remove it, and let a timer call the function again and again.",
+        "Inside a callback, a rate's `sleep()` never returns: it needs a node that spins, but this node is "
+        "busy with the callback. Remove it, and let a timer call the function again and again.",
     )
 
 
@@ -209,7 +209,7 @@ def _added_to(line: ast.stmt) -> ast.expr | None:
 def waits_for_input(sources: Sources) -> Cause | None:
     """A program that waits for input, although nobody is there to type."""
     found = calls(sources, "input")
-    text = "`input` waits until someone types a line, but nobody does here: remove it."
+    text = "`input` waits until someone types a line, but nobody does during a check: remove it."
     return Cause(text, (found[0].where,)) if found else None
 
 
@@ -275,8 +275,8 @@ def asked_at_once(sources: Sources) -> Cause | None:
             called = isinstance(line, ast.Assign) and _calls(line.value, "call_async")
             if called and isinstance(after, ast.If) and _calls(after.test, "done"):
                 return Cause(
-                    "This line asks once, right after the call, when the answer cannot be there yet. Let "
-                    "`add_done_callback` call your function when it arrives.",
+                    "This line asks once, right after the call, before the answer can arrive. Let "
+                    "`add_done_callback` call your function when it does.",
                     (Location(file, after.lineno),),
                 )
     return None
@@ -298,8 +298,8 @@ def long_sleep(sources: Sources, at_least: float = 0.0) -> Cause | None:
         value = number(sources, call.argument(0, "secs"))
         if call.where in inside and value is not None and value >= at_least:
             return Cause(
-                f"The callback sleeps for {value:g} s, and until then, the node does nothing else. Remove "
-                "the `sleep`: the timer alone sets the pace.",
+                f"The callback sleeps for {value:g} s, and the node does nothing else in the meantime. "
+                "Remove the `sleep`: the timer alone sets the pace.",
                 (call.where,),
             )
     return None
@@ -474,7 +474,7 @@ def inverted_wait(sources: Sources) -> Cause | None:
             written = ast.unparse(node.test)
             word = type(node).__name__.lower()
             return Cause(
-                f"`{written}` is true when the service is available, and then this line waits. Write "
+                f"`{written}` is true once the service is available, so you mean the opposite. Write "
                 f"`{word} not {written}:`.",
                 (Location(file, node.lineno),),
             )

@@ -327,8 +327,8 @@ OF_FILES: tuple[Known[Build], ...] = (
 # What setup.py itself prints when run alone.
 OF_SETUP: tuple[Known[Build], ...] = (
     Known(kind="build-type", pattern=f"^{_NO_SETUP_PY}",
-          cause="package.xml of `{package}` says ament_python, but there is a CMakeLists.txt and no "
-                "setup.py.",
+          cause="package.xml of `{package}` has the build type ament_python, but there is a CMakeLists.txt "
+                "and no setup.py.",
           remedy="If it is a CMake package, write `<build_type>ament_cmake</build_type>`.",
           proof=_cmake_package, example=_NO_SETUP_PY, given={"CMakeLists.txt": "project(talk)"}),
     Known(kind="setup-py", pattern=f"^{_NO_SETUP_PY}",

@@ -330,7 +330,7 @@ def _expect_no_wrong_type(recording: Recording, file: str, view: ProcessView) ->
         raise Failure(
             Feedback(
                 summary=f"The launch file gives `{name}` the type {given}, but the node "
-                f"declares it as {wanted.lower()}, and so it stops.",
+                f"declares it as {wanted.lower()}, so the node stops.",
                 expected=f"the type {wanted.lower()}",
                 seen=f"the type {given}",
                 where=named(launch_file(recording, file), name)[:1],

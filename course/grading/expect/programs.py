@@ -78,7 +78,7 @@ def proven_silence(recording: Recording, process: str) -> Cause | None:
 def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
     cause = wrong_guard(recording.sources) if not view.text else broken_loop(recording.sources)
     cause = cause or unproven(
-        recording, "is `main()` called at all, and does a loop, `while True:`, keep it running?", ended=True
+        recording, "is `main()` called at all, and does a `while True:` loop keep it running?", ended=True
     )
     return Feedback(
         summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; it should keep running.",
@@ -95,7 +95,7 @@ def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) 
     look_at = f"what did the program print last, and what could end `{language.spin}` after that?"
     reports = [text for text in view.text if _REPORT.search(text)]
     if reports and ended.code:
-        look_at = f"what the program reports before it ends: {reports[-1][:160]}"
+        look_at = f"what the program reports before it ends ({reports[-1][:160]})."
     cause = None if reports and ended.code else language.to_keep_running(recording)
     cause = cause or unproven(recording, look_at, ended=True)
     return Feedback(
