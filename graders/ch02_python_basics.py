@@ -581,7 +581,7 @@ def hints(recording: Recording) -> None:
     )
 
 
-@style.check("docstrings", "classes, functions and methods have docstrings", needs="readable")
+@style.check("docstrings", "classes, functions, and methods have docstrings", needs="readable")
 def docstrings(recording: Recording) -> None:
     expect_no_findings(
         recording,
