@@ -347,6 +347,7 @@ FORMULAS: tuple[tuple[Callable[[float, float], float], str], ...] = (
     (lambda a, b: a**2 + b**2, "The middle term is missing: 2·a·b."),
     (lambda a, b: a**2 + a * b + b**2, "The middle term should be 2·a·b, not a·b."),
     (lambda a, b: (a - b) ** 2, "The middle term must be added, not subtracted."),
+    (lambda a, b: (a + b) * 2, "`* 2` doubles the sum. The square is `** 2`."),
     (lambda a, b: a + b, "This is the sum of the two numbers. The task asks for its square."),
     (lambda a, b: 2 * a + 2 * a * b + 2 * b, "`a * 2` doubles a. The square is `a**2`."),
     (lambda a, b: a**2 + 2 * a + b + b**2, "Write a `*` between 2, a, and b: `2 * a * b`."),

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,8 @@ from course.api import (
     expect_no_warnings,
     expect_sound,
     native_answer,
+    replace,
+    wrong,
 )
 
 PROBES = Path(__file__).with_name("probes")
@@ -135,7 +139,8 @@ def expect_thrown(
     if seen.value == wanted:
         return
     returned = str(seen.value).removeprefix("returned ")
-    raise Failure(
+    raise wrong(
+        recording,
         Feedback(
             summary=f"`{what}` throws `{seen.type}`. It should throw `std::{wanted}`."
             if seen.error is not None
@@ -144,7 +149,7 @@ def expect_thrown(
             seen=(seen.error or returned)[:120],
             where=(Location(JOINTS),),
             advice=f"Throw `std::{wanted}` instead." if seen.error is not None else advice,
-        )
+        ),
     )
 
 
@@ -248,12 +253,14 @@ def arm_warnings(recording: Recording) -> None:
 
 @pointers.check("runs", "it prints its three lines and ends without an error", needs="compiles")
 def arm_runs(recording: Recording) -> None:
-    view = expect_sound(recording, "arm")
+    with own_child_named(recording):
+        view = expect_sound(recording, "arm")
     seen = tuple(line.strip() for line in view.text if line.strip())
     if seen == ARM_LINES:
         return
     missing = [line for line in ARM_LINES if line not in seen]
-    raise Failure(
+    raise wrong(
+        recording,
         Feedback(
             summary=f"The program no longer prints `{missing[0]}`."
             if missing
@@ -263,7 +270,7 @@ def arm_runs(recording: Recording) -> None:
             where=(Location(f"{ARM}/main.cpp"),),
             advice="Change only who owns which link. `main` must print the same lines as before.",
             details=seen[:5],
-        )
+        ),
     )
 
 
@@ -293,8 +300,27 @@ def plain_pointers(recording: Recording) -> tuple[Location, ...]:
     return tuple(found[:2]) or (Location(HEADER),)
 
 
+@contextmanager
+def own_child_named(recording: Recording) -> Iterator[None]:
+    """Explains a failure by a link that is stored among its own children, if the code says so."""
+    try:
+        yield
+    except Failure as failure:
+        lines = enumerate(recording.home.file(LINK).lines, 1)
+        own = [n for n, line in lines if re.search(r"\b(\w+)->children\.\w+_back\(\1\)", line)]
+        if not own:
+            raise
+        advice = "This line makes the parent its own child. Store the child in it."
+        raise Failure(replace(failure.feedback, where=(Location(LINK, own[0]),), advice=advice)) from None
+
+
 @pointers.check("tree", "each link has the right parent and children", needs="shared")
 def tree(recording: Recording) -> None:
+    with own_child_named(recording):
+        expect_tree(recording)
+
+
+def expect_tree(recording: Recording) -> None:
     expect_of_links(
         recording,
         ("parents", ["base", "base", "right"], "the parents of left, right, and tip"),
@@ -317,14 +343,15 @@ def expect_of_links(recording: Recording, asked: tuple[str, object, str], advice
     answer = native_answer(recording, question, what, "tree", where=Location(LINK))
     if answer.error is None and answer.value == wanted:
         return
-    raise Failure(
+    raise wrong(
+        recording,
         Feedback(
             summary=f"Your functions return the wrong values for {what}.",
             expected=numbers(wanted),
             seen=(answer.error or numbers(answer.value))[:120],
             where=(Location(LINK),),
             advice=advice,
-        )
+        ),
     )
 
 
@@ -455,7 +482,8 @@ def values(recording: Recording) -> None:
         answer = native_answer(recording, question, what, "values", where=Location(THINGS))
         if answer.error is None and answer.value == wanted:
             continue
-        raise Failure(
+        raise wrong(
+            recording,
             Feedback(
                 summary=f"`{what}` returns {numbers(answer.value)}."
                 if answer.error is None
@@ -463,8 +491,10 @@ def values(recording: Recording) -> None:
                 expected=numbers(wanted),
                 seen=(answer.error or numbers(answer.value))[:120],
                 where=(Location(THINGS),),
-                advice="Remove the copies, but keep the same values.",
-            )
+                advice="This is only the last value. Add each one to the sum with `+=`."
+                if question == "total value" and answer.value == 8.0
+                else "Remove the copies, but keep the same values.",
+            ),
         )
 
 

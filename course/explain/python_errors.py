@@ -549,6 +549,16 @@ def _in_the_file(evidence: Evidence, symptom: Symptom, words: Words) -> Proven |
     return Proven(where=(Location(found[0], int(words["line"])),)) if len(found) == 1 else None
 
 
+def _colon_in_text(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`quote: A raft: two`, in a YAML file."""
+    for file, text in evidence.sources.files.items():
+        lines = text.splitlines() if PurePosixPath(file).name == words["base"] else ()
+        for place, line in enumerate(lines, 1):
+            if re.match(r"\s*\w+:\s+[^\s'\"\[{#|>&*][^#]*:(?:\s|$)", line):
+                return Proven(where=(Location(file, place),))
+    return None
+
+
 def _near_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """A module with nearly the same name in the same package."""
     package, _, last = words["name"].rpartition(".")
@@ -746,6 +756,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`SetParametersResult` does not say otherwise: `SetParametersResult(successful=True)`.",
           "rclpy.exceptions.InvalidParameterValueException: Invalid parameter value (0.5) for parameter.",
           proof=_refused, given={"talk/talker.py": "def check(new):\n    return SetParametersResult()\n"}),
+    Known(r"Couldn't parse params file: '--params-file (?:\S*/)?(?P<base>[^/']+)'.*? near line (?P<line>\d+)",
+          "ROS cannot read `{base}`: this text has a `:` in it, so it needs quotation marks around it.",
+          "RCLError: Couldn't parse params file: '--params-file /x/talk.yaml'. Error: Error parsing a event "
+          "near line 1", proof=_colon_in_text, given={"talk.yaml": "quote: A raft: two\n"}),
     Known(r"could not convert string to float: ''|invalid literal for int\(\) with base 10: ''",
           "`string_value` is empty, because the parameter is a number: read its `double_value` or "
           "`integer_value`.", "ValueError: could not convert string to float: ''", proof=_of_another_type,
@@ -842,7 +856,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "It takes a name and a value: `declare_parameter('name', 0.5)`.",
           "TypeError: First element 1 at index 0 in parameters list is not a str."),
     Known(r"'(?:function|method)' object has no attribute",
-          "A function is named but not called: `get_logger()` needs its parentheses.",
+          "A function is named but not called: its parentheses are missing.",
           "AttributeError: 'method' object has no attribute 'info'"),
     Known(r"InvalidNodeName",
           "A node's name may contain only letters, digits and `_`, and must not begin with a digit.",
@@ -906,6 +920,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"'(?P<of>int|float|str|bool|list|dict|tuple)' object is not callable",
           "The parentheses try to call a value of type `{of}`. A property or an attribute is read "
           "without parentheses.", "TypeError: 'int' object is not callable"),
+    Known(r"unsupported format string passed to (?:builtin_function_or_method|method|function)",
+          "The value to format is a function that is named, but not called: its parentheses are missing.",
+          "TypeError: unsupported format string passed to builtin_function_or_method.__format__"),
     Known(r"argument of type '(?:builtin_function_or_method|method|function)'",
           "A function is named after `in`, but not called: its parentheses are missing, as in `.lower()`.",
           "TypeError: argument of type 'builtin_function_or_method' is not iterable"),
@@ -1035,7 +1052,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
            "Check the spelling of `{name}`, or import it: nothing with that name exists here."),
           "AttributeError: 'Talker' object has no attribute 'cuont'", proof=_misspelled,
           given={"talk/talker.py": "self.count = 0\n"}),
-    Known("", "The error came from this line of your code.",
+    Known("", "The program failed while it ran this line. The mistake may be elsewhere: read the message.",
           "ValueError: something of the program's own"),
 )  # fmt: skip
 
