@@ -26,6 +26,7 @@ from course.api import (
     listed,
     nearest,
     packages_place,
+    slips,
     trees,
 )
 from lib import rover
@@ -299,6 +300,7 @@ REMEDIES = (
     (("takes", "given"), "The first argument of each method is `self`: `def get_name(self):`."),
     (("has no attribute 'get_name'",), "The class needs a method `get_name`, indented under `class`."),
     (("has no attribute",), "Is it set in `__init__` with `self.`, and spelled the same in both places?"),
+    (("missing", "'self'"), "Below `@staticmethod`, a method gets no `self`. Remove that line above it."),
     (("missing", "argument"), "Compare the arguments with those in the task."),
     (
         ("'str' object is not callable",),
@@ -466,13 +468,14 @@ def expect_speeds(recording: Recording, question: str, cases: list[Any]) -> None
 def wrong_speed(recording: Recording, case: tuple[float, float, float], speed: object) -> Feedback:
     distance, stop_at, full_speed = case
     wanted = rover.safe_speed(*case)
+    cause = slips.never_above_zero(recording.sources)
     return Feedback(
         summary=f"`{SPEED}({distance:.2f})` returns {speed!r:.40}, with stop_at {stop_at:.2f} and full_speed "
         f"{full_speed:.2f}.",
         expected=f"{wanted!r}",
         seen=f"{speed!r}"[:200],
-        where=defined_at(recording, SPEED)[:1],
-        advice=advice_on_speed(distance, stop_at, wanted, speed),
+        where=cause.where if cause else defined_at(recording, SPEED)[:1],
+        advice=cause.text if cause else advice_on_speed(distance, stop_at, wanted, speed),
     )
 
 

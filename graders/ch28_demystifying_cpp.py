@@ -148,7 +148,11 @@ def expect_thrown(
             expected=f"std::{wanted}",
             seen=(seen.error or returned)[:120],
             where=(Location(JOINTS),),
-            advice=f"Throw `std::{wanted}` instead." if seen.error is not None else advice,
+            advice=advice
+            if seen.error is None
+            else "Leave out `new`: C++ throws the object itself."
+            if str(seen.type).endswith("*")
+            else f"Throw `std::{wanted}` instead.",
         ),
     )
 
@@ -493,6 +497,8 @@ def values(recording: Recording) -> None:
                 where=(Location(THINGS),),
                 advice="This is only the last value. Add each one to the sum with `+=`."
                 if question == "total value" and answer.value == 8.0
+                else "The caller's vector stays as it is. Take it by reference, with `&`."
+                if answer.value == []
                 else "Remove the copies, but keep the same values.",
             ),
         )

@@ -88,8 +88,12 @@ _EFFECTLESS = (
         "This line creates an exception, but does not throw it: write `throw` before it.",
     ),
     (
+        r"\b(?:while|if)\s*\(\s*!?\s*rclcpp::ok\s*\)",
+        "`rclcpp::ok` only names the function. Call it: `rclcpp::ok()`.",
+    ),
+    (
         r"\b(?!void\b|explicit\b|else\b|constexpr\b|inline\b)[\w:<>,&*]*[\w>&*]\s+"
-        r"(?!if\b|main\b)[\w:]+\s*\([^;{}()]*\)\s*(?:const\s*)?\{(?![^{}]*\b(?:return|throw)\b)[^{}]+\}",
+        r"(?!if\b|main\b|(\w+)::\1\b)[\w:]+\s*\([^;{}()]*\)\s*(?:const\s*)?\{(?![^{}]*\b(?:return|throw)\b)[^{}]+\}",
         "This function has no `return`, so the value that it gives back is arbitrary.",
     ),
 )

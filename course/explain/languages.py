@@ -305,7 +305,7 @@ class Cpp:
         )
 
     def deaf(self, sources: Sources) -> Cause:
-        return Cause(_CPP_DEAF, places_of(sources, _CPP_ENDLESS)[:2])
+        return without_effect(sources) or Cause(_CPP_DEAF, places_of(sources, _CPP_ENDLESS)[:2])
 
     def to_name_a_node(self, name: str) -> str:
         return f'Before the braces of the constructor, pass on the name: `: rclcpp::Node("{name}")`.'

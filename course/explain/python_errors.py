@@ -473,6 +473,18 @@ def _whole_row(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | N
     return None
 
 
+def _text_assigned(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`response.success = 'True'`, on this line."""
+    for file, node in nodes(evidence.sources):
+        if (
+            isinstance(node, ast.Assign)
+            and _is_text(node.value)
+            and Location(file, node.lineno) == symptom.where
+        ):
+            return Proven({"text": ast.unparse(node.value)})
+    return None
+
+
 def _swapped(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`create_timer`, `create_publisher` and the like, with the first two arguments swapped."""
     for maker, (first, second) in _ORDER.items():
@@ -557,6 +569,11 @@ def _colon_in_text(evidence: Evidence, symptom: Symptom, words: Words) -> Proven
             if re.match(r"\s*\w+:\s+[^\s'\"\[{#|>&*][^#]*:(?:\s|$)", line):
                 return Proven(where=(Location(file, place),))
     return None
+
+
+def _in_the_line(evidence: Evidence, symptom: Symptom, sign: str) -> Proven | None:
+    shown = evidence.shown(symptom.where) if symptom.where else ()
+    return Proven() if any(sign in line for line in shown) else None
 
 
 def _near_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
@@ -692,8 +709,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "A message is not a dict: write `{right}` instead of `{wrong}`.",
           "TypeError: 'Quote' object is not subscriptable", proof=_by_key,
           given={"talk/talker.py": "def heard(message):\n    print(message['id'])\n"}),
-    Known(r"\btuple\b", "{cause}", "TypeError: unsupported operand: 'tuple' and 'float'",
-          proof=because(accidental_tuple), given={"talk/talker.py": "period = 0.5,\n"}),
+    Known(r"\btuple\b|The '\w+' field must be", "{cause}",
+          "TypeError: unsupported operand: 'tuple' and 'float'", proof=because(accidental_tuple),
+          given={"talk/talker.py": "period = 0.5,\n"}),
     Known(r"module 'rclpy' has no attribute '(?P<name>Node|Parameter|QoSProfile)'",
           "`{name}` is in its own module: write `{line}` above, and `{name}` without `rclpy.`.",
           "AttributeError: module 'rclpy' has no attribute 'Node'", proof=_in_its_module),
@@ -887,6 +905,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`{value}` is a whole {of}, but the field `{field}` takes one value: choose one of them, as in "
           "`{value}[0]`.", "AssertionError: The 'quote' field must be of type 'str'", proof=_whole_row,
           given={"talk/talker.py": "ROWS = [('a', 'b')]; message.quote = ROWS[0]\n"}),
+    Known(r"The '\w+' field must be of type '(?:int|float|bool)'",
+          "`{text}` is a string because of its quotation marks. Leave them out.",
+          "AssertionError: The 'success' field must be of type 'bool'", proof=_text_assigned,
+          given={"talk/talker.py": "response.success = 'True'\n"}),
     Known(r"The '(?P<field>\w+)' field must be of type '(?P<type>int|float|str|bool)'",
           "The field `{field}` takes only the type `{type}`: check what this line assigns to it. Convert a "
           "number or a string with `{type}(...)`. From a list or message, pass only the part that you need.",
@@ -987,6 +1009,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "A quote in the braces ends this f-string too early: it must differ from the quotes around the "
           "string. A field of a message needs no quotes: `message.field`.",
           "SyntaxError: f-string: unmatched '['"),
+    Known(r"SyntaxError", "Python has no `++`. Add one with `+= 1`.", "SyntaxError: invalid syntax",
+          proof=lambda evidence, symptom, words: _in_the_line(evidence, symptom, "++"),
+          given={"talk/talker.py": "count++\n"}),
     Known(r"SyntaxError",
           "Python cannot read the file. Check this line and the end of the line before it.",
           "SyntaxError: invalid syntax"),

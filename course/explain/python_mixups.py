@@ -257,6 +257,23 @@ MIXUPS: tuple[Known[Evidence], ...] = (
           "This `partial` passes too few arguments to `{name}`: {lost} is missing.",
           "TypeError: send() missing 1 required positional argument: 'text'", proof=_partial_with_too_few,
           given={"talk/talker.py": "create_timer(1, partial(send, node))\ndef send(node, text): pass\n"}),
+    *(
+        Known[Evidence](
+            rf"Node\.{name}\(\) (?:takes .* given|got an unexpected keyword)",
+            f"Write `{name}({usage})`: it takes nothing else here.",
+            f"TypeError: Node.{name}() takes 4 positional arguments but 5 were given",
+        )
+        for name, usage in (
+            ("create_publisher", "Type, 'topic', 10"),
+            ("create_subscription", "Type, 'topic', self.callback, 10"),
+            ("create_timer", "0.5, self.callback"),
+        )
+    ),
+    Known(r"spin_until_future_complete\(\) missing",
+          "`spin_until_future_complete` waits for a future. `rclpy.spin(node)` runs until Ctrl+C.",
+          "TypeError: spin_until_future_complete() missing 1 required positional argument: 'future'"),
+    Known(r"'Publisher' object has no attribute", "A publisher sends a message with `publish(message)`.",
+          "AttributeError: 'Publisher' object has no attribute 'send'"),
     Known(_LACKS, "`{name}` is a function of rclpy: write `rclpy.{name}(...)`.",
           "AttributeError: 'Talker' object has no attribute 'spin'", proof=_of_rclpy,
           given={"talk/talker.py": "class Talker(Node):\n    pass\n"}),
