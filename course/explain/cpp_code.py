@@ -112,7 +112,8 @@ def never_called(sources: Sources) -> Cause | None:
         named = re.findall(rf"\b{found[2]}\b(?![^;{{}}]*\boverride\b)", code)
         if len(named) == (2 if found[1] else 1):
             text = f"Nothing calls `{found[2]}`, or passes it to something that calls it."
-            return Cause(text, places_of(sources, rf"\b{found[2]}\b")[-1:])
+            takers = places_of(sources, r"\bcreate_(?:subscription|wall_timer|timer|service)\b")
+            return Cause(text, takers[:1] or places_of(sources, rf"\b{found[2]}\b")[-1:])
     return None
 
 

@@ -101,7 +101,7 @@ def rate_unused(sources: Sources) -> Cause | None:
         for made in re.finditer(r"\b(?:Wall)?Rate\s+(\w+)\s*[({]", code):
             if not re.search(rf"\b{made[1]}\s*\.\s*sleep\b", code):
                 text = f"Nothing waits: the loop must call `{made[1]}.sleep();` each time."
-                return Cause(text, places_of(sources, rf"Rate\s+{made[1]}\b")[:1])
+                return Cause(text, places_of(sources, r"\bwhile\s*\(")[:1])
     return None
 
 

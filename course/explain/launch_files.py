@@ -206,7 +206,7 @@ def unknown_keyword(launch_file: Sources, error: str) -> Cause | None:
     """`Node(node_name='talker')`, which the error names."""
     wrong = re.search(r"unexpected keyword argument '(\w+)'", error)
     for call in calls(launch_file, "Node") if wrong else ():
-        if wrong and wrong[1] in call.keywords:
+        if wrong and wrong[1] in call.keywords and wrong[1] not in _KEYWORDS:
             right = nearest(wrong[1].removeprefix("node_"), _KEYWORDS, LOOSELY)
             text = f"`Node` has no argument `{wrong[1]}`. " + (
                 f"Write `{right}` instead." if right else f"It has {listed(_KEYWORDS)}."

@@ -226,6 +226,14 @@ def _partial_with_too_few(evidence: Evidence, symptom: Symptom, words: Words) ->
     return Proven(where=tuple(found)) if found and not calls(evidence.sources, words["name"]) else None
 
 
+def _gets_the_future_alone(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`add_done_callback(done)`, where `done` takes more than the future."""
+    for call in calls(evidence.sources, "add_done_callback"):
+        if call.args and ast.unparse(call.args[0]).rpartition(".")[2] == words["name"]:
+            return Proven({"given": ast.unparse(call.args[0])}, (call.where,))
+    return None
+
+
 MIXUPS: tuple[Known[Evidence], ...] = (
     Known(r"(?<!\.)\b(?P<name>\w+)\(\) missing 1 required positional argument: 'self'",
           "`{name}` is a function, not a method of a class: remove `self` from its `def`.",
@@ -253,6 +261,10 @@ MIXUPS: tuple[Known[Evidence], ...] = (
           "`{written}` is named here, but not called: write `{written}()`.",
           "AttributeError: 'function' object has no attribute 'x'", proof=_only_named,
           given={"talk/talker.py": "def tell(future):\n    found = future.result\n    found.x  # here\n"}),
+    Known(r"\b(?P<name>\w+)\(\) missing \d+ required positional arguments?",
+          "`add_done_callback` passes only the future. Bind the other arguments: `partial({given}, ...)`.",
+          "TypeError: done() missing 1 required positional argument: 'future'", proof=_gets_the_future_alone,
+          given={"talk/talker.py": "task.add_done_callback(done)\ndef done(tag, future): pass\n"}),
     Known(r"\b(?P<name>\w+)\(\) missing \d+ required positional arguments?: (?P<lost>.*)",
           "This `partial` passes too few arguments to `{name}`: {lost} is missing.",
           "TypeError: send() missing 1 required positional argument: 'text'", proof=_partial_with_too_few,

@@ -78,11 +78,10 @@ def expect_speed(
         return
     if speed is None:
         advice = "Publish a `Twist` in `range_callback`, once for each measurement."
-    code = "linear.x" if speed is not None else "create_subscription"
     cause = slips.first(
         recording.sources, slips.compared, without_effect, *([never_called] if speed is None else [])
     )
-    cause = cause or Cause(advice, text_places(recording.sources, code)[:1])
+    cause = cause or Cause(advice, text_places(recording.sources, "linear.x")[:1])
     raise Failure(
         Feedback(
             summary=f"At a distance of {distance:.2f} m, the speed is wrong."
