@@ -16,6 +16,7 @@ from typing import Any
 from course.api import (
     BASHRC,
     Arena,
+    Cause,
     Crash,
     Failure,
     Feedback,
@@ -29,6 +30,7 @@ from course.api import (
     answered,
     calls,
     crash,
+    crash_feedback,
     entry_points,
     expect_answer,
     expect_clean_interrupt,
@@ -543,13 +545,14 @@ def static(recording: Recording) -> None:
 style = Grader("02-style", builds=None, ros=False)
 
 NAMING = ("N801", "N802", "N803", "N806", "N999")
+UNKNOWN = ("F821",)
 HINTS = ("ANN001", "ANN002", "ANN003", "ANN201", "ANN205", "ANN206")
 DOCSTRINGS = ("D101", "D102", "D103")
 
 
 @style.scenario
 def look_over_the_package(arena: Arena) -> None:
-    arena.lint(PACKAGE, *NAMING, *HINTS, *DOCSTRINGS)
+    arena.lint(PACKAGE, *UNKNOWN, *NAMING, *HINTS, *DOCSTRINGS)
 
 
 @style.check("readable", "Python can read the package's files")
@@ -573,6 +576,12 @@ def names(recording: Recording) -> None:
 
 @style.check("hints", "arguments and results have type hints", needs="readable")
 def hints(recording: Recording) -> None:
+    expect_no_findings(
+        recording,
+        UNKNOWN,
+        "A name is not defined",
+        advice="Python's types are `int`, `float`, `str`, and `bool`, in lowercase. Import any other name.",
+    )
     expect_no_findings(
         recording,
         HINTS,
@@ -731,15 +740,33 @@ def why_it_failed(recording: Recording, run: str) -> Feedback:
     test, line, error, word = (fact(recording, run, name) for name in ("failed", "line", "error", "word"))
     text = recording.home.file(TEST).lines
     number = int(line) if line and int(line) <= len(text) else None
+    cause = slip_in_tests(text, number or 0)
+    advice = (
+        "Compare what this test expects with the table in 02-class. " if error == "AssertionError" else ""
+    )
     kind = f" with {error}" if error else ""
     return Feedback(
         summary="Your tests fail for a correct class: "
         + (f"`{test}` ends{kind}{f' about `{word}`' if word else ''}." if test else "they do not run."),
         seen=text[number - 1].strip() if number else None,
-        where=(Location(TEST, number),),
-        advice="Compare what this test expects with the table in 02-class. Run `python3 -m unittest discover "
-        "-v test` on your own class to see the whole message.",
+        where=cause.where if cause else (Location(TEST, number),),
+        advice=cause.text
+        if cause
+        else f"{advice}Run `python3 -m unittest discover -v test` to see the whole message.",
     )
+
+
+def slip_in_tests(text: tuple[str, ...], failed: int) -> Cause | None:
+    """Why a test does not work at all. failed: the number of its line that failed."""
+    for number, line in enumerate(text, 1):
+        wrong = re.search(r"\bdef ((?!setUp\b)(?i:set_?up))\b", line)
+        if wrong:
+            what = f"unittest never calls `{wrong[1]}`. The method is called `setUp`, with a capital U."
+            return Cause(what, (Location(TEST, number),))
+        if number == failed and re.search(r"assertEqual\([^,]*==[^,]*\)\s*$", line):
+            what = "`assertEqual` compares two values itself. Put a comma between them, in place of `==`."
+            return Cause(what, (Location(TEST, number),))
+    return None
 
 
 @unit_tests.check(
@@ -1061,6 +1088,10 @@ def expect_report(recording: Recording, number: int, example: str) -> int:
     if len(after) > own and tells(str(items[after[-1]]), WINS[number]):
         return after[-1]
     late = slips.late_lambda(only(recording, file_of(example)))
+    failed = crash(recording.process(example).traceback(), recording.packages, recording.sources)
+    if failed:
+        told = crash_feedback(failed, recording.packages, recording.sources)
+        raise Failure(replace(told, summary=f"A callback stopped with an error: {failed.error}"))
     raise Failure(
         Feedback(
             summary=f"The result of {tag} is not reported."
@@ -1181,12 +1212,23 @@ def why_not_installed(recording: Recording) -> Feedback:
             where=(bare[0].where,),
             advice="Put a colon between the module and the function, as in `package.module:main`.",
         )
+    text = recording.home.file(SETUP).lines
+    searched = [n for n, line in enumerate(text, 1) if re.search(r"find_packages\(\s*['\"]", line)]
+    if searched:
+        return Feedback(
+            summary="pip cannot find the packages: `find_packages` looks for them in another folder.",
+            where=(Location(SETUP, searched[0]),),
+            advice="Its first argument is that folder. Leave it out: `find_packages(exclude=['test'])`.",
+            details=tuple(errors[:4]),
+        )
     return Feedback(
         summary=f"pip cannot install the project: {errors[-1] if errors else 'it does not say why'}",
         where=(Location(SETUP, int(place[-1]) if place else None),),
         advice="`find_packages` needs parentheses, which call it: `find_packages()`."
         if "'method' object is not iterable" in "".join(errors)
-        else "Check this line of `setup.py` and the line before it.",
+        else "Check this line of `setup.py` and the line before it."
+        if place
+        else "The last line of the message says what is wrong.",
         details=tuple(errors[:4]),
     )
 

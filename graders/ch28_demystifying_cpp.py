@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,8 @@ from course.api import (
     expect_no_warnings,
     expect_sound,
     native_answer,
+    replace,
+    wrong,
 )
 
 PROBES = Path(__file__).with_name("probes")
@@ -135,7 +139,8 @@ def expect_thrown(
     if seen.value == wanted:
         return
     returned = str(seen.value).removeprefix("returned ")
-    raise Failure(
+    raise wrong(
+        recording,
         Feedback(
             summary=f"`{what}` throws `{seen.type}`. It should throw `std::{wanted}`."
             if seen.error is not None
@@ -143,8 +148,12 @@ def expect_thrown(
             expected=f"std::{wanted}",
             seen=(seen.error or returned)[:120],
             where=(Location(SENSORS),),
-            advice=f"Throw `std::{wanted}` instead." if seen.error is not None else advice,
-        )
+            advice=advice
+            if seen.error is None
+            else "Leave out `new`: C++ throws the object itself."
+            if str(seen.type).endswith("*")
+            else f"Throw `std::{wanted}` instead.",
+        ),
     )
 
 
@@ -248,12 +257,14 @@ def rover_warnings(recording: Recording) -> None:
 
 @pointers.check("runs", "it prints its three lines and ends without an error", needs="compiles")
 def rover_runs(recording: Recording) -> None:
-    view = expect_sound(recording, "rover")
+    with own_child_named(recording):
+        view = expect_sound(recording, "rover")
     seen = tuple(line.strip() for line in view.text if line.strip())
     if seen == ROVER_LINES:
         return
     missing = [line for line in ROVER_LINES if line not in seen]
-    raise Failure(
+    raise wrong(
+        recording,
         Feedback(
             summary=f"The program no longer prints `{missing[0]}`."
             if missing
@@ -263,7 +274,7 @@ def rover_runs(recording: Recording) -> None:
             where=(Location(f"{ROVER}/main.cpp"),),
             advice="Change only who owns which part. `main` must print the same lines as before.",
             details=seen[:5],
-        )
+        ),
     )
 
 
@@ -293,8 +304,27 @@ def plain_pointers(recording: Recording) -> tuple[Location, ...]:
     return tuple(found[:2]) or (Location(HEADER),)
 
 
+@contextmanager
+def own_child_named(recording: Recording) -> Iterator[None]:
+    """Explains a failure by a part that is stored among its own children, if the code says so."""
+    try:
+        yield
+    except Failure as failure:
+        lines = enumerate(recording.home.file(HARDWARE).lines, 1)
+        own = [n for n, line in lines if re.search(r"\b(\w+)->children\.\w+_back\(\1\)", line)]
+        if not own:
+            raise
+        advice = "This line makes the parent its own child. Store the child in it."
+        raise Failure(replace(failure.feedback, where=(Location(HARDWARE, own[0]),), advice=advice)) from None
+
+
 @pointers.check("tree", "each part has the right parent and children", needs="shared")
 def tree(recording: Recording) -> None:
+    with own_child_named(recording):
+        expect_tree(recording)
+
+
+def expect_tree(recording: Recording) -> None:
     expect_of_parts(
         recording,
         ("parents", ["body", "body", "axle"], "the parents of mast, axle, and wheel"),
@@ -317,14 +347,15 @@ def expect_of_parts(recording: Recording, asked: tuple[str, object, str], advice
     answer = native_answer(recording, question, what, "tree", where=Location(HARDWARE))
     if answer.error is None and answer.value == wanted:
         return
-    raise Failure(
+    raise wrong(
+        recording,
         Feedback(
             summary=f"Your functions return the wrong values for {what}.",
             expected=numbers(wanted),
             seen=(answer.error or numbers(answer.value))[:120],
             where=(Location(HARDWARE),),
             advice=advice,
-        )
+        ),
     )
 
 
@@ -455,7 +486,8 @@ def values(recording: Recording) -> None:
         answer = native_answer(recording, question, what, "values", where=Location(LOG))
         if answer.error is None and answer.value == wanted:
             continue
-        raise Failure(
+        raise wrong(
+            recording,
             Feedback(
                 summary=f"`{what}` returns {numbers(answer.value)}."
                 if answer.error is None
@@ -463,8 +495,12 @@ def values(recording: Recording) -> None:
                 expected=numbers(wanted),
                 seen=(answer.error or numbers(answer.value))[:120],
                 where=(Location(LOG),),
-                advice="Remove the copies, but keep the same values.",
-            )
+                advice="This is only the last value. Add each one to the sum with `+=`."
+                if question == "total value" and answer.value == 8.0
+                else "The caller's vector stays as it is. Take it by reference, with `&`."
+                if answer.value == []
+                else "Remove the copies, but keep the same values.",
+            ),
         )
 
 

@@ -329,6 +329,9 @@ def expect_step_and_wave(
     """kind: "steps" or "wave". A loop receives a target in one round, and publishes it in the next."""
     steps, sine = commands_of(recording, robot)
     states = states_of(recording, robot)
+    if len(states.widths) > 1:
+        remedy = "Replace the old positions by those of the target. `+=` or `append` makes the list longer."
+        expect_width(states, JOINTS, advice=remedy)
     if kind == "steps":
         within = max(0.010, 2.5 * robot.period)
         expect_steps(recording, steps, states, within=within, advice=advice, where=tuple(where))

@@ -241,6 +241,11 @@ COMPILER: tuple[Known[Evidence], ...] = (
         "could not convert 'x' from 'int' to 'std::string'",
     ),
     Known(
+        r"SharedPtr.* has no member named '(?P<name>\w+)'",
+        "This is a pointer to the object. Write `->` in place of the dot: `->{name}`.",
+        "'using SharedPtr = class std::shared_ptr<rclcpp::Publisher<T> >' has no member named 'publish'",
+    ),
+    Known(
         r"has no member named",
         "Is the name spelled right, and is it a member of this type?",
         "'class Talker' has no member named 'tolk'",
@@ -265,6 +270,11 @@ COMPILER: tuple[Known[Evidence], ...] = (
         r"is private within|is protected within",
         "Only its own class can use it. Make it `public`, or add a function that returns it.",
         "'int Arm::count_' is private within this context",
+    ),
+    Known(
+        r"expected primary-expression before '\.' token",
+        "A dot belongs between an object and its member. After a namespace or class, write `::`.",
+        "expected primary-expression before '.' token",
     ),
     Known(
         "",

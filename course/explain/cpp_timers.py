@@ -95,6 +95,16 @@ def integer_division(sources: Sources) -> Cause | None:
     return None
 
 
+def rate_unused(sources: Sources) -> Cause | None:
+    """`rclcpp::Rate rate(2)`, of which no code calls `sleep`."""
+    for code in map(only_code, cpp_files(sources).values()):
+        for made in re.finditer(r"\b(?:Wall)?Rate\s+(\w+)\s*[({]", code):
+            if not re.search(rf"\b{made[1]}\s*\.\s*sleep\b", code):
+                text = f"Nothing waits: the loop must call `{made[1]}.sleep();` each time."
+                return Cause(text, places_of(sources, r"\bwhile\s*\(")[:1])
+    return None
+
+
 def _slow_rate(sources: Sources) -> Cause | None:
     """`rclcpp::Rate rate(0.5)`, which means once every two seconds."""
     where = places_of(sources, r"Rate\s*\w*\s*[({]\s*0?\.\d+\s*[)}]")

@@ -14,7 +14,7 @@ from course.evidence.process_view import ProcessView
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
 from course.explain.callbacks import never_spun
-from course.explain.cpp_code import cpp_calls, cpp_files, places_of
+from course.explain.cpp_code import cpp_calls, cpp_files, never_called, places_of, without_effect
 from course.explain.cpp_crashes import C_TEXTS, cpp_crash, texts_without_a_text
 from course.explain.cpp_timers import MAKERS, cpp_timer_cause
 from course.explain.cpp_timers import SPINS as CPP_SPINS
@@ -22,7 +22,10 @@ from course.explain.engine import Cause, Evidence, Symptom, explain
 from course.explain.python_code import called_name, calls, nodes
 from course.explain.python_errors import EXCEPTIONS, SHUT_DOWN_TWICE, Crash, crash, crash_feedback
 from course.explain.python_slips import (
+    defined_twice,
+    destroyed_first,
     first,
+    named_only,
     python_timer_cause,
     shut_down_inside,
     spin_in_a_thread,
@@ -145,12 +148,13 @@ class Python:
 
     def other_words(self, text: str, sources: Sources) -> Cause | None:
         """Why a logged line has unexpected words, if they show what went wrong."""
-        return Cause(_BRACES) if "{" in text else None
+        return named_only(text, sources) or (Cause(_BRACES) if "{" in text else None)
 
     def silent(self, sources: Sources) -> Cause | None:
         """Why a node logs nothing although it is running, if known."""
         listens = calls(sources, "create_subscription") and not calls(sources, "create_timer")
-        return first(sources, *(() if listens else (python_timer_cause,)), never_spun)
+        timers = () if listens else (python_timer_cause,)
+        return first(sources, defined_twice, destroyed_first, *timers, never_spun)
 
 
 def _raised_by_rclpy(traceback: tuple[str, ...]) -> bool:
@@ -301,7 +305,7 @@ class Cpp:
         )
 
     def deaf(self, sources: Sources) -> Cause:
-        return Cause(_CPP_DEAF, places_of(sources, _CPP_ENDLESS)[:2])
+        return without_effect(sources) or Cause(_CPP_DEAF, places_of(sources, _CPP_ENDLESS)[:2])
 
     def to_name_a_node(self, name: str) -> str:
         return f'Pass the name on before the braces of the constructor: `: rclcpp::Node("{name}")`.'
@@ -322,7 +326,7 @@ class Cpp:
         return Cause(advice or C_TEXTS, where) if advice or where else None
 
     def silent(self, sources: Sources) -> Cause | None:
-        cause = _without_node(sources) or cpp_timer_cause(sources)
+        cause = first(sources, without_effect, _without_node, cpp_timer_cause, never_called)
         if cause or any(self.places(sources, name) for name in CPP_SPINS):
             return cause
         return Cause(

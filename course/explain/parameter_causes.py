@@ -36,6 +36,9 @@ def undeclared(error: str, sources: Sources) -> Cause | None:
         return Cause(f"The node declares `{close}` but reads `{name}`: spell both the same way.", places[:2])
     for call in calls(sources, "declare_parameters"):
         prefix, given = call.argument(0, "namespace"), call.argument(1, "parameters")
+        if isinstance(given, ast.Constant):
+            text = f"One parameter is declared by `declare_parameter('{name}', ...)`. The plural, "
+            return Cause(f"{text}`declare_parameters`, takes a list of several.", (call.where,))
         before = str(prefix.value) if isinstance(prefix, ast.Constant) else ""
         rows = (node for _, tree in trees(sources) for node in tree.body if isinstance(node, ast.Assign))
         rows = (node for node in rows if given and _name(node.targets[0]) == _name(given))

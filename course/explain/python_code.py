@@ -98,11 +98,12 @@ def number(sources: Sources, node: ast.expr | None) -> float | None:
     """The value of a literal number, a product, a quotient, or a variable that is assigned one somewhere."""
     if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
         return float(node.value) if abs(node.value) < _HUGE else None
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div | ast.Mult):
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div | ast.FloorDiv | ast.Mult):
         left, right = number(sources, node.left), number(sources, node.right)
         if left is None or not right:
             return None
-        return left / right if isinstance(node.op, ast.Div) else left * right
+        whole = left // right if isinstance(node.op, ast.FloorDiv) else left / right
+        return left * right if isinstance(node.op, ast.Mult) else whole
     name = _plain_name(node)
     values = (number(sources, value) for value in assigned(sources, name)) if name else ()
     return next((value for value in values if value is not None), None)

@@ -473,6 +473,18 @@ def _whole_row(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | N
     return None
 
 
+def _text_assigned(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`response.success = 'True'`, on this line."""
+    for file, node in nodes(evidence.sources):
+        if (
+            isinstance(node, ast.Assign)
+            and _is_text(node.value)
+            and Location(file, node.lineno) == symptom.where
+        ):
+            return Proven({"text": ast.unparse(node.value)})
+    return None
+
+
 def _swapped(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`create_timer`, `create_publisher` and the like, with the first two arguments swapped."""
     for maker, (first, second) in _ORDER.items():
@@ -547,6 +559,21 @@ def _of_another_type(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
 def _in_the_file(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     found = [name for name in evidence.sources.names if PurePosixPath(name).name == words["base"]]
     return Proven(where=(Location(found[0], int(words["line"])),)) if len(found) == 1 else None
+
+
+def _colon_in_text(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`quote: A raft: two`, in a YAML file."""
+    for file, text in evidence.sources.files.items():
+        lines = text.splitlines() if PurePosixPath(file).name == words["base"] else ()
+        for place, line in enumerate(lines, 1):
+            if re.match(r"\s*\w+:\s+[^\s'\"\[{#|>&*][^#]*:(?:\s|$)", line):
+                return Proven(where=(Location(file, place),))
+    return None
+
+
+def _in_the_line(evidence: Evidence, symptom: Symptom, sign: str) -> Proven | None:
+    shown = evidence.shown(symptom.where) if symptom.where else ()
+    return Proven() if any(sign in line for line in shown) else None
 
 
 def _near_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
@@ -682,8 +709,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "A message is not a dict: write `{right}` instead of `{wrong}`.",
           "TypeError: 'Quote' object is not subscriptable", proof=_by_key,
           given={"talk/talker.py": "def heard(message):\n    print(message['id'])\n"}),
-    Known(r"\btuple\b", "{cause}", "TypeError: unsupported operand: 'tuple' and 'float'",
-          proof=because(accidental_tuple), given={"talk/talker.py": "period = 0.5,\n"}),
+    Known(r"\btuple\b|The '\w+' field must be", "{cause}",
+          "TypeError: unsupported operand: 'tuple' and 'float'", proof=because(accidental_tuple),
+          given={"talk/talker.py": "period = 0.5,\n"}),
     Known(r"module 'rclpy' has no attribute '(?P<name>Node|Parameter|QoSProfile)'",
           "`{name}` is in its own module: write `{line}` at the top, and use `{name}` without `rclpy.`.",
           "AttributeError: module 'rclpy' has no attribute 'Node'", proof=_in_its_module),
@@ -746,6 +774,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`SetParametersResult` reports failure by default. Write `SetParametersResult(successful=True)`.",
           "rclpy.exceptions.InvalidParameterValueException: Invalid parameter value (0.5) for parameter.",
           proof=_refused, given={"talk/talker.py": "def check(new):\n    return SetParametersResult()\n"}),
+    Known(r"Couldn't parse params file: '--params-file (?:\S*/)?(?P<base>[^/']+)'.*? near line (?P<line>\d+)",
+          "ROS cannot read `{base}`: this text has a `:` in it, so it needs quotation marks around it.",
+          "RCLError: Couldn't parse params file: '--params-file /x/talk.yaml'. Error: Error parsing a event "
+          "near line 1", proof=_colon_in_text, given={"talk.yaml": "quote: A raft: two\n"}),
     Known(r"could not convert string to float: ''|invalid literal for int\(\) with base 10: ''",
           "`string_value` is empty, because the parameter is a number: read its `double_value` or "
           "`integer_value`.", "ValueError: could not convert string to float: ''", proof=_of_another_type,
@@ -795,9 +827,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           given={"talk/talker.py": "node.create_timer(1, tick())\ndef tick(): pass"}),
     Known(r"ParameterNotDeclaredException", "{cause}",
           "rclpy.exceptions.ParameterNotDeclaredException: ('Invalid access to undeclared parameter(s): x',)",
-          proof=_said(undeclared), where=(here,)),
+          proof=_said(undeclared)),
     Known("", "{cause}", "TypeError: unsupported operand: 'int' and not 'Parameter'",
-          proof=_said(value_forgotten), where=(here,),
+          proof=_said(value_forgotten),
           given={"talk/talker.py": "print(1 + node.get_parameter('x'))"}),
     Known(r"^TypeError$", "{cause}", "TypeError", proof=because(no_response), where=(here,),
           given={"talk/talker.py": _SERVER.format("pass")}),
@@ -842,7 +874,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "It takes a name and a value: `declare_parameter('name', 0.5)`.",
           "TypeError: First element 1 at index 0 in parameters list is not a str."),
     Known(r"'(?:function|method)' object has no attribute",
-          "This names a function but does not call it: write its parentheses, as in `get_logger()`.",
+          "A function is named but not called: its parentheses are missing.",
           "AttributeError: 'method' object has no attribute 'info'"),
     Known(r"InvalidNodeName",
           "A node's name may contain only letters, digits and `_`, and must not begin with a digit.",
@@ -873,6 +905,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`{value}` is a whole {of}, but the field `{field}` takes one value: choose one of them, as in "
           "`{value}[0]`.", "AssertionError: The 'quote' field must be of type 'str'", proof=_whole_row,
           given={"talk/talker.py": "ROWS = [('a', 'b')]; message.quote = ROWS[0]\n"}),
+    Known(r"The '\w+' field must be of type '(?:int|float|bool)'",
+          "`{text}` is a string because of its quotation marks. Leave them out.",
+          "AssertionError: The 'success' field must be of type 'bool'", proof=_text_assigned,
+          given={"talk/talker.py": "response.success = 'True'\n"}),
     Known(r"The '(?P<field>\w+)' field must be of type '(?P<type>int|float|str|bool)'",
           "The field `{field}` takes only the type `{type}`: check what this line assigns to it. Convert a "
           "number or a string with `{type}(...)`. From a list or message, pass only the part that you need.",
@@ -906,6 +942,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"'(?P<of>int|float|str|bool|list|dict|tuple)' object is not callable",
           "The parentheses try to call a value of type `{of}`. If it is a property or an attribute, "
           "remove them.", "TypeError: 'int' object is not callable"),
+    Known(r"unsupported format string passed to (?:builtin_function_or_method|method|function)",
+          "The value to format is a function that is named, but not called: its parentheses are missing.",
+          "TypeError: unsupported format string passed to builtin_function_or_method.__format__"),
     Known(r"argument of type '(?:builtin_function_or_method|method|function)'",
           "The function after `in` is named, but not called: add its parentheses, as in `.lower()`.",
           "TypeError: argument of type 'builtin_function_or_method' is not iterable"),
@@ -970,6 +1009,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "A quote in the braces ends this f-string too early: it must differ from the quotes around the "
           "string. A field of a message needs no quotes: `message.field`.",
           "SyntaxError: f-string: unmatched '['"),
+    Known(r"SyntaxError", "Python has no `++`. Add one with `+= 1`.", "SyntaxError: invalid syntax",
+          proof=lambda evidence, symptom, words: _in_the_line(evidence, symptom, "++"),
+          given={"talk/talker.py": "count++\n"}),
     Known(r"SyntaxError",
           "Python cannot read the file. Check this line and the end of the line before it.",
           "SyntaxError: invalid syntax"),
@@ -1035,7 +1077,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
            "Check the spelling of `{name}`, or import it: nothing with that name exists here."),
           "AttributeError: 'Talker' object has no attribute 'cuont'", proof=_misspelled,
           given={"talk/talker.py": "self.count = 0\n"}),
-    Known("", "The error came from this line of your code: check the values that it uses.",
+    Known("", "The program failed while it ran this line. The mistake may be elsewhere: read the message.",
           "ValueError: something of the program's own"),
 )  # fmt: skip
 

@@ -159,6 +159,81 @@ def _shut_down_first(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
     return None
 
 
+def _around(evidence: Evidence, place: Location | None) -> ast.FunctionDef | None:
+    """The innermost function with this line."""
+    found = [
+        node
+        for file, node in nodes(evidence.sources)
+        if isinstance(node, ast.FunctionDef) and place and place.line and file == place.file
+        if node.lineno <= place.line <= (node.end_lineno or 0)
+    ]
+    return max(found, key=lambda node: node.lineno, default=None)
+
+
+def _wrong_argument(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`safe_speed(message)`, where the function subtracts from its argument."""
+    around, place = _around(evidence, symptom.where), symptom.where
+    given = calls(evidence.sources, around.name) if around else ()
+    if around is None or place is None or len(given) != 1:
+        return None
+    parameters = {one.arg for one in around.args.args} - {
+        node.id for node in ast.walk(around) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    }
+    for node in ast.walk(around):
+        if isinstance(node, ast.BinOp) and node.lineno == place.line:
+            for operand, of in ((node.left, words["left"]), (node.right, words["right"])):
+                if isinstance(operand, ast.Name) and operand.id in parameters and of[0].isupper():
+                    return Proven({"function": around.name, "name": operand.id, "of": of}, (given[0].where,))
+    return None
+
+
+def _on_the_class(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`Sample.get_name('a')`, where `self` becomes a string."""
+    around = _around(evidence, symptom.where)
+    for _, owner in _classes(evidence):
+        if around and around in owner.body and words["of"] != owner.name:
+            for file, node in nodes(evidence.sources):
+                if isinstance(node, ast.Attribute) and ast.unparse(node) == f"{owner.name}.{around.name}":
+                    return Proven({"written": ast.unparse(node)}, (Location(file, node.lineno),))
+    return None
+
+
+def _only_named(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`response = future.result`, and then `response.point`."""
+    around, place = _around(evidence, symptom.where), symptom.where
+    inside = list(ast.walk(around)) if around else []
+    given = {
+        ast.unparse(target): node.value
+        for node in inside
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Attribute)
+        for target in node.targets
+    }
+    for node in inside:
+        if (
+            isinstance(node, ast.Attribute)
+            and place
+            and (node.lineno, node.attr) == (place.line, words["name"])
+        ):
+            named = given.get(ast.unparse(node.value), node.value)
+            return Proven({"written": ast.unparse(named)}, (Location(place.file, named.lineno),))
+    return None
+
+
+def _partial_with_too_few(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`partial(send, publisher)`, where `send` needs more."""
+    own = [call for call in calls(evidence.sources, "partial") if call.args]
+    found = [call.where for call in own if ast.unparse(call.args[0]).rpartition(".")[2] == words["name"]]
+    return Proven(where=tuple(found)) if found and not calls(evidence.sources, words["name"]) else None
+
+
+def _gets_the_future_alone(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`add_done_callback(done)`, where `done` takes more than the future."""
+    for call in calls(evidence.sources, "add_done_callback"):
+        if call.args and ast.unparse(call.args[0]).rpartition(".")[2] == words["name"]:
+            return Proven({"given": ast.unparse(call.args[0])}, (call.where,))
+    return None
+
+
 MIXUPS: tuple[Known[Evidence], ...] = (
     Known(r"(?<!\.)\b(?P<name>\w+)\(\) missing 1 required positional argument: 'self'",
           "`{name}` is a function, not a method of a class: remove `self` from its `def`.",
@@ -175,6 +250,42 @@ MIXUPS: tuple[Known[Evidence], ...] = (
           "Line {line} sets `self.{name}`, which hides the method `{name}`. They need different names.",
           "TypeError: 'int' object is not callable", proof=_hides_a_method,
           given={"talk/talker.py": "class Talker:\n    def count(self):\n        self.count = 1\n"}),
+    Known(r"unsupported operand type\(s\) for \S+ '(?P<left>\w+)' and '(?P<right>\w+)'",
+          "`{function}` gets a whole `{of}` as its `{name}`. Pass the field that it needs.",
+          "TypeError: unsupported operand type(s) for -: 'Range' and 'float'", proof=_wrong_argument,
+          given={"talk/talker.py": "def speed(far): return far - 1  # here\n\nspeed(message)\n"}),
+    Known(_LACKS, "`{written}` calls the method on the class. Call it on an object of the class.",
+          "AttributeError: 'str' object has no attribute '_name'", proof=_on_the_class,
+          given={"talk/talker.py": "class Tag:\n    def get(self): self._name  # here\nTag.get('a')\n"}),
+    Known(r"'(?:builtin_function_or_method|function|method)' object has no attribute '(?P<name>\w+)'",
+          "`{written}` is named here, but not called: write `{written}()`.",
+          "AttributeError: 'function' object has no attribute 'x'", proof=_only_named,
+          given={"talk/talker.py": "def tell(future):\n    found = future.result\n    found.x  # here\n"}),
+    Known(r"\b(?P<name>\w+)\(\) missing \d+ required positional arguments?",
+          "`add_done_callback` passes only the future. Bind the other arguments: `partial({given}, ...)`.",
+          "TypeError: done() missing 1 required positional argument: 'future'", proof=_gets_the_future_alone,
+          given={"talk/talker.py": "task.add_done_callback(done)\ndef done(tag, future): pass\n"}),
+    Known(r"\b(?P<name>\w+)\(\) missing \d+ required positional arguments?: (?P<lost>.*)",
+          "This `partial` passes too few arguments to `{name}`: {lost} is missing.",
+          "TypeError: send() missing 1 required positional argument: 'text'", proof=_partial_with_too_few,
+          given={"talk/talker.py": "create_timer(1, partial(send, node))\ndef send(node, text): pass\n"}),
+    *(
+        Known[Evidence](
+            rf"Node\.{name}\(\) (?:takes .* given|got an unexpected keyword)",
+            f"Write `{name}({usage})`: it takes nothing else here.",
+            f"TypeError: Node.{name}() takes 4 positional arguments but 5 were given",
+        )
+        for name, usage in (
+            ("create_publisher", "Type, 'topic', 10"),
+            ("create_subscription", "Type, 'topic', self.callback, 10"),
+            ("create_timer", "0.5, self.callback"),
+        )
+    ),
+    Known(r"spin_until_future_complete\(\) missing",
+          "`spin_until_future_complete` waits for a future. `rclpy.spin(node)` runs until Ctrl+C.",
+          "TypeError: spin_until_future_complete() missing 1 required positional argument: 'future'"),
+    Known(r"'Publisher' object has no attribute", "A publisher sends a message with `publish(message)`.",
+          "AttributeError: 'Publisher' object has no attribute 'send'"),
     Known(_LACKS, "`{name}` is a function of rclpy: write `rclpy.{name}(...)`.",
           "AttributeError: 'Talker' object has no attribute 'spin'", proof=_of_rclpy,
           given={"talk/talker.py": "class Talker(Node):\n    pass\n"}),

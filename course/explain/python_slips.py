@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable, Iterable
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 from course.evidence.sources import Sources
 from course.explain.callbacks import TAKERS, callbacks, called_callback, in_callbacks, long_period
 from course.explain.engine import Cause
-from course.explain.python_code import called_name, calls, nodes, number, trees
+from course.explain.python_code import called_name, calls, nodes, number, text_places, trees
 from course.explain.service_causes import blocking_call, spin_in_callback
 from course.model.feedback import Location
 
@@ -27,6 +28,8 @@ _METHODS = {
     "cancel",
     "is_alive",
     "is_enabled",
+    "wait_for_service",
+    "service_is_ready",
 }
 _SELDOM = ("once", "skip_first", "throttle_duration_sec")
 _LOGS = ("debug", "info", "warn", "warning", "error", "fatal")
@@ -289,6 +292,61 @@ def _calls(node: ast.AST, name: str) -> bool:
 def _in(places: Iterable[Location], text: str) -> Cause | None:
     where = tuple(places)
     return Cause(text, where[:2]) if where else None
+
+
+def named_only(text: str, sources: Sources) -> Cause | None:
+    """A text such as `<bound method Future.result of ...>`, which the program printed or logged."""
+    found = re.search(r"<(?:bound method|built-in method|function) (?:\w+\.)*(\w+)", text)
+    if found is None:
+        return None
+    text = f"`{found[1]}` is named, but not called: write `{found[1]}()`, with parentheses."
+    return Cause(text, text_places(sources, f".{found[1]}")[:1])
+
+
+def defined_twice(sources: Sources) -> Cause | None:
+    """Two methods of one class, or two functions of one file, with the same name."""
+    for file, owner in nodes(sources):
+        body = owner.body if isinstance(owner, ast.ClassDef | ast.Module) else []
+        plain = [part for part in body if isinstance(part, _Def) and not part.decorator_list]
+        for one, other in combinations(plain, 2):
+            if one.name == other.name:
+                text = (
+                    f"This second `{one.name}` replaces the one on line {one.lineno}. Remove one of the two."
+                )
+                return Cause(text, (Location(file, other.lineno),))
+    return None
+
+
+def destroyed_first(sources: Sources) -> Cause | None:
+    """`node.destroy_node()` in a line before `rclpy.spin(node)`, in the same lines of code."""
+    for file, function in nodes(sources):
+        lines = list(map(ast.unparse, function.body)) if isinstance(function, _Def | ast.Try) else []
+        spins = [number for number, line in enumerate(lines) if "spin(" in line]
+        for line in function.body[: spins[0]] if spins and isinstance(function, _Def | ast.Try) else ():
+            if isinstance(line, ast.Expr) and _calls(line.value, "destroy_node"):
+                text = "The node is destroyed before it is spun. Move this line to the end of `main()`."
+                return Cause(text, (Location(file, line.lineno),))
+    return None
+
+
+def one_thread(sources: Sources) -> Cause | None:
+    """`MultiThreadedExecutor(num_threads=1)` in a program that waits for an answer in a callback."""
+    for call in calls(sources, "MultiThreadedExecutor"):
+        if number(sources, call.argument(0, "num_threads")) == 1 and in_callbacks(sources, "call"):
+            text = (
+                "With one thread, no answer can arrive while a callback waits for it. Leave out the number."
+            )
+            return Cause(text, (call.where,))
+    return None
+
+
+def never_above_zero(sources: Sources) -> Cause | None:
+    """`min(0.0, distance)`."""
+    for call in calls(sources, "min"):
+        if any(isinstance(one, ast.Constant) and one.value == 0 for one in call.args):
+            text = "`min(0.0, ...)` is never above zero. `max(0.0, ...)` is never below it."
+            return Cause(text, (call.where,))
+    return None
 
 
 def long_sleep(sources: Sources, at_least: float = 0.0) -> Cause | None:

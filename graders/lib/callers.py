@@ -30,6 +30,10 @@ Texts = Callable[[ServiceCall], Mapping[str, str]]
 
 def expect_waiting(recording: Recording, process: str, until: float) -> None:
     """Expect that the node logged something before the service appeared, at the time `until`."""
+    unasked = slips.uncalled(recording.sources)
+    if unasked and "wait_for_service" in unasked.text:
+        summary = "The node does not wait for the service: it calls a service that may not exist."
+        raise Failure(Feedback(summary=summary, where=unasked.where, advice=unasked.text))
     if any(line.t < until for line in recording.log):
         return
     printed = [line.text for line in recording.process(process).lines if line.t < until]
@@ -166,7 +170,7 @@ def _advice(names: list[str], wanted: Mapping[str, str], after: list[str], print
 def _unanswered(sources: Sources) -> Cause | None:
     grouped = any("callback_group" in text for text in sources.files.values())
     alone = not grouped or not calls(sources, "MultiThreadedExecutor")
-    found = future_lost(sources) or slips.asked_at_once(sources)
+    found = slips.first(sources, future_lost, slips.asked_at_once, slips.one_thread)
     return found or (slips.standstill(sources) if alone else None)
 
 
