@@ -41,7 +41,7 @@ _WITH_LOOP = (
     "`except KeyboardInterrupt:` after it."
 )
 _BRACES = (
-    "The braces were logged as they are. Put an `f` before the string, `f'...'`: then Python fills them in."
+    "The braces were logged as is. Put an `f` before the string, `f'...'`: then Python fills them in."
 )
 _DEAF = (
     "Let `main()` end after `except KeyboardInterrupt:`. A loop around the `try:`, or a "

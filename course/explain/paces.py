@@ -80,7 +80,7 @@ def _several_at_once(gaps: Sequence[float], period: float, sources: Sources) -> 
 
 
 def _prints(sources: Sources, count: int, period: float) -> Cause | None:
-    """A loop that prints `count` times in each round."""
+    """A loop that prints `count` times in each pass."""
     for file, loop in nodes(sources):
         inside = list(ast.walk(loop)) if isinstance(loop, ast.While) else []
         lines = [
@@ -88,7 +88,8 @@ def _prints(sources: Sources, count: int, period: float) -> Cause | None:
         ]
         if len(lines) == count:
             where = tuple(Location(file, line) for line in lines[:2])
-            return Cause(f"{count} come at once, every {period:g} s. Print only once in each round.", where)
+            what = f"{count} come at once, every {period:g} s. Print only once per pass through the loop."
+            return Cause(what, where)
     return None
 
 

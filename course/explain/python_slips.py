@@ -251,7 +251,7 @@ def broken_loop(sources: Sources) -> Cause | None:
         tries = [part for line in body if isinstance(line, ast.Try) for part in line.body]
         for line in (*body, *tries):
             if isinstance(line, ast.Break):
-                text = f"The `break` on line {line.lineno} ends the loop in its first round: remove it."
+                text = f"The `break` on line {line.lineno} ends the loop on its first pass: remove it."
                 return Cause(text, (Location(file, line.lineno),))
     return None
 

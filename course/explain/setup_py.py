@@ -397,7 +397,7 @@ OF_SETUP: tuple[Known[Build], ...] = (
           example="ValueError: odd"),
     Known(kind="entry-point", pattern=_REFUSED,
           cause="A comma is missing in setup.py of `{package}`, after the entry point on line {line}.",
-          remedy=("Add one at the end of line {line}: without it, Python joins the strings of lines "
+          remedy=("Add one at the end of line {line}: without it, Python joins the strings on lines "
                  "{line} and {second} into one."), proof=_joined_entry,
           example="error in talk setup command: ('Invalid entry point', 'a = m:fb = m:g')",
           given={"setup.py": _JOINED}),

@@ -161,7 +161,7 @@ def _advice(names: list[str], wanted: Mapping[str, str], after: list[str], print
     if printed:
         return "Use the node's logger instead of `print`: `self.get_logger().info(...)`."
     if any("{" in text for text in after):
-        return "The braces were logged as they are. Put an `f` before the string: `f'...'`."
+        return "The braces were logged as is. Put an `f` before the string: `f'...'`."
     if len(names) < len(wanted):
         return f"Log all of {', '.join(f'`{name}`' for name in wanted)}; `{names[0]}` is missing."
     return "Read `future.result()` once the future is `done()`, and log each field of the answer."

@@ -128,7 +128,7 @@ def _field_missing(
     value = getattr(message.data, field)
     shown = text.splitlines()[0][:120] if text else "nothing"
     if "{" in text:
-        advice = "The braces were logged as they are. Put an `f` before the string: `f'...'`."
+        advice = "The braces were logged as is. Put an `f` before the string: `f'...'`."
     elif message is not sent[0] and str(getattr(sent[0].data, field)) in text:
         advice = "The first message is logged again: use the one that the callback gets this time."
     else:
