@@ -8,10 +8,8 @@
 #include "names.hpp"
 #include "parameter_overrides.hpp"
 #include "parameter_services.hpp"
-#include "qos_parameters.hpp"
+#include "rclcpp/detail/qos_parameters.hpp"
 #include "rcl_interfaces/msg/parameter_event.hpp"
-#include "time_source.hpp"
-#include "type_description.hpp"
 
 namespace rclcpp
 {
@@ -60,7 +58,6 @@ struct Node::Services
 {
   Publisher<ParameterEvent>::SharedPtr events;
   std::vector<ServiceBase::SharedPtr> parameters, loggers;
-  std::shared_ptr<void> type_descriptions, sim_time;
 };
 
 Node::Node(const std::string & node_name, const NodeOptions & options)
@@ -105,8 +102,10 @@ Node::Node(
   if (options.automatically_declare_parameters_from_overrides()) {
     declare_all_overrides(*parameters_);
   }
-  services_->type_descriptions = detail::type_description_service(base_, *parameters_);
-  services_->sim_time = detail::follow_sim_time(base_, parameters_, clock_, options);
+  type_descriptions_ =
+    std::make_shared<node_interfaces::NodeTypeDescriptionsInterface>(base_, *parameters_);
+  time_source_ = std::make_shared<node_interfaces::NodeTimeSourceInterface>(
+    base_, parameters_, clock_, options.clock_qos(), options.use_clock_thread());
   if (options.enable_logger_service()) {
     services_->loggers = detail::logger_services(base_);
   }
@@ -120,7 +119,8 @@ Node::Node(const Node & other, const std::string & sub_namespace)
   clock_interface_(other.clock_interface_), logging_(other.logging_),
   services_interface_(other.services_interface_), timers_(other.timers_), topics_(other.topics_),
   waitables_(other.waitables_),
-  parameters_(other.parameters_), services_(other.services_),
+  parameters_(other.parameters_), type_descriptions_(other.type_descriptions_),
+  time_source_(other.time_source_), services_(other.services_),
   sub_namespace_(
     other.sub_namespace_.empty() ? sub_namespace : other.sub_namespace_ + "/" + sub_namespace)
 {

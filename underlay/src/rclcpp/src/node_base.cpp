@@ -50,20 +50,20 @@ void finish_node(rcl_node_t * node)
 }
 
 std::shared_ptr<rcl_node_t> make_node(
-  const std::string & name, const std::string & name_space, const NodeOptions & options,
+  const std::string & name, const std::string & name_space, const rcl_node_options_t & options,
   const std::shared_ptr<rcl_context_t> & context)
 {
   const auto mutex = detail::logging_mutex();
   const std::lock_guard lock(*mutex);
   auto node = std::make_unique<rcl_node_t>(rcl_get_zero_initialized_node());
   const rcl_ret_t ret = rcl_node_init(
-    node.get(), name.c_str(), name_space.c_str(), context.get(), options.get_rcl_node_options());
+    node.get(), name.c_str(), name_space.c_str(), context.get(), &options);
   if (ret != RCL_RET_OK) {
     throw_for(ret, name, name_space);
   }
   // The context outlives its nodes.
   std::shared_ptr<rcl_node_t> made(node.release(), [context](rcl_node_t * gone) {finish_node(gone);});
-  if (rcl_logging_rosout_enabled() && options.enable_rosout()) {
+  if (rcl_logging_rosout_enabled() && options.enable_rosout) {
     detail::begin_rosout(*made);
   }
   return made;
@@ -73,10 +73,21 @@ std::shared_ptr<rcl_node_t> make_node(
 
 NodeBaseInterface::NodeBaseInterface(
   const std::string & node_name, const std::string & node_namespace, const NodeOptions & options)
-: context_(options.context()), use_intra_process_default_(options.use_intra_process_comms())
+: NodeBaseInterface(
+    node_name, node_namespace, options.context(), *options.get_rcl_node_options(),
+    options.use_intra_process_comms(), options.enable_topic_statistics())
+{
+}
+
+NodeBaseInterface::NodeBaseInterface(
+  const std::string & node_name, const std::string & node_namespace, Context::SharedPtr context,
+  const rcl_node_options_t & rcl_node_options, bool use_intra_process_default,
+  bool enable_topic_statistics_default)
+: context_(std::move(context)), use_intra_process_default_(use_intra_process_default),
+  enable_topic_statistics_default_(enable_topic_statistics_default)
 {
   const GuardCondition tried(context_);  // it says in the usual words when rclcpp::init() was not called
-  handle_ = make_node(node_name, node_namespace, options, context_->get_rcl_context());
+  handle_ = make_node(node_name, node_namespace, rcl_node_options, context_->get_rcl_context());
   default_group_ = create_callback_group(CallbackGroupType::MutuallyExclusive);
 }
 

@@ -96,10 +96,8 @@ AsyncParametersClient::AsyncParametersClient(
   NodeBaseInterface::SharedPtr node, const std::string & remote_node_name, const QoS & qos_profile,
   CallbackGroup::SharedPtr group)
 : node_(std::move(node)),
-  clients_(
-    std::make_shared<Clients>(
-      node_, remote_node_name.empty() ? node_->get_fully_qualified_name() : remote_node_name, qos_profile,
-      group))
+  remote_name_(remote_node_name.empty() ? node_->get_fully_qualified_name() : remote_node_name),
+  clients_(std::make_shared<Clients>(node_, remote_name_, qos_profile, group))
 {
 }
 
@@ -176,6 +174,22 @@ std::shared_future<AsyncParametersClient::Listed> AsyncParametersClient::list_pa
   return ask<Listed>(
     *clients_->list, std::move(request), std::move(callback),
     [](const srv::ListParameters::Response & response) {return response.result;});
+}
+
+std::shared_future<std::vector<AsyncParametersClient::Result>> AsyncParametersClient::load_parameters(
+  const std::string & yaml_filename)
+{
+  return load_parameters(parameter_map_from_yaml_file(yaml_filename, remote_name_.c_str()));
+}
+
+std::shared_future<std::vector<AsyncParametersClient::Result>> AsyncParametersClient::load_parameters(
+  const ParameterMap & parameter_map)
+{
+  const auto parameters = parameters_from_map(parameter_map, remote_name_.c_str());
+  if (parameters.empty()) {
+    throw exceptions::InvalidParametersException("No valid parameter");
+  }
+  return set_parameters(parameters);
 }
 
 bool AsyncParametersClient::service_is_ready() const

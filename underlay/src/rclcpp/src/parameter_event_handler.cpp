@@ -1,5 +1,6 @@
 #include "rclcpp/parameter_event_handler.hpp"
 
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -41,15 +42,23 @@ ParameterCallbackHandle::SharedPtr ParameterEventHandler::add_parameter_callback
   handle->parameter_name = parameter_name;
   handle->node_name = full_name(node_name);
   handle->callback = std::move(callback);
-  const std::lock_guard lock(callbacks_->mutex);
-  callbacks_->of_parameters.emplace_front(handle);
+  const std::lock_guard lock(callbacks_->mutex_);
+  callbacks_->parameter_callbacks_[{parameter_name, handle->node_name}].emplace_front(handle);
   return handle;
 }
 
 void ParameterEventHandler::remove_parameter_callback(ParameterCallbackHandle::SharedPtr callback_handle)
 {
-  const std::lock_guard lock(callbacks_->mutex);
-  take_out(callbacks_->of_parameters, callback_handle);
+  const std::lock_guard lock(callbacks_->mutex_);
+  auto & known = callbacks_->parameter_callbacks_;
+  const auto found = known.find({callback_handle->parameter_name, callback_handle->node_name});
+  if (found == known.end()) {
+    throw std::runtime_error("Callback doesn't exist");
+  }
+  take_out(found->second, callback_handle);
+  if (found->second.empty()) {
+    known.erase(found);
+  }
 }
 
 ParameterEventCallbackHandle::SharedPtr ParameterEventHandler::add_parameter_event_callback(
@@ -57,16 +66,16 @@ ParameterEventCallbackHandle::SharedPtr ParameterEventHandler::add_parameter_eve
 {
   auto handle = std::make_shared<ParameterEventCallbackHandle>();
   handle->callback = std::move(callback);
-  const std::lock_guard lock(callbacks_->mutex);
-  callbacks_->of_events.emplace_front(handle);
+  const std::lock_guard lock(callbacks_->mutex_);
+  callbacks_->event_callbacks_.emplace_front(handle);
   return handle;
 }
 
 void ParameterEventHandler::remove_parameter_event_callback(
   ParameterEventCallbackHandle::SharedPtr callback_handle)
 {
-  const std::lock_guard lock(callbacks_->mutex);
-  take_out(callbacks_->of_events, callback_handle);
+  const std::lock_guard lock(callbacks_->mutex_);
+  take_out(callbacks_->event_callbacks_, callback_handle);
 }
 
 bool ParameterEventHandler::get_parameter_from_event(
@@ -111,17 +120,24 @@ std::vector<Parameter> ParameterEventHandler::get_parameters_from_event(const Pa
   return parameters;
 }
 
-void ParameterEventHandler::Callbacks::tell(const ParameterEvent & event)
+void ParameterEventHandler::Callbacks::event_callback(const ParameterEvent & event)
 {
-  std::unique_lock lock(mutex);
-  const auto parameter_handles = still_there(of_parameters);
-  const auto event_handles = still_there(of_events);
-  lock.unlock();
-  Parameter parameter;
-  for (const auto & handle : parameter_handles) {
-    if (get_parameter_from_event(event, parameter, handle->parameter_name, handle->node_name)) {
-      handle->callback(parameter);
+  const std::lock_guard lock(mutex_);
+  std::vector<std::pair<ParameterCallbackHandle::SharedPtr, Parameter>> told;
+  for (auto known = parameter_callbacks_.begin(); known != parameter_callbacks_.end(); ) {
+    const auto handles = still_there(known->second);
+    const auto & [parameter_name, node_name] = known->first;
+    Parameter parameter;
+    if (get_parameter_from_event(event, parameter, parameter_name, node_name)) {
+      for (const auto & handle : handles) {
+        told.emplace_back(handle, parameter);
+      }
     }
+    known = handles.empty() ? parameter_callbacks_.erase(known) : std::next(known);
+  }
+  const auto event_handles = still_there(event_callbacks_);
+  for (const auto & [handle, parameter] : told) {
+    handle->callback(parameter);
   }
   for (const auto & handle : event_handles) {
     handle->callback(event);

@@ -14,7 +14,4 @@ namespace rclcpp::detail
 std::map<std::string, ParameterValue> parameter_overrides(
   const std::string & name, const std::vector<const rcl_arguments_t *> & sources);
 
-/// Whether `pattern`, a node's name as parameter files write it, means the node: `/**`, `/*/talker`.
-bool is_meant(const std::string & pattern, const std::string & name);
-
 }  // namespace rclcpp::detail

@@ -1,4 +1,4 @@
-#include "qos_parameters.hpp"
+#include "rclcpp/detail/qos_parameters.hpp"
 
 #include "rmw/qos_string_conversions.h"
 
@@ -22,7 +22,18 @@ ParameterValue text(const char * name, QosPolicyKind kind)
   return ParameterValue(name);
 }
 
-ParameterValue value_of(const QoS & qos, QosPolicyKind kind)
+template<typename Policy>
+Policy known(Policy policy, Policy unknown, QosPolicyKind kind)
+{
+  if (policy == unknown) {
+    refuse(kind);
+  }
+  return policy;
+}
+
+}  // namespace
+
+ParameterValue get_default_qos_param_value(QosPolicyKind kind, const QoS & qos)
 {
   const auto & profile = qos.get_rmw_qos_profile();
   switch (kind) {
@@ -49,16 +60,7 @@ ParameterValue value_of(const QoS & qos, QosPolicyKind kind)
   }
 }
 
-template<typename Policy>
-Policy known(Policy policy, Policy unknown, QosPolicyKind kind)
-{
-  if (policy == unknown) {
-    refuse(kind);
-  }
-  return policy;
-}
-
-void apply(QoS & qos, QosPolicyKind kind, const ParameterValue & value)
+void apply_qos_override(QosPolicyKind kind, const ParameterValue & value, QoS & qos)
 {
   const auto word = [&]() {return value.get<std::string>().c_str();};
   const auto time = [&]() {return Duration::from_nanoseconds(value.get<std::int64_t>());};
@@ -99,24 +101,28 @@ void apply(QoS & qos, QosPolicyKind kind, const ParameterValue & value)
   }
 }
 
-}  // namespace
-
 QoS overridden_qos(
   node_interfaces::NodeParametersInterface & parameters, const std::string & topic,
   const std::string & entity, const QoS & qos, const QosOverridingOptions & options)
 {
   QoS result = qos;
-  const std::string suffix = options.get_id().empty() ? "" : "_" + options.get_id();
+  const std::string & id = options.get_id();
+  const std::string suffix = id.empty() ? "" : "_" + id;
+  const std::string of = "} for " + entity + " {" + topic + (id.empty() ? "}" : "} with id {" + id + "}");
   for (const QosPolicyKind kind : options.get_policy_kinds()) {
+    if (kind == QosPolicyKind::Lifespan && entity != "publisher") {
+      continue;
+    }
     const std::string name =
       "qos_overrides." + topic + "." + entity + suffix + "." + qos_policy_kind_to_cstr(kind);
     rcl_interfaces::msg::ParameterDescriptor descriptor;
     descriptor.read_only = true;
-    descriptor.description = "{" + std::string(qos_policy_kind_to_cstr(kind)) + "} policy of {" + topic + "}";
+    descriptor.description = std::string("qos policy {") + qos_policy_kind_to_cstr(kind) + of;
     if (parameters.has_parameter(name)) {
-      apply(result, kind, parameters.get_parameter(name).get_parameter_value());
+      apply_qos_override(kind, parameters.get_parameter(name).get_parameter_value(), result);
     } else {
-      apply(result, kind, parameters.declare_parameter(name, value_of(qos, kind), descriptor));
+      apply_qos_override(
+        kind, parameters.declare_parameter(name, get_default_qos_param_value(kind, qos), descriptor), result);
     }
   }
   if (const auto & validate = options.get_validation_callback()) {

@@ -156,17 +156,4 @@ bool TimerBase::is_ready()
   return ready;
 }
 
-TimerBase::SharedPtr detail::add_timer(
-  node_interfaces::NodeBaseInterface & node, Clock::SharedPtr clock, std::chrono::nanoseconds period,
-  TimerBase::Callback callback, const CallbackGroup::SharedPtr & group, bool autostart)
-{
-  if (!clock) {
-    throw std::invalid_argument("clock cannot be null");
-  }
-  auto timer = std::make_shared<TimerBase>(
-    std::move(clock), period, std::move(callback), node.get_context(), autostart);
-  node.add(timer, group);
-  return timer;
-}
-
 }  // namespace rclcpp

@@ -1,4 +1,4 @@
-#include "type_description.hpp"
+#include "rclcpp/node_interfaces/node_type_descriptions_interface.hpp"
 
 #include <utility>
 
@@ -8,7 +8,10 @@
 #include "rclcpp/logging.hpp"
 #include "type_description_interfaces/srv/get_type_description.h"
 
-namespace rclcpp::detail
+namespace rclcpp
+{
+
+namespace detail
 {
 
 namespace
@@ -96,9 +99,10 @@ private:
 
 }  // namespace
 
-std::shared_ptr<void> type_description_service(
-  const node_interfaces::NodeBaseInterface::SharedPtr & node,
-  node_interfaces::NodeParametersInterface & parameters)
+}  // namespace detail
+
+node_interfaces::NodeTypeDescriptionsInterface::NodeTypeDescriptionsInterface(
+  const NodeBaseInterface::SharedPtr & node, NodeParametersInterface & parameters)
 {
   constexpr auto name = "start_type_description_service";
   if (!parameters.has_parameter(name)) {
@@ -108,11 +112,11 @@ std::shared_ptr<void> type_description_service(
     parameters.declare_parameter(name, ParameterValue(true), descriptor);
   }
   if (!parameters.get_parameter(name).get_value<bool>()) {
-    return nullptr;
+    return;
   }
-  auto service = std::make_shared<TypeDescription>(node->get_shared_rcl_node_handle());
+  auto service = std::make_shared<detail::TypeDescription>(node->get_shared_rcl_node_handle());
   node->add(service, nullptr);
-  return service;
+  service_ = std::move(service);
 }
 
-}  // namespace rclcpp::detail
+}  // namespace rclcpp

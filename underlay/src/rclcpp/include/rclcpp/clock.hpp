@@ -9,6 +9,7 @@
 #include "rclcpp/duration.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/time.hpp"
+#include "rclcpp/utilities.hpp"
 
 namespace rclcpp
 {

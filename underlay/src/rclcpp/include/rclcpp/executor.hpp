@@ -6,6 +6,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 #include "rclcpp/callback_group.hpp"
@@ -13,12 +14,11 @@
 #include "rclcpp/future_return_code.hpp"
 #include "rclcpp/guard_condition.hpp"
 #include "rclcpp/macros.hpp"
+#include "rclcpp/node.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 
 namespace rclcpp
 {
-
-class Node;
 
 /// Waits for what the nodes and groups given to it wait for, and calls back.
 class Executor

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rcl/node.h"
+#include "rcpputils/filesystem_helper.hpp"
 #include "rcutils/logging.h"
 
 namespace rclcpp

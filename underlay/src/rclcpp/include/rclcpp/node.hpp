@@ -22,6 +22,7 @@
 #include "rclcpp/generic_publisher.hpp"
 #include "rclcpp/generic_subscription.hpp"
 #include "rclcpp/logger.hpp"
+#include "rclcpp/logging.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/node_interfaces/node_clock_interface.hpp"
@@ -29,8 +30,10 @@
 #include "rclcpp/node_interfaces/node_logging_interface.hpp"
 #include "rclcpp/node_interfaces/node_parameters_interface.hpp"
 #include "rclcpp/node_interfaces/node_services_interface.hpp"
+#include "rclcpp/node_interfaces/node_time_source_interface.hpp"
 #include "rclcpp/node_interfaces/node_timers_interface.hpp"
 #include "rclcpp/node_interfaces/node_topics_interface.hpp"
+#include "rclcpp/node_interfaces/node_type_descriptions_interface.hpp"
 #include "rclcpp/node_interfaces/node_waitables_interface.hpp"
 #include "rclcpp/node_options.hpp"
 #include "rclcpp/publisher.hpp"
@@ -39,6 +42,7 @@
 #include "rclcpp/subscription.hpp"
 #include "rclcpp/time.hpp"
 #include "rclcpp/timer.hpp"
+#include "rclcpp/utilities.hpp"
 
 namespace rclcpp
 {
@@ -143,24 +147,22 @@ public:
   }
 
   template<typename DurationRepT = std::int64_t, typename DurationT = std::milli, typename CallbackT>
-  TimerBase::SharedPtr create_wall_timer(
+  typename WallTimer<CallbackT>::SharedPtr create_wall_timer(
     std::chrono::duration<DurationRepT, DurationT> period, CallbackT callback,
     CallbackGroup::SharedPtr group = nullptr, bool autostart = true)
   {
-    return detail::add_timer(
-      *base_, std::make_shared<Clock>(RCL_STEADY_TIME), detail::timer_period(period),
-      detail::timer_callback(std::move(callback)), group, autostart);
+    return rclcpp::create_wall_timer(
+      period, std::move(callback), std::move(group), base_.get(), timers_.get(), autostart);
   }
 
   /// A timer that follows the clock of the node, also where that is simulated.
   template<typename DurationRepT = std::int64_t, typename DurationT = std::milli, typename CallbackT>
-  TimerBase::SharedPtr create_timer(
+  typename GenericTimer<CallbackT>::SharedPtr create_timer(
     std::chrono::duration<DurationRepT, DurationT> period, CallbackT callback,
     CallbackGroup::SharedPtr group = nullptr)
   {
-    return detail::add_timer(
-      *base_, clock_, detail::timer_period(period), detail::timer_callback(std::move(callback)), group,
-      true);
+    return rclcpp::create_timer(
+      clock_, period, std::move(callback), std::move(group), base_.get(), timers_.get());
   }
 
   template<typename ServiceT>
@@ -373,8 +375,16 @@ public:
   {
     return services_interface_;
   }
+  node_interfaces::NodeTimeSourceInterface::SharedPtr get_node_time_source_interface()
+  {
+    return time_source_;
+  }
   node_interfaces::NodeTimersInterface::SharedPtr get_node_timers_interface() {return timers_;}
   node_interfaces::NodeTopicsInterface::SharedPtr get_node_topics_interface() {return topics_;}
+  node_interfaces::NodeTypeDescriptionsInterface::SharedPtr get_node_type_descriptions_interface()
+  {
+    return type_descriptions_;
+  }
   node_interfaces::NodeWaitablesInterface::SharedPtr get_node_waitables_interface() {return waitables_;}
 
 protected:
@@ -398,6 +408,8 @@ private:
   node_interfaces::NodeTopicsInterface::SharedPtr topics_;
   node_interfaces::NodeWaitablesInterface::SharedPtr waitables_;
   node_interfaces::NodeParametersInterface::SharedPtr parameters_;
+  node_interfaces::NodeTypeDescriptionsInterface::SharedPtr type_descriptions_;
+  node_interfaces::NodeTimeSourceInterface::SharedPtr time_source_;
   // What serves in the background; it uses all that stands above.
   std::shared_ptr<Services> services_;
   std::string sub_namespace_, effective_namespace_;

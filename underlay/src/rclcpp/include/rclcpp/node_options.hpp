@@ -66,7 +66,7 @@ public:
   NodeOptions & clock_type(rcl_clock_type_t clock_type);
   const QoS & clock_qos() const {return clock_qos_;}
   NodeOptions & clock_qos(const QoS & clock_qos);
-  /// /clock is heard by the executor of the node in every case.
+  /// Whether /clock is heard in a thread of its own, so that simulated time goes on while callbacks run.
   bool use_clock_thread() const {return use_clock_thread_;}
   NodeOptions & use_clock_thread(bool use_clock_thread);
 

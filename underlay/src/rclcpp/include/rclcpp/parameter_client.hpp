@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "rcl_interfaces/msg/parameter_event.hpp"
+#include "rclcpp/create_subscription.hpp"
 #include "rclcpp/executors.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node.hpp"
 #include "rclcpp/parameter.hpp"
+#include "rclcpp/parameter_map.hpp"
 
 namespace rclcpp
 {
@@ -34,6 +36,13 @@ public:
   AsyncParametersClient(
     node_interfaces::NodeBaseInterface::SharedPtr node, const std::string & remote_node_name = "",
     const QoS & qos_profile = ParametersQoS(), CallbackGroup::SharedPtr group = nullptr);
+  AsyncParametersClient(
+    node_interfaces::NodeBaseInterface::SharedPtr node_base_interface,
+    node_interfaces::NodeTopicsInterface::SharedPtr, node_interfaces::NodeGraphInterface::SharedPtr,
+    node_interfaces::NodeServicesInterface::SharedPtr, const std::string & remote_node_name = "",
+    const QoS & qos_profile = ParametersQoS(), CallbackGroup::SharedPtr group = nullptr)
+  : AsyncParametersClient(
+      std::move(node_base_interface), remote_node_name, qos_profile, std::move(group)) {}
   template<typename NodeT>
   explicit AsyncParametersClient(
     const std::shared_ptr<NodeT> & node, const std::string & remote_node_name = "",
@@ -61,6 +70,10 @@ public:
   std::shared_future<Listed> list_parameters(
     const std::vector<std::string> & prefixes, std::uint64_t depth, Callback<Listed> callback = nullptr);
 
+  /// Sets what a file, or a map, has for the node. Throws InvalidParametersException if that is nothing.
+  std::shared_future<std::vector<Result>> load_parameters(const std::string & yaml_filename);
+  std::shared_future<std::vector<Result>> load_parameters(const ParameterMap & parameter_map);
+
   /// Changes of all nodes.
   template<typename CallbackT>
   Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr on_parameter_event(
@@ -79,8 +92,8 @@ public:
     NodeT && node, CallbackT && callback, const QoS & qos = ParameterEventsQoS(),
     const SubscriptionOptions & options = SubscriptionOptions())
   {
-    return node->template create_subscription<rcl_interfaces::msg::ParameterEvent>(
-      "/parameter_events", qos, std::forward<CallbackT>(callback), options);
+    return rclcpp::create_subscription<rcl_interfaces::msg::ParameterEvent>(
+      node, "/parameter_events", qos, std::forward<CallbackT>(callback), options);
   }
 
   bool service_is_ready() const;
@@ -97,6 +110,7 @@ private:
   bool wait_for_service_nanoseconds(std::chrono::nanoseconds timeout);
 
   node_interfaces::NodeBaseInterface::SharedPtr node_;
+  std::string remote_name_;
   std::shared_ptr<Clients> clients_;
 };
 
@@ -145,6 +159,8 @@ public:
     const std::vector<Parameter> & parameters, std::chrono::nanoseconds timeout = forever);
   std::vector<Result> delete_parameters(
     const std::vector<std::string> & parameters_names, std::chrono::nanoseconds timeout = forever);
+  std::vector<Result> load_parameters(
+    const std::string & yaml_filename, std::chrono::nanoseconds timeout = forever);
 
   // These throw std::runtime_error when no answer came in time.
   Result set_parameters_atomically(
@@ -176,6 +192,12 @@ public:
   Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr on_parameter_event(CallbackT && callback)
   {
     return async_->on_parameter_event(std::forward<CallbackT>(callback));
+  }
+  template<typename CallbackT, typename NodeT>
+  static Subscription<rcl_interfaces::msg::ParameterEvent>::SharedPtr on_parameter_event(
+    NodeT && node, CallbackT && callback, const QoS & qos = ParameterEventsQoS())
+  {
+    return AsyncParametersClient::on_parameter_event(node, std::forward<CallbackT>(callback), qos);
   }
 
   bool service_is_ready() const {return async_->service_is_ready();}

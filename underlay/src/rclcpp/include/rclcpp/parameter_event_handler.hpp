@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rcl_interfaces/msg/parameter_event.hpp"
@@ -45,12 +47,12 @@ public:
 
   template<typename NodeT>
   explicit ParameterEventHandler(NodeT node, const QoS & qos = ParameterEventsQoS())
-  : own_name_(node->get_fully_qualified_name()), own_namespace_(node->get_namespace()),
-    callbacks_(std::make_shared<Callbacks>())
+  : callbacks_(std::make_shared<Callbacks>()),
+    own_name_(node->get_fully_qualified_name()), own_namespace_(node->get_namespace())
   {
     subscription_ = node->template create_subscription<ParameterEvent>(
       "/parameter_events", qos,
-      [callbacks = callbacks_](const ParameterEvent & event) {callbacks->tell(event);});
+      [callbacks = callbacks_](const ParameterEvent & event) {callbacks->event_callback(event);});
   }
 
   /// For one parameter, of `node_name` or, when that is empty, of one's own node.
@@ -72,20 +74,24 @@ public:
     const ParameterEvent & event, const std::string & parameter_name, const std::string & node_name = "");
   static std::vector<Parameter> get_parameters_from_event(const ParameterEvent & event);
 
-private:
+protected:
+  /// The names are those of the real one, for classes that derive from it.
   struct Callbacks
   {
-    std::mutex mutex;
-    std::list<std::weak_ptr<ParameterCallbackHandle>> of_parameters;
-    std::list<std::weak_ptr<ParameterEventCallbackHandle>> of_events;
+    std::recursive_mutex mutex_;
+    std::map<std::pair<std::string, std::string>, std::list<ParameterCallbackHandle::WeakPtr>>
+    parameter_callbacks_;  // by the names of parameter and node
+    std::list<ParameterEventCallbackHandle::WeakPtr> event_callbacks_;
 
-    void tell(const ParameterEvent & event);
+    void event_callback(const ParameterEvent & event);
   };
 
+  std::shared_ptr<Callbacks> callbacks_;
+
+private:
   std::string full_name(const std::string & node_name) const;
 
   std::string own_name_, own_namespace_;
-  std::shared_ptr<Callbacks> callbacks_;
   Subscription<ParameterEvent>::SharedPtr subscription_;
 };
 

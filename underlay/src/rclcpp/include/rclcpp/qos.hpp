@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "rcl/logging_rosout.h"
 #include "rclcpp/duration.hpp"
 #include "rmw/qos_profiles.h"
 #include "rmw/types.h"

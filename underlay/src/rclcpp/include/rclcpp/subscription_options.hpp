@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "rclcpp/callback_group.hpp"
+#include "rclcpp/detail/resolve_enable_topic_statistics.hpp"
 #include "rclcpp/event_handler.hpp"
 #include "rclcpp/intra_process_setting.hpp"
+#include "rclcpp/qos.hpp"
 #include "rclcpp/qos_overriding_options.hpp"
 #include "rclcpp/topic_statistics_state.hpp"
 #include "rmw/types.h"
@@ -41,6 +43,7 @@ struct SubscriptionOptionsBase
     TopicStatisticsState state = TopicStatisticsState::NodeDefault;
     std::string publish_topic = "/statistics";
     std::chrono::milliseconds publish_period{std::chrono::seconds(1)};
+    QoS qos = SystemDefaultsQoS().keep_last(10);
   };
   TopicStatisticsOptions topic_stats_options;
   QosOverridingOptions qos_overriding_options;

@@ -79,11 +79,6 @@ private:
   detail::EventCallback on_reset_;
 };
 
-// Whatever its callback is, a timer is of one class; the names are for sources that write them down.
-template<typename FunctorT = TimerBase::Callback>
-using GenericTimer = TimerBase;
-template<typename FunctorT = TimerBase::Callback>
-using WallTimer = TimerBase;
 using VoidCallbackType = std::function<void()>;
 using TimerCallbackType = std::function<void(TimerBase &)>;
 using TimerInfoCallbackType = std::function<void(const TimerInfo &)>;
@@ -123,9 +118,38 @@ TimerBase::Callback timer_callback(CallbackT && callback)
   }
 }
 
-TimerBase::SharedPtr add_timer(
-  node_interfaces::NodeBaseInterface & node, Clock::SharedPtr clock, std::chrono::nanoseconds period,
-  TimerBase::Callback callback, const CallbackGroup::SharedPtr & group, bool autostart);
-
 }  // namespace detail
+
+/// A timer that follows any clock. Nothing calls back until it is added to a node or a wait set.
+template<typename FunctorT = TimerBase::Callback>
+class GenericTimer : public TimerBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericTimer)
+
+  GenericTimer(
+    Clock::SharedPtr clock, std::chrono::nanoseconds period, FunctorT callback,
+    Context::SharedPtr context = nullptr, bool autostart = true)
+  : TimerBase(
+      std::move(clock), period, detail::timer_callback(std::move(callback)), std::move(context), autostart)
+  {
+  }
+};
+
+/// A timer of real time.
+template<typename FunctorT = TimerBase::Callback>
+class WallTimer : public GenericTimer<FunctorT>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(WallTimer)
+
+  WallTimer(
+    std::chrono::nanoseconds period, FunctorT callback, Context::SharedPtr context = nullptr,
+    bool autostart = true)
+  : GenericTimer<FunctorT>(
+      std::make_shared<Clock>(RCL_STEADY_TIME), period, std::move(callback), std::move(context), autostart)
+  {
+  }
+};
+
 }  // namespace rclcpp

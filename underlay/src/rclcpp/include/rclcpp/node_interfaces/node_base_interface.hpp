@@ -29,6 +29,10 @@ public:
   /// Throws InvalidNodeNameError, InvalidNamespaceError, RCLError.
   NodeBaseInterface(
     const std::string & node_name, const std::string & node_namespace, const NodeOptions & options);
+  NodeBaseInterface(
+    const std::string & node_name, const std::string & node_namespace, Context::SharedPtr context,
+    const rcl_node_options_t & rcl_node_options, bool use_intra_process_default,
+    bool enable_topic_statistics_default = false);
   ~NodeBaseInterface();
 
   const char * get_name() const;
@@ -46,6 +50,7 @@ public:
 
   /// Whether messages are handed over within the process where an entity does not say otherwise.
   bool get_use_intra_process_default() const {return use_intra_process_default_;}
+  bool get_enable_topic_statistics_default() const {return enable_topic_statistics_default_;}
 
   /// Whether an executor has it; set by the executor alone.
   std::atomic_bool & get_associated_with_executor_atomic() {return associated_;}
@@ -61,7 +66,7 @@ public:
 
 private:
   Context::SharedPtr context_;
-  const bool use_intra_process_default_;
+  const bool use_intra_process_default_, enable_topic_statistics_default_;
   std::shared_ptr<rcl_node_t> handle_;
   CallbackGroup::SharedPtr default_group_;
   std::atomic_bool associated_{false};

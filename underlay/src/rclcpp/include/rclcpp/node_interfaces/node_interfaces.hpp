@@ -4,46 +4,24 @@
 #include <tuple>
 #include <utility>
 
-#include "rclcpp/node_interfaces/node_base_interface.hpp"
-#include "rclcpp/node_interfaces/node_clock_interface.hpp"
-#include "rclcpp/node_interfaces/node_graph_interface.hpp"
-#include "rclcpp/node_interfaces/node_logging_interface.hpp"
-#include "rclcpp/node_interfaces/node_parameters_interface.hpp"
-#include "rclcpp/node_interfaces/node_services_interface.hpp"
-#include "rclcpp/node_interfaces/node_timers_interface.hpp"
-#include "rclcpp/node_interfaces/node_topics_interface.hpp"
-#include "rclcpp/node_interfaces/node_waitables_interface.hpp"
+#include "rclcpp/node_interfaces/getters.hpp"
+
+/// All parts of a node, for the template below.
+#define ALL_RCLCPP_NODE_INTERFACES \
+  rclcpp::node_interfaces::NodeBaseInterface, \
+  rclcpp::node_interfaces::NodeClockInterface, \
+  rclcpp::node_interfaces::NodeGraphInterface, \
+  rclcpp::node_interfaces::NodeLoggingInterface, \
+  rclcpp::node_interfaces::NodeParametersInterface, \
+  rclcpp::node_interfaces::NodeServicesInterface, \
+  rclcpp::node_interfaces::NodeTimeSourceInterface, \
+  rclcpp::node_interfaces::NodeTimersInterface, \
+  rclcpp::node_interfaces::NodeTopicsInterface, \
+  rclcpp::node_interfaces::NodeTypeDescriptionsInterface, \
+  rclcpp::node_interfaces::NodeWaitablesInterface
 
 namespace rclcpp::node_interfaces
 {
-
-namespace detail
-{
-
-template<typename InterfaceT>
-struct Asked {};
-
-// What a node is asked for, by the interface that is wanted.
-template<typename NodeT>
-auto of(NodeT & node, Asked<NodeBaseInterface>) {return node.get_node_base_interface();}
-template<typename NodeT>
-auto of(NodeT & node, Asked<NodeClockInterface>) {return node.get_node_clock_interface();}
-template<typename NodeT>
-auto of(NodeT & node, Asked<NodeGraphInterface>) {return node.get_node_graph_interface();}
-template<typename NodeT>
-auto of(NodeT & node, Asked<NodeLoggingInterface>) {return node.get_node_logging_interface();}
-template<typename NodeT>
-auto of(NodeT & node, Asked<NodeParametersInterface>) {return node.get_node_parameters_interface();}
-template<typename NodeT>
-auto of(NodeT & node, Asked<NodeServicesInterface>) {return node.get_node_services_interface();}
-template<typename NodeT>
-auto of(NodeT & node, Asked<NodeTimersInterface>) {return node.get_node_timers_interface();}
-template<typename NodeT>
-auto of(NodeT & node, Asked<NodeTopicsInterface>) {return node.get_node_topics_interface();}
-template<typename NodeT>
-auto of(NodeT & node, Asked<NodeWaitablesInterface>) {return node.get_node_waitables_interface();}
-
-}  // namespace detail
 
 /// Parts of a node, of whatever class that is. It is made of a node, of another one, or of the parts themselves.
 template<typename ... InterfaceTs>
@@ -55,7 +33,7 @@ public:
   NodeInterfaces() = default;
   template<typename NodeT>
   NodeInterfaces(NodeT & node)  // NOLINT: a node stands for its parts
-  : parts_(detail::of(node, detail::Asked<InterfaceTs>()) ...) {}
+  : parts_(part_of(node, PartTag<InterfaceTs>()) ...) {}
   explicit NodeInterfaces(std::shared_ptr<InterfaceTs>... parts) : parts_(std::move(parts) ...) {}
 
   template<typename InterfaceT>
@@ -73,8 +51,10 @@ public:
   auto get_node_logging_interface() const {return get<NodeLoggingInterface>();}
   auto get_node_parameters_interface() const {return get<NodeParametersInterface>();}
   auto get_node_services_interface() const {return get<NodeServicesInterface>();}
+  auto get_node_time_source_interface() const {return get<NodeTimeSourceInterface>();}
   auto get_node_timers_interface() const {return get<NodeTimersInterface>();}
   auto get_node_topics_interface() const {return get<NodeTopicsInterface>();}
+  auto get_node_type_descriptions_interface() const {return get<NodeTypeDescriptionsInterface>();}
   auto get_node_waitables_interface() const {return get<NodeWaitablesInterface>();}
 
 private:
