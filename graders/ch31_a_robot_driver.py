@@ -413,7 +413,8 @@ def expect_end_by_a_wrong_target(
                 summary="A target of five elements does not end the driver, which has six joints.",
                 expected="the driver ends, with an error in its log",
                 seen="the driver continues to run",
-                where=text_places(recording.sources, "set_target_joint_positions(")[-1:],
+                where=text_places(recording.sources, "::set_target_joint_positions(")[:1]
+                or text_places(recording.sources, "set_target_joint_positions(")[-1:],
                 advice=advice,
             )
         )

@@ -895,9 +895,8 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "Write `async` before the `def` of the function that contains this line.",
           "SyntaxError: 'await' outside async function"),
     Known(r"cannot access local variable|local variable '\w+' referenced before",
-          "The function assigns to this name somewhere, so the name is a local variable. For a variable "
-          "from outside the function, begin with `global` (or, in a nested function, `nonlocal`) and its "
-          "name. For an attribute, write `self.` before it.",
+          "The function assigns to this name, so the name is local. For one of the module, begin with "
+          "`global` and the name; for one of an outer function, `nonlocal`; for an attribute, `self.`",
           "UnboundLocalError: cannot access local variable 'count' where it is not associated with a value"),
     Known(r"(?P<of>\w+) index out of range",
           "The {of} has no element with this index: the last one is `len(...) - 1`. `index % len(...)` "
