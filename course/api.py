@@ -62,7 +62,6 @@ from course.grading.expect.native import (
     expect_no_warnings,
     expect_sound,
     native_answer,
-    wrong,
 )
 from course.grading.expect.one_program import about
 from course.grading.expect.parameters import expect_declared, expect_parameter, expect_set

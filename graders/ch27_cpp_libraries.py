@@ -31,9 +31,9 @@ from course.api import (
     expect_running,
     native_answer,
     places_of,
-    wrong,
 )
 from lib.consumers import not_compiled, not_configured, not_loaded
+from lib.native_answers import wrong
 
 PACKAGE = "cpp_package_with_a_library"
 LIBRARY = f"lib{PACKAGE}.so"

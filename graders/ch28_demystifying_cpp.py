@@ -20,8 +20,8 @@ from course.api import (
     expect_sound,
     native_answer,
     replace,
-    wrong,
 )
+from lib.native_answers import wrong
 
 PROBES = Path(__file__).with_name("probes")
 CPP = "ros2_tutorials_preamble/cpp"

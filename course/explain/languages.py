@@ -40,9 +40,7 @@ _WITH_LOOP = (
     "Ctrl+C raises KeyboardInterrupt in Python. Put the loop in a `try:` block, and add "
     "`except KeyboardInterrupt:` after it."
 )
-_BRACES = (
-    "The braces were logged as is. Put an `f` before the string, `f'...'`: then Python fills them in."
-)
+_BRACES = "The braces were logged as is. Put an `f` before the string, `f'...'`: then Python fills them in."
 _DEAF = (
     "Let `main()` end after `except KeyboardInterrupt:`. A loop around the `try:`, or a "
     "`signal.signal(...)` that ignores Ctrl+C, keeps the program running."

@@ -9,7 +9,6 @@ from course.arena.cpp_programs import compiling
 from course.errors import OurFault
 from course.evidence.process_view import ProbeAnswer, ProcessView
 from course.evidence.recording import Recording
-from course.explain.cpp_code import without_effect
 from course.explain.cpp_crashes import Trouble, cpp_crash, trouble
 from course.explain.cpp_errors import not_made, warned
 from course.grading.expect.probes import of_shape
@@ -97,12 +96,6 @@ def native_answer(
             details=view.text[-_LAST_LINES:],
         )
     )
-
-
-def wrong(recording: Recording, feedback: Feedback) -> Failure:
-    """This failure; its advice is a statement without effect instead, if the C++ files have one."""
-    cause = without_effect(recording.sources)
-    return Failure(replace(feedback, where=cause.where, advice=cause.text) if cause else feedback)
 
 
 def _troubled(found: Trouble, what: str = "", where: Location | None = None) -> Feedback:
