@@ -215,7 +215,8 @@ def _only_named(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | 
             and (node.lineno, node.attr) == (place.line, words["name"])
         ):
             named = given.get(ast.unparse(node.value), node.value)
-            return Proven({"written": ast.unparse(named)}, (Location(place.file, named.lineno),))
+            if isinstance(named, ast.Attribute):
+                return Proven({"written": ast.unparse(named)}, (Location(place.file, named.lineno),))
     return None
 
 
