@@ -763,7 +763,8 @@ def slip_in_tests(text: tuple[str, ...], failed: int) -> Cause | None:
         if wrong:
             what = f"unittest never calls `{wrong[1]}`. The method is called `setUp`, with a capital U."
             return Cause(what, (Location(TEST, number),))
-        if number == failed and re.search(r"assertEqual\([^,]*==[^,]*\)\s*$", line):
+        asserted = line.partition("assertEqual(")[2].rstrip()
+        if number == failed and "==" in asserted and "," not in asserted and asserted.endswith(")"):
             what = "`assertEqual` compares two values itself. Put a comma between them, in place of `==`."
             return Cause(what, (Location(TEST, number),))
     return None

@@ -389,7 +389,7 @@ def halts(recording: Recording) -> None:
         if abs(message.data.range - first.data.range) > rover.CLOSE:
             advice = "Set the speed to `linear.x` from each command, even if it is 0.0. Don't add to it."
             summary = "The command is 0, but the distance changes."
-            raise Failure(wrong_range(recording, summary, "the same", message, advice))
+            raise Failure(wrong_range(recording, summary, "the same", message, advice, code="linear.x"))
 
 
 @sensor.check("wall", "the distance is never below zero", needs="drives")
@@ -407,9 +407,10 @@ def wrong_range(
     message: Message,
     advice: str,
     *causes: Callable[[Sources], Cause | None],
+    code: str = ".range = ",
 ) -> Feedback:
-    """causes: they look in the code for a better advice."""
-    places = text_places(recording.sources, "linear.x" if "linear.x" in advice else ".range = ")
+    """causes: they look in the code for a better advice. code: a part of the line to look at otherwise."""
+    places = text_places(recording.sources, code)
     cause = slips.first(recording.sources, *causes) or Cause(advice, places[:1])
     return Feedback(
         summary=summary,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -76,6 +77,7 @@ def only_code(text: str) -> str:
     return _NO_CODE.sub(lambda found: re.sub(r"[^\n\"]", " ", found[0]), text)
 
 
+# These read hostile sources, too, so they must not try the same text again from each of its characters.
 # At the beginning of a line, after the end of a statement or an opening brace.
 _BEGINS = r"(?<=[;{})]\n)[ \t]*"
 _EFFECTLESS = (
@@ -84,19 +86,22 @@ _EFFECTLESS = (
         "`==` only compares, and changes nothing. A single `=` assigns a value.",
     ),
     (
-        rf"{_BEGINS}(?:if\s*\([^;{{}}\n]*\)\s*\{{?\s*)?std::\w+(?:_error|_argument|_range)\s*[({{][^;]*;",
+        rf"{_BEGINS}(?:if\s*\([^;{{}}\n]*\)\s*(?:\{{\s*)?)?std::\w+(?:_error|_argument|_range)\s*[({{][^;]*;",
         "This line creates an exception, but does not throw it: write `throw` before it.",
     ),
     (
-        r"\b(?:while|if)\s*\(\s*!?\s*rclcpp::ok\s*\)",
+        r"\b(?:while|if)\s*\(\s*(?:!\s*)?rclcpp::ok\s*\)",
         "`rclcpp::ok` only names the function. Call it: `rclcpp::ok()`.",
     ),
     (
-        r"\b(?!void\b|explicit\b|else\b|constexpr\b|inline\b)[\w:<>,&*]*[\w>&*]\s+"
+        r"(?<![\w:<>,&*])(?!void\s|explicit\b|else\b|constexpr\b|inline\b)[\w:<>,&*]*[\w>&*]\s+"
         r"(?!if\b|main\b|(\w+)::\1\b)[\w:]+\s*\([^;{}()]*\)\s*(?:const\s*)?\{(?![^{}]*\b(?:return|throw)\b)[^{}]+\}",
         "This function has no `return`, so the value that it gives back is arbitrary.",
     ),
 )
+
+
+_OVERRIDES = re.compile(r"\boverride\b")
 
 
 def without_effect(sources: Sources) -> Cause | None:
@@ -108,9 +113,11 @@ def without_effect(sources: Sources) -> Cause | None:
 def never_called(sources: Sources) -> Cause | None:
     """A method that is declared and defined, and then never named again."""
     code = "\n".join(map(only_code, cpp_files(sources).values()))
+    # A declaration that overrides does not count: others call the method.
+    plain = (_OVERRIDES.split(statement)[-1] for statement in re.split(r"[;{}]", code))
+    named = Counter(name for text in plain for name in re.findall(r"\w+", text))
     for found in re.finditer(r"(?m)^[ \t]*void\s+(\w+::)?(\w+)\s*\([^;{}()]*\)\s*(?:const\s*)?\{", code):
-        named = re.findall(rf"\b{found[2]}\b(?![^;{{}}]*\boverride\b)", code)
-        if len(named) == (2 if found[1] else 1):
+        if named[found[2]] == (2 if found[1] else 1):
             text = f"Nothing calls `{found[2]}`, or passes it to something that calls it."
             takers = places_of(sources, r"\bcreate_(?:subscription|wall_timer|timer|service)\b")
             return Cause(text, takers[:1] or places_of(sources, rf"\b{found[2]}\b")[-1:])

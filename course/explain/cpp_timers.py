@@ -98,8 +98,9 @@ def integer_division(sources: Sources) -> Cause | None:
 def rate_unused(sources: Sources) -> Cause | None:
     """`rclcpp::Rate rate(2)`, of which no code calls `sleep`."""
     for code in map(only_code, cpp_files(sources).values()):
+        sleeping = set(re.findall(r"\b(\w+)\s*\.\s*sleep\b", code))
         for made in re.finditer(r"\b(?:Wall)?Rate\s+(\w+)\s*[({]", code):
-            if not re.search(rf"\b{made[1]}\s*\.\s*sleep\b", code):
+            if made[1] not in sleeping:
                 text = f"Nothing waits: the loop must call `{made[1]}.sleep();` each time."
                 return Cause(text, places_of(sources, r"\bwhile\s*\(")[:1])
     return None

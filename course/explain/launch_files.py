@@ -219,7 +219,9 @@ def started_twice(launch_file: Sources) -> Cause | None:
     """Two `Node(...)` with the same executable, where a node is missing."""
     seen: dict[str, Location] = {}
     for call in calls(launch_file, "Node"):
-        executable = _constant(call, "executable") or ""
+        executable = _constant(call, "executable")
+        if executable is None:
+            continue
         if executable in seen:
             text = f"Two of the nodes start `{executable}`. One of them should start another program."
             return Cause(text, (call.where, seen[executable]))

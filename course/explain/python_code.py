@@ -71,6 +71,22 @@ def functions(sources: Sources, name: str) -> tuple[ast.FunctionDef | ast.AsyncF
     )
 
 
+def function_around(sources: Sources, place: Location | None) -> ast.FunctionDef | None:
+    """The innermost function with this line."""
+    found = [
+        node
+        for file, node in nodes(sources)
+        if isinstance(node, ast.FunctionDef) and place and place.line and file == place.file
+        if node.lineno <= place.line <= (node.end_lineno or 0)
+    ]
+    return max(found, key=lambda node: node.lineno, default=None)
+
+
+def last_name(node: ast.AST) -> str:
+    """`period` for both `period` and `self.period`."""
+    return ast.unparse(node).rpartition(".")[2]
+
+
 def takes_self(function: ast.FunctionDef) -> bool:
     return [one.arg for one in function.args.args[:1]] == ["self"]
 

@@ -27,7 +27,16 @@ from course.explain.engine import (
     here,
 )
 from course.explain.parameter_causes import undeclared, value_forgotten
-from course.explain.python_code import assigned, called_name, calls, nodes, number, parsed, takes_self
+from course.explain.python_code import (
+    assigned,
+    called_name,
+    calls,
+    last_name,
+    nodes,
+    number,
+    parsed,
+    takes_self,
+)
 from course.explain.python_mixups import MIXUPS
 from course.explain.python_slips import (
     accidental_tuple,
@@ -465,7 +474,7 @@ def _whole_row(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | N
     for file, node in nodes(evidence.sources):
         value = node.value if isinstance(node, ast.Assign) else None
         if isinstance(value, ast.Subscript) and Location(file, value.lineno) == symptom.where:
-            rows = assigned(evidence.sources, ast.unparse(value.value).rpartition(".")[2])
+            rows = assigned(evidence.sources, last_name(value.value))
             for row in (row for one in rows if isinstance(one, ast.List | ast.Tuple) for row in one.elts):
                 if isinstance(row, ast.Tuple | ast.List | ast.Dict):
                     of = type(row).__name__.lower()
@@ -571,9 +580,10 @@ def _colon_in_text(evidence: Evidence, symptom: Symptom, words: Words) -> Proven
     return None
 
 
-def _in_the_line(evidence: Evidence, symptom: Symptom, sign: str) -> Proven | None:
+def _plus_plus(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`count++`, on this line."""
     shown = evidence.shown(symptom.where) if symptom.where else ()
-    return Proven() if any(sign in line for line in shown) else None
+    return Proven() if any("++" in line for line in shown) else None
 
 
 def _near_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
@@ -1010,8 +1020,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "string. A field of a message needs no quotes: `message.field`.",
           "SyntaxError: f-string: unmatched '['"),
     Known(r"SyntaxError", "Python has no `++`. Add one with `+= 1`.", "SyntaxError: invalid syntax",
-          proof=lambda evidence, symptom, words: _in_the_line(evidence, symptom, "++"),
-          given={"talk/talker.py": "count++\n"}),
+          proof=_plus_plus, given={"talk/talker.py": "count++\n"}),
     Known(r"SyntaxError",
           "Python cannot read the file. Check this line and the end of the line before it.",
           "SyntaxError: invalid syntax"),

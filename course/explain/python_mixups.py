@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from course.explain.engine import Evidence, Known, Proven, Symptom, Words
-from course.explain.python_code import calls, nodes, takes_self, trees
+from course.explain.python_code import calls, function_around, last_name, nodes, takes_self, trees
 from course.model.feedback import Location
 
 _LACKS = r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'"
@@ -159,20 +159,9 @@ def _shut_down_first(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
     return None
 
 
-def _around(evidence: Evidence, place: Location | None) -> ast.FunctionDef | None:
-    """The innermost function with this line."""
-    found = [
-        node
-        for file, node in nodes(evidence.sources)
-        if isinstance(node, ast.FunctionDef) and place and place.line and file == place.file
-        if node.lineno <= place.line <= (node.end_lineno or 0)
-    ]
-    return max(found, key=lambda node: node.lineno, default=None)
-
-
 def _wrong_argument(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`safe_speed(message)`, where the function subtracts from its argument."""
-    around, place = _around(evidence, symptom.where), symptom.where
+    around, place = function_around(evidence.sources, symptom.where), symptom.where
     given = calls(evidence.sources, around.name) if around else ()
     if around is None or place is None or len(given) != 1:
         return None
@@ -189,18 +178,22 @@ def _wrong_argument(evidence: Evidence, symptom: Symptom, words: Words) -> Prove
 
 def _on_the_class(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`Sample.get_name('a')`, where `self` becomes a string."""
-    around = _around(evidence, symptom.where)
+    around = function_around(evidence.sources, symptom.where)
     for _, owner in _classes(evidence):
         if around and around in owner.body and words["of"] != owner.name:
             for file, node in nodes(evidence.sources):
-                if isinstance(node, ast.Attribute) and ast.unparse(node) == f"{owner.name}.{around.name}":
+                if (
+                    isinstance(node, ast.Attribute)
+                    and isinstance(node.value, ast.Name)
+                    and (node.value.id, node.attr) == (owner.name, around.name)
+                ):
                     return Proven({"written": ast.unparse(node)}, (Location(file, node.lineno),))
     return None
 
 
 def _only_named(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`response = future.result`, and then `response.point`."""
-    around, place = _around(evidence, symptom.where), symptom.where
+    around, place = function_around(evidence.sources, symptom.where), symptom.where
     inside = list(ast.walk(around)) if around else []
     given = {
         ast.unparse(target): node.value
@@ -223,14 +216,14 @@ def _only_named(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | 
 def _partial_with_too_few(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`partial(send, publisher)`, where `send` needs more."""
     own = [call for call in calls(evidence.sources, "partial") if call.args]
-    found = [call.where for call in own if ast.unparse(call.args[0]).rpartition(".")[2] == words["name"]]
+    found = [call.where for call in own if last_name(call.args[0]) == words["name"]]
     return Proven(where=tuple(found)) if found and not calls(evidence.sources, words["name"]) else None
 
 
 def _gets_the_future_alone(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`add_done_callback(done)`, where `done` takes more than the future."""
     for call in calls(evidence.sources, "add_done_callback"):
-        if call.args and ast.unparse(call.args[0]).rpartition(".")[2] == words["name"]:
+        if call.args and last_name(call.args[0]) == words["name"]:
             return Proven({"given": ast.unparse(call.args[0])}, (call.where,))
     return None
 

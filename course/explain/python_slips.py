@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Iterable
-from itertools import combinations, pairwise
+from itertools import pairwise
 
 from course.evidence.sources import Sources
 from course.explain.callbacks import TAKERS, callbacks, called_callback, in_callbacks, long_period
@@ -103,11 +103,12 @@ def shadowed_import(sources: Sources) -> Cause | None:
     return None
 
 
-def uncalled(sources: Sources) -> Cause | None:
-    """`node.is_ready` or `rclpy.spin` without the parentheses that call it."""
+def uncalled(sources: Sources, only: str = "") -> Cause | None:
+    """`node.is_ready` or `rclpy.spin` without the parentheses that call it. only: a name to look for."""
     stored = {n.attr for _, n in nodes(sources) if isinstance(n, ast.Attribute) and _is_stored(n)}
     plain = {node.name for _, node in nodes(sources) if isinstance(node, _Def) and not node.decorator_list}
     names = (plain | _METHODS) - stored
+    names = names & {only} if only else names
     for file, node in nodes(sources):
         for part in _asked(node):
             if isinstance(part, ast.Attribute) and part.attr in names:
@@ -308,21 +309,21 @@ def defined_twice(sources: Sources) -> Cause | None:
     for file, owner in nodes(sources):
         body = owner.body if isinstance(owner, ast.ClassDef | ast.Module) else []
         plain = [part for part in body if isinstance(part, _Def) and not part.decorator_list]
-        for one, other in combinations(plain, 2):
-            if one.name == other.name:
-                text = (
-                    f"This second `{one.name}` replaces the one on line {one.lineno}. Remove one of the two."
-                )
-                return Cause(text, (Location(file, other.lineno),))
+        before: dict[str, int] = {}
+        for part in plain:
+            line = before.setdefault(part.name, part.lineno)
+            if line != part.lineno:
+                text = f"This second `{part.name}` replaces the one on line {line}. Remove one of the two."
+                return Cause(text, (Location(file, part.lineno),))
     return None
 
 
 def destroyed_first(sources: Sources) -> Cause | None:
     """`node.destroy_node()` in a line before `rclpy.spin(node)`, in the same lines of code."""
-    for file, function in nodes(sources):
-        lines = list(map(ast.unparse, function.body)) if isinstance(function, _Def | ast.Try) else []
-        spins = [number for number, line in enumerate(lines) if "spin(" in line]
-        for line in function.body[: spins[0]] if spins and isinstance(function, _Def | ast.Try) else ():
+    for file, block in nodes(sources):
+        body = block.body if isinstance(block, _Def | ast.Try) else []
+        spins = (number for number, line in enumerate(body) if "spin(" in ast.unparse(line))
+        for line in body[: next(spins, 0)]:
             if isinstance(line, ast.Expr) and _calls(line.value, "destroy_node"):
                 text = "The node is destroyed before it is spun. Move this line to the end of `main()`."
                 return Cause(text, (Location(file, line.lineno),))

@@ -30,8 +30,7 @@ Texts = Callable[[ServiceCall], Mapping[str, str]]
 
 def expect_waiting(recording: Recording, process: str, until: float) -> None:
     """Expect that the node logged something before the service appeared, at the time `until`."""
-    unasked = slips.uncalled(recording.sources)
-    if unasked and "wait_for_service" in unasked.text:
+    if unasked := slips.uncalled(recording.sources, "wait_for_service"):
         summary = "The node does not wait for the service: it calls a service that may not exist."
         raise Failure(Feedback(summary=summary, where=unasked.where, advice=unasked.text))
     if any(line.t < until for line in recording.log):

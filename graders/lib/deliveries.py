@@ -89,11 +89,10 @@ def _some_missing(recording: Recording, sent: int, silent: int) -> Feedback:
 def logged_sometimes(recording: Recording) -> Cause | None:
     """An `if` around the line that logs."""
     for file, tree in trees(recording.sources):
-        for node in ast.walk(tree):
-            inside = [part.attr for part in ast.walk(node) if isinstance(part, ast.Attribute)]
-            if isinstance(node, ast.If) and set(LOGS).intersection(inside):
-                text = f"The node only logs if `{ast.unparse(node.test)}`. Log each message that arrives."
-                return Cause(text, (Location(file, node.lineno),))
+        for branch in (node for node in ast.walk(tree) if isinstance(node, ast.If)):
+            if any(isinstance(part, ast.Attribute) and part.attr in LOGS for part in ast.walk(branch)):
+                text = f"The node only logs if `{ast.unparse(branch.test)}`. Log each message that arrives."
+                return Cause(text, (Location(file, branch.lineno),))
     return None
 
 

@@ -327,6 +327,7 @@ void parameters_of_a_file()
   EXPECT(here->get_parameter("names").as_string_array().back() == "b");
   rclcpp::AsyncParametersClient stranger(asking, "stranger");
   EXPECT(!THROWN(exceptions::InvalidParametersException, stranger.load_parameters(file)).empty());
+  std::filesystem::remove(file);
 
   const auto copy = std::make_shared<rclcpp::Node>("copy");
   copy->declare_parameter("speed", 3.0);
