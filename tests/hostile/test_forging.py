@@ -15,7 +15,7 @@ def test_a_program_that_writes_verdicts(grade: Grade) -> None:
     graded = grade({NODE: with_attack("forged", ENDING="exit")}, guarantee="nobody can write a verdict")
     assert graded.result.verdict is Verdict.NOT_PASSED
     assert graded.failed == ("starts",)
-    assert "ended by itself" in graded.words("starts")
+    assert "ended on its own" in graded.words("starts")
 
 
 def test_a_program_that_becomes_another(grade: Grade) -> None:
@@ -48,7 +48,7 @@ def test_a_client_that_answers_itself(grade: Grade) -> None:
     text = with_attack("answers_itself", CLIENT, "20-client")
     graded = grade({CLIENT: text}, "20-client", guarantee="only the grader's own answers count")
     assert graded.result.verdict is Verdict.NOT_PASSED
-    assert "not in the log" in graded.words("logs")
+    assert "not completely in the log" in graded.words("logs")
 
 
 def test_one_that_talks_to_the_graders_own_services(grade: Grade) -> None:

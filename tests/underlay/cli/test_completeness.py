@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import signal
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -110,3 +112,44 @@ def test_a_killed_process_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
     # One more port than living processes: someone is there whose number is not to be seen.
     monkeypatch.setattr(living, "local_participants", lambda domain: 2)
     assert living.without_the_dead(Snapshot(("/other", "/own"), ends), "own").nodes == ("/other", "/own")
+
+
+def test_a_stopped_process_is_seen() -> None:
+    from ros2cli.living import is_any_stopped
+
+    with subprocess.Popen(["sleep", "60"]) as sleeper:
+        sleeper.send_signal(signal.SIGSTOP)
+        os.waitid(os.P_PID, sleeper.pid, os.WSTOPPED | os.WNOWAIT)
+        assert is_any_stopped()
+        sleeper.kill()
+
+
+@pytest.mark.parametrize(
+    ("waited", "patience", "stopped", "over"),
+    [
+        (2.5, None, False, False),
+        (2.5, None, True, True),
+        (5.5, None, False, True),
+        (0.6, 0.5, False, True),
+        (2.5, 9.0, True, False),
+    ],
+)
+def test_who_is_not_heard_is_waited_for_unless_something_is_stopped(
+    waited: float, patience: float | None, stopped: bool, over: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from ros2cli import discovery
+
+    monkeypatch.setattr(discovery, "is_any_stopped", lambda: stopped)
+    assert discovery.is_over(waited, patience) is over
+
+
+def test_states_of_processes(tmp_path: Path) -> None:
+    from ros2cli.living import is_any_stopped
+
+    for number, text in enumerate(["7 (a) S 1", "8 (T) S) R 1", ""]):
+        (tmp_path / str(number)).mkdir()
+        (tmp_path / str(number) / "stat").write_text(text)
+    (tmp_path / "9").mkdir()  # gone meanwhile
+    assert not is_any_stopped(tmp_path)
+    (tmp_path / "0/stat").write_text("7 (a b) T 1")
+    assert is_any_stopped(tmp_path)

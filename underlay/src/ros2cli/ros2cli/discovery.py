@@ -12,13 +12,15 @@ import socket
 import time
 from collections.abc import Callable, Iterable
 
+from ros2cli.living import is_any_stopped
 from ros2cli.ports import local_participants
 from ros2cli.rcl import Handle, domain_id
 from ros2cli.snapshot import NO_NODE, Endpoint, Snapshot
 from ros2cli.snapshot_reader import take_snapshot
 
-# A stopped process keeps its port and never answers; one that starts under load takes its time.
-PATIENCE = 2.0
+# A stopped process keeps its port and never answers. A running one that was not heard says who it is again
+# within 3 s: that is Fast DDS's period.
+PATIENCE, _PATIENCE_WITH_STOPPED = 5.0, 2.0
 _STEP = 0.004
 _QUIET, _QUIET_WITH_OTHERS = 0.016, 0.05
 _MIDDLEWARE = "ros_discovery_info"  # every process of the graph writes it, before anything else
@@ -28,9 +30,9 @@ def discover(
     handle: Handle, patience: float | None = None, enough: Callable[[], bool] = lambda: False
 ) -> Snapshot:
     """The complete graph, or what is known of it after `patience` seconds or when it is `enough`."""
-    end = time.monotonic() + (PATIENCE if patience is None else patience)
+    start = time.monotonic()
     known, since, lateness = take_snapshot(handle), time.monotonic(), 0.0
-    while (now := time.monotonic()) < end and not enough():
+    while not is_over((now := time.monotonic()) - start, patience) and not enough():
         if now - since >= _quiet() + 4 * lateness and is_complete(
             known, handle.name, local_participants(domain_id())
         ):
@@ -41,6 +43,13 @@ def discover(
         if latest != known:
             known, since = latest, time.monotonic()
     return known
+
+
+def is_over(waited: float, patience: float | None) -> bool:
+    """Whether to stop waiting, after this many seconds."""
+    if patience is not None:
+        return waited >= patience
+    return waited >= PATIENCE or (waited >= _PATIENCE_WITH_STOPPED and is_any_stopped())
 
 
 def is_complete(known: Snapshot, own: str, participants: int) -> bool:

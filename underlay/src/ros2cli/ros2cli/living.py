@@ -29,6 +29,19 @@ def without_the_dead(snapshot: Snapshot, own: str) -> Snapshot:
     return Snapshot(tuple(nodes), tuple(end for end in snapshot.endpoints if end.process not in dead))
 
 
+def is_any_stopped(processes: Path = Path("/proc")) -> bool:
+    """Whether a process that can be seen from here is stopped, as Ctrl+Z does it."""
+    return any(_state(entry / "stat") == "T" for entry in processes.iterdir() if entry.name.isdigit())
+
+
+def _state(table: Path) -> str:
+    """The letter after the name, which may have spaces and brackets; nothing for a process that is gone."""
+    try:
+        return table.read_text(errors="replace").rpartition(")")[2].strip()[:1]
+    except OSError:
+        return ""
+
+
 def _processes_here(snapshot: Snapshot, own: str) -> set[Process]:
     machine = next((end.machine for end in snapshot.endpoints if end.node == own), None)
     return {end.process for end in snapshot.endpoints if end.machine == machine}
