@@ -158,7 +158,7 @@ def clock(folder: Path) -> MachineFinding:
     except OSError:
         return MachineFinding("clock", State.OK, today)
     if apart > CLOCK_TOLERANCE:
-        step = f"Use a local disk for course home and cache, or set the clock of the server with {folder}."
+        step = f"Use a local disk for the course home and cache, or set the clock on the server of {folder}."
         return MachineFinding("clock", State.LESS, f"file times are {apart:.0f} s off", step)
     return MachineFinding("clock", State.OK, today)
 

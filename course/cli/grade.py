@@ -356,7 +356,8 @@ def grade(
         typer.Option("--exercises", metavar="ID,...", help="Only these; by default, all that are found."),
     ] = "",
     jobs: Annotated[
-        int | None, typer.Option("--jobs", min=1, max=64, help="Gradings at once; by default, four per core.")
+        int | None,
+        typer.Option("--jobs", min=1, max=64, help="How many to grade at once; by default, four per core."),
     ] = None,
     roster: Annotated[
         Path | None, typer.Option("--roster", metavar="CSV", help="The class: your LMS's gradebook or list.")
@@ -390,11 +391,15 @@ def grade(
     ] = False,
     cluster: Annotated[
         str | None,
-        typer.Option("--cluster", metavar="ADDRESS", help="Grade on a Dask scheduler's workers, or `local`."),
+        typer.Option(
+            "--cluster", metavar="ADDRESS", help="Grade on the workers of this Dask scheduler, or `local`."
+        ),
     ] = None,
     cluster_security: Annotated[
         Path | None,
-        typer.Option("--cluster-security", metavar="FILE", help="With --cluster: Dask's settings, for TLS."),
+        typer.Option(
+            "--cluster-security", metavar="FILE", help="With --cluster: a file of Dask settings for TLS."
+        ),
     ] = None,
 ) -> None:
     """Grade a class of submissions.

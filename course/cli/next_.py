@@ -113,6 +113,6 @@ def _questions(exercise: Exercise) -> str:
 def _congratulate(console: Console, session: CourseSession) -> None:
     for shown in unread(session, session.course.last_lessons()):
         render_lesson(console, shown.chapter, shown.text)
-    put(console, "You have passed every exercise of this course. Well done!", "bold green")
+    put(console, "You have passed every exercise in this course. Well done!", "bold green")
     put(console)
     put_steps(console, [(typed("list"), "to look back"), (typed("next ID"), "to do one of them again")])

@@ -39,7 +39,8 @@ def regrade(
         bool, typer.Option("--dry-run", help="Show whose marks would change, and change nothing.")
     ] = False,
     jobs: Annotated[
-        int | None, typer.Option("--jobs", min=1, max=64, help="Processes at once; by default, one per core.")
+        int | None,
+        typer.Option("--jobs", min=1, max=64, help="How many processes to use; by default, one per core."),
     ] = None,
 ) -> None:
     """Judge a graded class again.

@@ -239,7 +239,8 @@ def validate(
     ] = None,
     static: Annotated[bool, typer.Option("--static", help="Only read the files; grade nothing.")] = False,
     jobs: Annotated[
-        int | None, typer.Option("--jobs", min=1, max=64, help="Gradings at once; by default, four per core.")
+        int | None,
+        typer.Option("--jobs", min=1, max=64, help="How many to grade at once; by default, four per core."),
     ] = None,
     repeat: Annotated[
         int,

@@ -130,7 +130,7 @@ class SessionLearner:
 
 def _all_passed() -> None:
     console = open_console()
-    put(console, "You have passed every exercise of this course. Well done!", "bold green")
+    put(console, "You have passed every exercise in this course. Well done!", "bold green")
     put(console)
     put_steps(console, [(typed("list"), "to look back"), (typed("watch ID"), "to do one of them again")])
 

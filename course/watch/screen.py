@@ -111,7 +111,7 @@ def _list(body: Listing, console: Console, typed: Typed) -> None:
 
 @render.register
 def _all_passed(body: AllPassed, console: Console, typed: Typed) -> None:
-    put(console, "You have passed every exercise of this course. Well done!", "bold green")
+    put(console, "You have passed every exercise in this course. Well done!", "bold green")
     put(console)
     put(console, f"Press q to leave. `{typed('next ID')}` goes back to one of them.")
 

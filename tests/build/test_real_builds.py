@@ -176,7 +176,7 @@ CMAKE: dict[str, tuple[Break, str, str, str, str]] = {
     "find_package missing": (
         replace("CMakeLists.txt", "find_package(geometry_msgs REQUIRED)\n", ""),
         "find-package-missing", "CMakeLists.txt:7",
-        "names `geometry_msgs` in DEPENDENCIES, but has no `find_package`", "`find_package(geometry_msgs REQUIRED)`",
+        "names `geometry_msgs` in DEPENDENCIES, but has no", "`find_package(geometry_msgs REQUIRED)`",
     ),
     "member_of_group missing": (
         replace("package.xml", "<member_of_group>rosidl_interface_packages</member_of_group>", ""),
