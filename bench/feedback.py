@@ -5,8 +5,8 @@ feedback for those that match PATTERN is printed, for a person to read and judge
 judgments in `bench/mistakes/judgments.yaml`. Each mistake has letters, and after a `/` those of a second
 reading, after its feedback was improved: c (the true cause is named), l (the
 feedback leads to the fix) or p (it leads there partly), m (it misleads), u (not caught). `e` marks edits
-that turned out to be right. `fresh` and `strict` are sets. Every other mistake of each other file belongs
-to the set `blind`: read these only after explanations were improved.
+that turned out to be right. `fresh`, `strict`, and `unseen` are sets. Every other mistake of each other
+file belongs to the set `blind`: read these only after explanations were improved.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from course.validate.claims import words_of
 
 MISTAKES = Path(__file__).parent / "mistakes"
 JUDGMENTS = MISTAKES / "judgments.yaml"
-WHOLE = ("fresh", "strict")  # sets that are a file each
+WHOLE = ("fresh", "strict", "unseen")  # sets that are a file each
 Entry = dict[str, Any]
 
 
