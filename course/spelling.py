@@ -40,11 +40,11 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 def listed(names: Iterable[str], empty: str = "none") -> str:
-    """Return `a, b and c`, each in backquotes."""
+    """Return `a, b, and c`, each in backquotes."""
     quoted = [f"`{name}`" for name in names]
-    if not quoted:
-        return empty
-    return quoted[0] if len(quoted) == 1 else f"{', '.join(quoted[:-1])} and {quoted[-1]}"
+    if len(quoted) > 2:
+        quoted = [f"{', '.join(quoted[:-1])},", quoted[-1]]
+    return " and ".join(quoted) or empty
 
 
 def counted(count: int, noun: str) -> str:

@@ -570,7 +570,7 @@ def names(recording: Recording) -> None:
         recording,
         NAMING,
         "A name does not follow PEP 8",
-        advice="Classes are `LikeThis`; functions, methods, arguments, variables and files are `like_this`.",
+        advice="Classes are `LikeThis`; functions, methods, arguments, variables, and files are `like_this`.",
     )
 
 

@@ -73,7 +73,7 @@ def greeting(recording: Recording) -> None:
             expected=GREETING,
             seen=text[0] if text else "nothing",
             where=tuple(call.where for call in calls(recording.sources, "print"))[:2],
-            advice="Print exactly these words: capital letters, underscores and the period count."
+            advice="Print exactly these words: capital letters, underscores, and the period count."
             if text
             else "Does the entry point name the function that prints, and does that function call `print`?",
         )

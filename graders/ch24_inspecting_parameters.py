@@ -316,7 +316,7 @@ def _no_value(text: str, name: str, value: Any) -> Feedback:
     return Feedback(
         summary=f"`{name}` has no value in the file."
         if value is None
-        else f"The value of `{name}` is not a single string, number, true or false.",
+        else f"The value of `{name}` is not a single string, number, true, or false.",
         seen=None if value is None else str(value)[:80],
         where=_places(text, name),
         advice=f"Write the value after the colon and a space. {DUMP}",

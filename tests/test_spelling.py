@@ -29,7 +29,7 @@ def test_nearest(wanted: str, candidates: list[str], found: str | None) -> None:
 
 @pytest.mark.parametrize(
     ("names", "text"),
-    [([], "none"), (["a"], "`a`"), (["a", "b"], "`a` and `b`"), (["a", "b", "c"], "`a`, `b` and `c`")],
+    [([], "none"), (["a"], "`a`"), (["a", "b"], "`a` and `b`"), (["a", "b", "c"], "`a`, `b`, and `c`")],
 )
 def test_listed(names: list[str], text: str) -> None:
     assert listed(names) == text

@@ -41,7 +41,7 @@ def require_course(root: Path) -> None:
     except PermissionError as error:
         raise UsageError(f"{root} is not readable: {error.strerror}", "ask its owner for access") from None
     if lack:
-        form = f"a course contains chapters/NN-name/{LESSON}, graders/ and solutions/"
+        form = f"a course contains chapters/NN-name/{LESSON}, graders/, and solutions/"
         raise UsageError(f"{root} is not a course: {lack}", form)
 
 
@@ -114,7 +114,7 @@ def _inside(name: str, places: tuple[Path, ...]) -> Path:
         where = f" ({places[0]})" if places else ""
         raise UsageError(
             f"the installed package {name}{where} contains no course",
-            "a course contains chapters/, graders/ and solutions/",
+            "a course contains chapters/, graders/, and solutions/",
         )
     return course
 

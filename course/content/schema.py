@@ -49,7 +49,7 @@ _SHARE = r"^\d+(\.\d+)?\s?%$"
 
 Script = Annotated[
     str,
-    Form(r"[a-z0-9_]+\.(cpp|py|sh)", "be the name of a script, like `count.py`, `count.sh` or `count.cpp`"),
+    Form(r"[a-z0-9_]+\.(cpp|py|sh)", "be the name of a script, like `count.py`, `count.sh`, or `count.cpp`"),
 ]
 
 
@@ -154,7 +154,7 @@ class ExerciseSchema(Strict):
         }
     )
 
-    id: ExerciseId = Field(description="the chapter's two digits, a dash and a name: `18-publisher`")
+    id: ExerciseId = Field(description="the chapter's two digits, a dash, and a name: `18-publisher`")
     title: Line = Field(description="one line, shown as the exercise's heading")
     summary: Line = Field(description="one line that says what the learner will do")
     step: Line = Field(
@@ -177,7 +177,7 @@ class ExerciseSchema(Strict):
     )
     looks_at: list[HomePath] = Field(
         default=[],
-        description="a list of more files, folders or patterns (`*/*.txt`) of the course home that "
+        description="a list of more files, folders, or patterns (`*/*.txt`) of the course home that "
         "the grader looks at",
     )
     bonus: bool = Field(default=False, description="`true`: the course is complete without this exercise")

@@ -157,9 +157,9 @@ def _located(advice: str, notes: Iterable[Observed] | None, sources: Sources) ->
 # What the exception's text contains, what to do, and for some, the code to look at. The first match counts.
 _KNOWN = (
     (r"InvalidNodeName",
-     "A node's name may contain only letters, digits and `_`, and must not begin with a digit."),
+     "A node's name may contain only letters, digits, and `_`, and must not begin with a digit."),
     (r"InvalidTopicName|InvalidServiceName",
-     "The name may contain only letters, digits, `_` and `/`. No part of it may begin with a digit."),
+     "The name may contain only letters, digits, `_`, and `/`. No part of it may begin with a digit."),
     (r"already.{0,30}initialized|ContextAlreadyInitialized",
      "Call `rclcpp::init(argc, argv)` only once, in `main`."),
     (r"init\(\) has not been called|rcl_init|not initialized|context.{1,14}(?:null|not valid|invalid)",

@@ -126,7 +126,7 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"no declaration matches",
-        "The class does not declare this function. Compare its name, arguments and `const` with the header.",
+        "The class does not declare this function. Compare its name, arguments, and `const` with the header.",
         "no declaration matches 'std::string Arm::to_string()'",
     ),
     Known(
@@ -201,12 +201,12 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"abstract (?:class )?type",
-        "The class lacks a function that its base class only declares. Compare names, arguments and `const`.",
+        "The class lacks a function that its base class only declares. Compare name, arguments, and `const`.",
         "invalid new-expression of abstract class type 'Driver'",
     ),
     Known(
         r"does not override",
-        "Compare it with the base class: the name, arguments and `const` must match.",
+        "Compare it with the base class: the name, arguments, and `const` must match.",
         "'double Driver::get() const' marked 'override', but does not override",
     ),
     Known(

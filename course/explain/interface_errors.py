@@ -370,7 +370,7 @@ INTERFACES: tuple[Known[Build], ...] = (
           given={"msg/Quote.msg": "int32 id=3\n"}),
     Known(kind="interface-name", pattern=r"AssertionError: Unsupported interface type '(?P<name>\S+)'",
           cause=f"{LISTS} lists a file that ends in `{{name}}`, which is not a kind of interface.",
-          remedy="Interface files end in `.msg`, `.srv` or `.action`.", where=(at(LISTS, r"{name}\b"),),
+          remedy="Interface files end in `.msg`, `.srv`, or `.action`.", where=(at(LISTS, r"{name}\b"),),
           example="AssertionError: Unsupported interface type '.txt'"),
 )  # fmt: skip
 

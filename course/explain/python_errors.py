@@ -887,10 +887,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "A function is named but not called: its parentheses are missing.",
           "AttributeError: 'method' object has no attribute 'info'"),
     Known(r"InvalidNodeName",
-          "A node's name may contain only letters, digits and `_`, and must not begin with a digit.",
+          "A node's name may contain only letters, digits, and `_`, and must not begin with a digit.",
           "rclpy.exceptions.InvalidNodeNameException: Invalid node name: node name must not contain"),
     Known(r"InvalidTopicName",
-          "A topic's name may contain only letters, digits, `_` and `/`. No part of it may begin "
+          "A topic's name may contain only letters, digits, `_`, and `/`. No part of it may begin "
           "with a digit.",
           "rclpy.exceptions.InvalidTopicNameException: Invalid topic name: topic name token must not start"),
     Known(r"has no attribute '_TYPE_SUPPORT'",
@@ -997,7 +997,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           proof=because(called_callback), where=(here,),
           given={"talk/talker.py": "task.add_done_callback(told(task))\ndef told(task): print(task)"}),
     Known(r"object (?P<of>[\w.]+) can't be used in 'await' expression",
-          "`await` cannot wait for a `{of}`. Remove `await`, or await a coroutine, a task or a future.",
+          "`await` cannot wait for a `{of}`. Remove `await`, or await a coroutine, a task, or a future.",
           "TypeError: object NoneType can't be used in 'await' expression"),
     Known(r"unsupported operand type\(s\) for (?P<sign>\S+): '(?P<left>[^']+)' and '(?P<right>[^']+)'",
           "`{sign}` does not work with the types `{left}` and `{right}`. Convert one of the values, or "

@@ -358,7 +358,7 @@ OF_SETUP: tuple[Known[Build], ...] = (
           given={"setup.py": "scripts = [\n    talk = talk.talker:main,\n]\n"}),
     Known(kind="setup-py", pattern=r"^(?:SyntaxError|IndentationError|TabError): (?P<said>.*?)[?.]*$",
           cause="setup.py of `{package}` is not Python: {said}.",
-          remedy="Check that line and the one above it for a missing comma, quote or bracket.",
+          remedy="Check that line and the one above it for a missing comma, quote, or bracket.",
           example="SyntaxError: '[' was never closed"),
     *(
         Known[Build](
@@ -377,7 +377,7 @@ OF_SETUP: tuple[Known[Build], ...] = (
     ),
     Known(kind="setup-py",
           pattern=r"^(?P<error>\w+): (?P<said>(?:No module named|cannot import name).*?)\.?$", cause=_STOPS,
-          remedy="Correct or remove that import: setup.py needs little more than setuptools, os and glob.",
+          remedy="Correct or remove that import: setup.py needs little more than setuptools, os, and glob.",
           example="ModuleNotFoundError: No module named 'numpie'"),
     Known(kind="setup-py", pattern=r"^(?P<error>\w+): (?P<said>'module' object is not callable.*?)\.?$",
           cause=_STOPS,

@@ -19,7 +19,7 @@ from course.model.result import CheckResult, Doubt, Outcome, Result, Verdict, ve
 ATTEMPTS = 3
 # Seconds. A program that had to wait longer for a processor cannot be judged by the times of its actions.
 MOST_LAG = 0.1
-_ADVICE = "Look for something that your program sends, prints or creates in very large amounts."
+_ADVICE = "Look for something that your program sends, prints, or creates in very large amounts."
 
 
 def doubt_of(result: Result) -> Doubt | None:

@@ -150,6 +150,6 @@ def require(tools: Iterable[str], path: str, what: str = "This exercise") -> Non
     """Raise MissingHere, with the command that installs them, if any of these tools is not on this PATH."""
     missing = [tool for tool in tools if shutil.which(tool, path=path) is None]
     if missing:
-        names = missing[0] if len(missing) == 1 else f"{', '.join(missing[:-1])} and {missing[-1]}"
+        names = " and ".join(missing) if len(missing) < 3 else f"{', '.join(missing[:-1])}, and {missing[-1]}"
         packages = " ".join(_DEBIAN.get(tool, tool) for tool in missing)
         raise MissingHere(f"{what} needs {names}, which this machine lacks.", f"sudo apt install {packages}")

@@ -151,7 +151,7 @@ def _wrong(recording: Recording, reached: int, total: int, what: str) -> Feedbac
     cause = slips.compared(recording.sources) or Cause(advice, logged[:1])
     return Feedback(
         summary=summary,
-        expected=f"messages with 1, 2, 3 and so on to {total}",
+        expected=f"messages with 1, 2, 3, and so on to {total}",
         seen=lines[0][:120] if lines else "no message",
         where=cause.where,
         advice=cause.text,

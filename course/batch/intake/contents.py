@@ -33,7 +33,7 @@ _MOST_ARCHIVES = 20
 _DEEPEST_ARCHIVE = 3
 
 NOTHING = Remark(
-    "No course home, workspace or package was found in it.",
+    "No course home, workspace, or package was found in it.",
     "A submission is a course home, a workspace with packages in src/, or packages with a package.xml.",
 )
 LACKING = "It needs the package `{}`, which was not handed in."

@@ -80,7 +80,7 @@ def expect_parameter(
                 expected=_written(value),
                 seen=_written(found.value),
                 where=_declarations(recording, name),
-                advice=f"Correct the value of `{name}`. Quotes, capital letters and every digit count.",
+                advice=f"Correct the value of `{name}`. Quotes, capital letters, and every digit count.",
             )
         )
 

@@ -196,7 +196,7 @@ class _Reading:
         """The next event whose type is not in `skipped`. Refuses anchors, aliases, and tags."""
         event = next(event for event in self._events if not isinstance(event, skipped))
         if getattr(event, "anchor", None) is not None or getattr(event, "tag", None) is not None:
-            raise self._wrong(event, "it uses YAML's `&`, `*` or `!`")
+            raise self._wrong(event, "it uses YAML's `&`, `*`, or `!`")
         return event
 
     def _wrong(self, event: Any, what: str, advice: str | None = None) -> Failure:

@@ -209,7 +209,7 @@ def _read(text: str, column: str) -> tuple[list[list[Cell]], _Form]:
             return rows, _moodle(rows, head)
         if "username" in head and len(head) > 1:
             return rows, _blackboard(rows, head, column)
-    raise UsageError("This is not a sheet of Canvas, Moodle or Blackboard.", _FORM)
+    raise UsageError("This is not a sheet of Canvas, Moodle, or Blackboard.", _FORM)
 
 
 def _letters(head: str) -> str:

@@ -154,6 +154,6 @@ def _legend(glyphs: Glyphs) -> Iterator[tuple[str, str]]:
     yield glyphs.begin, f"{glyphs.begin} begins"
     yield glyphs.end, f"{glyphs.end} ends"
     yield glyphs.line, f"{glyphs.line} printed"
-    yield glyphs.flag, f"{glyphs.flag} signal, command or limit"
+    yield glyphs.flag, f"{glyphs.flag} signal, command, or limit"
     yield glyphs.moment, f"{glyphs.moment} one"
     yield glyphs.many, f"{glyphs.many} ten or more"

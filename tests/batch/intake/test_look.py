@@ -73,7 +73,7 @@ def test_several_packages(tmp_path: Path, looked: Looked) -> None:
 def test_files_of_which_none_counts_are_named(tmp_path: Path, looked: Looked) -> None:
     found = looked(lay(tmp_path / "in", "poem.txt", *(f"more/{number}.pdf" for number in range(9))))
     (told,) = found.findings
-    assert told.what == "No course home, workspace or package was found in it."
+    assert told.what == "No course home, workspace, or package was found in it."
     assert told.where.startswith("more/0.pdf, ") and told.where.endswith("more")
 
 

@@ -77,9 +77,9 @@ def test_a_file_that_is_misnamed(tmp_path: Path) -> None:
 
 BOMB = "a: &a [x, x]\n" + "".join(f"b{n}: &b{n} [*a, *a]\n" for n in range(50))
 REFUSED = [
-    ("a: *b\n", 1, "not valid YAML|`&`, `*` or `!`"),
-    (BOMB, 1, "`&`, `*` or `!`"),
-    ("a: 1\nb: !!python/object/apply:os.system [ls]\n", 2, "`&`, `*` or `!`"),
+    ("a: *b\n", 1, "not valid YAML|`&`, `*`, or `!`"),
+    (BOMB, 1, "`&`, `*`, or `!`"),
+    ("a: 1\nb: !!python/object/apply:os.system [ls]\n", 2, "`&`, `*`, or `!`"),
     ("a: 1\nb: {c: d}\n", 2, "must be a string or a list of strings"),
     ("a: [[1]]\n", 1, "must be a string or a list of strings"),
     # PyYAML from 6.0.4 on refuses so many itself.

@@ -54,7 +54,7 @@ def test_a_topic_on_which_nothing_came_has_a_lane_too(page: Page) -> None:
 
 def test_the_legend_explains_what_is_drawn_and_nothing_else(page: Page) -> None:
     legend = drawn(page, recording(*COUNTER))[-1]
-    assert legend == "  ├ begins, ┤ ends, ┴ printed, ▼ signal, command or limit, ● one"
+    assert legend == "  ├ begins, ┤ ends, ┴ printed, ▼ signal, command, or limit, ● one"
 
 
 def test_many_in_one_place_are_counted(page: Page) -> None:

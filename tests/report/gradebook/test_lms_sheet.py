@@ -116,7 +116,7 @@ def test_a_decimal_comma_stays_a_comma() -> None:
         (CANVAS, "Final Score", "No column"),
         (CANVAS.replace("Motors (78)", "Lights (79)"), "Lights", "Several columns"),
         ("Student,ID\nJane,1\n", "", "No column"),
-        ("a,b\n1,2\n", "", "not a sheet of Canvas, Moodle or Blackboard"),
+        ("a,b\n1,2\n", "", "not a sheet of Canvas, Moodle, or Blackboard"),
         ("", "", "not a sheet"),
         (CANVAS.replace("A,3.0", '"A,3.0'), "Lights", "a quoted cell is not closed"),
     ],

@@ -1,17 +1,14 @@
 #include "print_forever_node.hpp"
 
 PrintForeverNode::PrintForeverNode()
-: rclcpp::Node("print_forever_cpp"),
-  seconds_(0.5),
-  times_(0)
+: rclcpp::Node("print_forever_cpp"), times_(0), seconds_(0.5)
 {
-  timer_ = create_wall_timer(
-    std::chrono::milliseconds(long(seconds_ * 1e3)), std::bind(&PrintForeverNode::log_, this));
+  const auto period = std::chrono::milliseconds(static_cast<long>(1000 * seconds_));
+  timer_ = create_wall_timer(period, std::bind(&PrintForeverNode::log_, this));
 }
 
 void PrintForeverNode::log_()
 {
-  RCLCPP_INFO_STREAM(
-    get_logger(), std::string("Printed ") + std::to_string(times_) + std::string(" times."));
-  times_++;
+  const std::string count = std::to_string(times_++);
+  RCLCPP_INFO_STREAM(get_logger(), "Printed " + count + std::string(" times."));
 }

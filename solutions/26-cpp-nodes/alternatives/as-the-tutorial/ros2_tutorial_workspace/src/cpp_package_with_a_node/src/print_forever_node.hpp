@@ -7,13 +7,13 @@
 /// Logs periodically how many times it has logged before.
 class PrintForeverNode : public rclcpp::Node
 {
-private:
-  double seconds_;
-  int times_;
-  std::shared_ptr<rclcpp::TimerBase> timer_;
-
-  void log_();
-
 public:
   PrintForeverNode();
+
+private:
+  void log_();
+
+  int times_;
+  const double seconds_;
+  std::shared_ptr<rclcpp::TimerBase> timer_;
 };

@@ -1,17 +1,13 @@
-#include <rclcpp/rclcpp.hpp>
-
 #include "print_forever_node.hpp"
 
+// Like the tutorial's, it ends without rclcpp::shutdown.
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
-
   try {
-    auto node = std::make_shared<PrintForeverNode>();
-    rclcpp::spin(node);
+    rclcpp::spin(std::make_shared<PrintForeverNode>());
   } catch (const std::exception & problem) {
-    std::cerr << std::string("It ended with ") << problem.what();
+    std::cerr << "It ended with " << problem.what();
   }
-
   return 0;
 }

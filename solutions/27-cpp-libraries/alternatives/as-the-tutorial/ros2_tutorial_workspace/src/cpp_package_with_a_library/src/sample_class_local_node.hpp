@@ -1,19 +1,18 @@
 #pragma once
 
-#include <rclcpp/rclcpp.hpp>
 #include <cpp_package_with_a_library/sample_class.hpp>
+#include <rclcpp/rclcpp.hpp>
 
-class SampleClassLocalNode: public rclcpp::Node
+/// Logs a different sum twice per second, and the same object.
+class SampleClassLocalNode : public rclcpp::Node
 {
-private:
-    SampleClass sample_class_;
-
-    double timer_period_;
-    int print_count_;
-    rclcpp::TimerBase::SharedPtr timer_;
-
-    void _timer_callback();
-
 public:
-    SampleClassLocalNode();
+  SampleClassLocalNode();
+
+private:
+  void log_both_();
+
+  int round_ = 0;
+  SampleClass sample_;
+  rclcpp::TimerBase::SharedPtr timer_;
 };

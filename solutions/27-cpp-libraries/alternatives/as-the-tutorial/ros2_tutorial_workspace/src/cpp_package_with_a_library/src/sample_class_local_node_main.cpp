@@ -1,18 +1,13 @@
-#include <rclcpp/rclcpp.hpp>
-
 #include "sample_class_local_node.hpp"
 
-int main(int argc, char** argv)
+// Like the tutorial's, it ends without rclcpp::shutdown.
+int main(int argc, char ** argv)
 {
-    rclcpp::init(argc, argv);
-    try
-    {
-        auto node = std::make_shared<SampleClassLocalNode>();
-        rclcpp::spin(node);
-    }
-    catch (const std::exception& e)
-    {
-        std::cerr << std::string("::Exception::") << e.what();
-    }
-    return 0;
+  rclcpp::init(argc, argv);
+  try {
+    rclcpp::spin(std::make_shared<SampleClassLocalNode>());
+  } catch (const std::exception & problem) {
+    std::cerr << "The node ended: " << problem.what();
+  }
+  return 0;
 }

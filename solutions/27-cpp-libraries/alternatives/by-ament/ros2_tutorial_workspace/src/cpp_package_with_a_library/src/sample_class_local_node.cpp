@@ -1,22 +1,16 @@
 #include "sample_class_local_node.hpp"
 
-#include <chrono>
 #include <functional>
 
-SampleClassLocalNode::SampleClassLocalNode():
-    rclcpp::Node("sample_class_local_node"),
-    timer_period_(0.5)
+SampleClassLocalNode::SampleClassLocalNode() : Node("sample_class_local_node")
 {
     sample_.set_a_private_member(7);
-    timer_ = this->create_timer(
-        std::chrono::duration<double>(timer_period_),
-        std::bind(&SampleClassLocalNode::_timer_callback, this));
+    timer_ = this->create_timer(every_, std::bind(&SampleClassLocalNode::tell_, this));
 }
 
-void SampleClassLocalNode::_timer_callback()
+void SampleClassLocalNode::tell_()
 {
-    RCLCPP_INFO_STREAM(
-        this->get_logger(),
-        std::string("Sum of squares: ") + std::to_string(sample_.sum_of_squares(2., 3.)));
+    const auto sum = std::to_string(sample_.sum_of_squares(2., 3.));
+    RCLCPP_INFO_STREAM(this->get_logger(), "Sum of squares: " + sum);
     RCLCPP_INFO_STREAM(this->get_logger(), sample_);
 }

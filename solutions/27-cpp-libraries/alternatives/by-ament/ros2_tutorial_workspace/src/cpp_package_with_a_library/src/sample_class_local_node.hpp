@@ -1,15 +1,20 @@
 #pragma once
-#include <rclcpp/rclcpp.hpp>
+
+#include <chrono>
+
 #include "cpp_package_with_a_library/sample_class.hpp"
+#include <rclcpp/rclcpp.hpp>
 
-class SampleClassLocalNode: public rclcpp::Node
+class SampleClassLocalNode : public rclcpp::Node
 {
-private:
-    SampleClass sample_;
-    double timer_period_;
-    rclcpp::TimerBase::SharedPtr timer_;
-
-    void _timer_callback();
 public:
     SampleClassLocalNode();
+
+private:
+    static constexpr std::chrono::duration<double> every_{0.5};
+
+    void tell_();
+
+    rclcpp::TimerBase::SharedPtr timer_;
+    SampleClass sample_;
 };

@@ -6,14 +6,14 @@
 int main(int argc, char** argv)
 {
     rclcpp::init(argc, argv);
+    const auto node = std::make_shared<SampleClassLocalNode>();
     try
     {
-        auto node = std::make_shared<SampleClassLocalNode>();
         rclcpp::spin(node);
     }
     catch (const std::exception& e)
     {
-        std::cerr << "Exception: " << e.what() << std::endl;
+        std::cerr << node->get_name() << ": " << e.what() << std::endl;
     }
     return 0;
 }

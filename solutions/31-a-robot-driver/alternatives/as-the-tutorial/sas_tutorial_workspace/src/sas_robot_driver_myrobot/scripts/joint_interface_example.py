@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-import time
 from math import pi, sin
+from time import sleep
 
 from dqrobotics import *
 from dqrobotics.utils.DQ_Math import deg2rad
@@ -9,43 +9,35 @@ from sas_core import Clock, Statistics
 from sas_robot_driver import RobotDriverClient
 
 
+def swing(node, robot, clock):
+    """Move all joints by ten degrees around the start, in 5000 cycles."""
+    start = robot.get_joint_positions()
+    print(f'{robot.get_topic_prefix()} starts at {start}')
+    for cycle in range(5000):
+        clock.update_and_sleep()
+        degrees = 10.0 * sin(cycle / (50.0 * pi))
+        robot.send_target_joint_positions(start + deg2rad([degrees] * 6))
+        rclcpp_spin_some(node)
+
+
 def main(args=None):
     try:
         rclcpp_init()
-        node = rclcpp_Node("sas_robot_driver_myrobot_joint_space_example_node_cpp")
-
+        node = rclcpp_Node('swings_all_joints')
         clock = Clock(0.01)
         clock.init()
-
-        rdi = RobotDriverClient(node, 'myrobot_1')
-
-        while not rdi.is_enabled():
+        robot = RobotDriverClient(node, 'myrobot_1')
+        while not robot.is_enabled():
             rclcpp_spin_some(node)
-            time.sleep(0.1)
-
-        print(f"topic prefix = {rdi.get_topic_prefix()}")
-
-        joint_positions = rdi.get_joint_positions()
-        print(f"joint positions = {joint_positions}")
-
-        for i in range(0, 5000):
-            clock.update_and_sleep()
-
-            target_joint_positions = joint_positions + deg2rad([10.0 * sin(i / (50.0 * pi))] * 6)
-            rdi.send_target_joint_positions(target_joint_positions)
-
-            rclcpp_spin_some(node)
-
-        print("Means of the loop")
-        print("  computing: {}".format(clock.get_statistics(Statistics.Mean, Clock.TimeType.Computational)))
-        print("  idle: {}".format(clock.get_statistics(Statistics.Mean, Clock.TimeType.Idle)))
-
+            sleep(0.1)
+        swing(node, robot, clock)
+        for kind in (Clock.TimeType.Computational, Clock.TimeType.Idle):
+            print(kind, clock.get_statistics(Statistics.Mean, kind))
         rclcpp_shutdown()
-
     except KeyboardInterrupt:
-        print("Ended by the user")
-    except Exception as e:
-        print("Unhandled exception", e)
+        print('Stopped with Ctrl+C')
+    except Exception as problem:
+        print('Stopped by', problem)
 
 
 if __name__ == '__main__':

@@ -1,7 +1,6 @@
 #include "sas_robot_driver_myrobot/sas_robot_driver_myrobot.hpp"
-#include <iostream>
-#include <memory>
-#include <sas_core/eigen3_std_conversions.hpp>
+
+#include <stdexcept>
 
 namespace sas
 {
@@ -9,68 +8,60 @@ namespace sas
 class RobotDriverMyrobot::Impl
 {
 public:
-    bool connected{false};
-    bool motor_on{false};
-
-    VectorXd joint_positions_;
-
-    Impl()
-    {
-    }
+  bool is_open = false;
+  bool has_power = false;
+  VectorXd radians;  // empty while there is no connection
 };
 
-RobotDriverMyrobot::RobotDriverMyrobot(const RobotDriverMyrobotConfiguration& configuration, std::atomic_bool* break_loops):
-    RobotDriver(break_loops),
-    configuration_(configuration)
+RobotDriverMyrobot::RobotDriverMyrobot(
+  const RobotDriverMyrobotConfiguration & settings, std::atomic_bool * stop)
+: RobotDriver(stop), settings_(settings), impl_(std::make_unique<Impl>())
 {
-    joint_limits_ = configuration.joint_limits;
-    impl_ = std::make_unique<RobotDriverMyrobot::Impl>();
+  joint_limits_ = settings_.joint_limits;
 }
 
-RobotDriverMyrobot::~RobotDriverMyrobot()
-{
-}
-
-VectorXd RobotDriverMyrobot::get_joint_positions()
-{
-    if (impl_->joint_positions_.size() == 0)
-        throw std::runtime_error("There are no valid joint positions");
-
-    return impl_->joint_positions_;
-}
-
-void RobotDriverMyrobot::set_target_joint_positions(const VectorXd& desired_joint_positions_rad)
-{
-    if (desired_joint_positions_rad.size() != 6)
-        throw std::runtime_error("The target has the wrong size");
-
-    impl_->joint_positions_ = desired_joint_positions_rad;
-}
+RobotDriverMyrobot::~RobotDriverMyrobot() {}
 
 void RobotDriverMyrobot::connect()
 {
-    if (impl_->connected)
-        throw std::runtime_error("There is a connection already");
-
-    impl_->connected = true;
-    impl_->motor_on = false;
-    impl_->joint_positions_ = (VectorXd(6) << 0, 0, 0, 0, 0, 0).finished();
+  if (impl_->is_open) {
+    throw std::runtime_error("A robot has only one connection.");
+  }
+  impl_->is_open = true;
+  impl_->has_power = false;
+  impl_->radians = VectorXd::Zero(6);
 }
 
 void RobotDriverMyrobot::initialize()
 {
-    impl_->motor_on = true;
+  impl_->has_power = true;
+}
+
+VectorXd RobotDriverMyrobot::get_joint_positions()
+{
+  if (impl_->radians.size() > 0) {
+    return impl_->radians;
+  }
+  throw std::runtime_error("Without a connection, nobody knows where the joints are.");
+}
+
+void RobotDriverMyrobot::set_target_joint_positions(const VectorXd & radians)
+{
+  if (radians.size() != 6) {
+    throw std::runtime_error("A target needs six elements.");
+  }
+  impl_->radians = radians;
 }
 
 void RobotDriverMyrobot::deinitialize()
 {
-    impl_->motor_on = false;
+  impl_->has_power = false;
 }
 
 void RobotDriverMyrobot::disconnect()
 {
-    impl_->connected = false;
-    impl_->joint_positions_ = VectorXd();
+  impl_->is_open = false;
+  impl_->radians = VectorXd();
 }
 
 }

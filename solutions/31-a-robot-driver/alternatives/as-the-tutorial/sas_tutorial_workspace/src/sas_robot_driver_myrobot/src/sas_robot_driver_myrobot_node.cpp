@@ -1,60 +1,53 @@
+#include <signal.h>
+
+#include <dqrobotics/utils/DQ_Math.h>
+
 #include <rclcpp/rclcpp.hpp>
 #include <sas_common/sas_common.hpp>
 #include <sas_core/eigen3_std_conversions.hpp>
 #include <sas_robot_driver/sas_robot_driver_ros.hpp>
-#include <sas_robot_driver_myrobot/sas_robot_driver_myrobot.hpp>
-#include <dqrobotics/utils/DQ_Math.h>
 
-#include<signal.h>
-static std::atomic_bool kill_this_process(false);
-void sig_int_handler(int)
+#include <sas_robot_driver_myrobot/sas_robot_driver_myrobot.hpp>
+
+static std::atomic_bool stop(false);
+
+static void on_ctrl_c(int)
 {
-    kill_this_process = true;
+  stop = true;
 }
 
-int main(int argc, char** argv)
+// The limits in this parameter, converted from degrees.
+static VectorXd limits(const std::shared_ptr<rclcpp::Node> & node, const std::string & parameter)
 {
-    if (signal(SIGINT, sig_int_handler) == SIG_ERR)
-    {
-        throw std::runtime_error("::The signal handler cannot be set.");
-    }
+  std::vector<double> degrees;
+  sas::get_ros_parameter(node, parameter, degrees);
+  return deg2rad(sas::std_vector_double_to_vectorxd(degrees));
+}
 
-    rclcpp::init(argc, argv, rclcpp::InitOptions(), rclcpp::SignalHandlerOptions::None);
+int main(int argc, char ** argv)
+{
+  if (signal(SIGINT, on_ctrl_c) == SIG_ERR) {
+    throw std::runtime_error("Ctrl+C would not end this program.");
+  }
+  rclcpp::init(argc, argv, rclcpp::InitOptions(), rclcpp::SignalHandlerOptions::None);
+  auto node = std::make_shared<rclcpp::Node>("sas_robot_driver_myrobot");
 
-    auto node = std::make_shared<rclcpp::Node>("sas_robot_driver_myrobot");
+  try {
+    RCLCPP_INFO_STREAM_ONCE(node->get_logger(), "Reading the parameters");
+    sas::RobotDriverMyrobotConfiguration robot;
+    sas::get_ros_parameter(node, "ip", robot.ip);
+    robot.joint_limits = {limits(node, "joint_limits_min"), limits(node, "joint_limits_max")};
 
-    try
-    {
-        RCLCPP_INFO_STREAM_ONCE(node->get_logger(), "::Reading the parameters.");
+    sas::RobotDriverROSConfiguration loop;
+    sas::get_ros_parameter(node, "thread_sampling_time_sec", loop.thread_sampling_time_sec);
+    loop.robot_driver_provider_prefix = node->get_name();
 
-        sas::RobotDriverMyrobotConfiguration configuration;
-
-        sas::get_ros_parameter(node, "ip", configuration.ip);
-        std::vector<double> joint_limits_min;
-        std::vector<double> joint_limits_max;
-        sas::get_ros_parameter(node, "joint_limits_min", joint_limits_min);
-        sas::get_ros_parameter(node, "joint_limits_max", joint_limits_max);
-        configuration.joint_limits = {deg2rad(sas::std_vector_double_to_vectorxd(joint_limits_min)),
-                                      deg2rad(sas::std_vector_double_to_vectorxd(joint_limits_max))};
-
-        sas::RobotDriverROSConfiguration robot_driver_ros_configuration;
-        sas::get_ros_parameter(node, "thread_sampling_time_sec", robot_driver_ros_configuration.thread_sampling_time_sec);
-        robot_driver_ros_configuration.robot_driver_provider_prefix = node->get_name();
-
-        RCLCPP_INFO_STREAM_ONCE(node->get_logger(), "::Making the driver.");
-        auto robot_driver_myrobot = std::make_shared<sas::RobotDriverMyrobot>(configuration,
-                                                                              &kill_this_process);
-
-        sas::RobotDriverROS robot_driver_ros(node,
-                                             robot_driver_myrobot,
-                                             robot_driver_ros_configuration,
-                                             &kill_this_process);
-        robot_driver_ros.control_loop();
-    }
-    catch (const std::exception& e)
-    {
-        RCLCPP_ERROR_STREAM_ONCE(node->get_logger(), std::string("::Exception::") + e.what());
-    }
-
-    return 0;
+    RCLCPP_INFO_STREAM_ONCE(node->get_logger(), "Starting the driver");
+    auto driver = std::make_shared<sas::RobotDriverMyrobot>(robot, &stop);
+    sas::RobotDriverROS driver_ros(node, driver, loop, &stop);
+    driver_ros.control_loop();
+  } catch (const std::exception & problem) {
+    RCLCPP_ERROR_STREAM_ONCE(node->get_logger(), std::string("It ended: ") + problem.what());
+  }
+  return 0;
 }

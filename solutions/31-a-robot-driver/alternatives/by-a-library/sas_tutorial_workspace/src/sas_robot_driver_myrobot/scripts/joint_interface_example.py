@@ -14,30 +14,28 @@ def main(args=None):
         rclcpp_init()
         node = rclcpp_Node("joint_interface_example")
 
-        rdi = RobotDriverClient(node, 'myrobot_1')
-        while not rdi.is_enabled():
+        arm = RobotDriverClient(node, 'myrobot_1')
+        while not arm.is_enabled():
             rclcpp_spin_some(node)
             time.sleep(0.1)
+        q0 = arm.get_joint_positions()
 
         clock = Clock(0.01)
         clock.init()
-
         i = 0
-        q0 = rdi.get_joint_positions()
-        for i in range(0, 5000):
+        while i < 5000:
             clock.update_and_sleep()
-            q = q0 + deg2rad([10.0 * sin(i / (50.0 * pi)) for _ in range(6)])
-            rdi.send_target_joint_positions(q)
+            arm.send_target_joint_positions(q0 + deg2rad([10.0 * sin(i / (50.0 * pi)) for _ in range(6)]))
             rclcpp_spin_some(node)
+            i += 1
 
-        mean = clock.get_statistics(Statistics.Mean, Clock.TimeType.EffectiveSampling)
-        print("Mean effective sampling: {}".format(mean))
+        print(clock.get_statistics(Statistics.Mean, Clock.TimeType.EffectiveSampling), "s per cycle")
         rclcpp_shutdown()
 
     except KeyboardInterrupt:
-        print("Interrupted by user")
+        print("Enough.")
     except Exception as e:
-        print("Unhandled exception", e)
+        print("Something else went wrong:", e)
 
 
 if __name__ == '__main__':

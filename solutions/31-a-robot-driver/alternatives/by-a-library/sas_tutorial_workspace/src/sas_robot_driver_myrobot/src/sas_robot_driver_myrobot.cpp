@@ -1,6 +1,7 @@
 #include "sas_robot_driver_myrobot.hpp"
 
 #include <cstdio>
+#include <stdexcept>
 
 namespace sas
 {
@@ -8,48 +9,28 @@ namespace sas
 class RobotDriverMyrobot::Impl
 {
 public:
-    Impl() = default;
-    bool connected_ = false;
-    VectorXd joint_positions_;
+    bool there = false;
+    VectorXd joints;
 };
 
-RobotDriverMyrobot::RobotDriverMyrobot(const RobotDriverMyrobotConfiguration& configuration, std::atomic_bool* break_loops):
-    RobotDriver(break_loops),
-    configuration_(configuration)
+RobotDriverMyrobot::RobotDriverMyrobot(const RobotDriverMyrobotConfiguration& given, std::atomic_bool* flag)
+    : RobotDriver(flag), configuration_(given), impl_(std::make_unique<Impl>())
 {
-    impl_ = std::make_unique<RobotDriverMyrobot::Impl>();
     joint_limits_ = configuration_.joint_limits;
 }
 
-RobotDriverMyrobot::~RobotDriverMyrobot()
-{
-
-}
-
-VectorXd RobotDriverMyrobot::get_joint_positions()
-{
-    if (not impl_->connected_)
-        throw std::runtime_error("RobotDriverMyrobot::get_joint_positions::Not connected.");
-    return impl_->joint_positions_;
-}
-
-void RobotDriverMyrobot::set_target_joint_positions(const VectorXd& desired_joint_positions_rad)
-{
-    if (desired_joint_positions_rad.size() != std::get<0>(joint_limits_).size())
-        throw std::runtime_error("RobotDriverMyrobot::set_target_joint_positions::Wrong size.");
-    impl_->joint_positions_ = desired_joint_positions_rad;
-}
+RobotDriverMyrobot::~RobotDriverMyrobot() = default;
 
 void RobotDriverMyrobot::connect()
 {
-    impl_->joint_positions_ = VectorXd::Zero(6);
-    impl_->connected_ = true;
+    impl_->joints = VectorXd::Zero(6);
+    impl_->there = true;
     std::printf("Connected.\n");
 }
 
 void RobotDriverMyrobot::disconnect()
 {
-    impl_->connected_ = false;
+    impl_->there = false;
     std::printf("Disconnected.\n");
 }
 
@@ -61,6 +42,21 @@ void RobotDriverMyrobot::initialize()
 void RobotDriverMyrobot::deinitialize()
 {
     std::printf("Motor off.\n");
+}
+
+VectorXd RobotDriverMyrobot::get_joint_positions()
+{
+    if (not impl_->there)
+        throw std::runtime_error("There is no robot to ask.");
+    return impl_->joints;
+}
+
+void RobotDriverMyrobot::set_target_joint_positions(const VectorXd& radians)
+{
+    const auto& lowest = std::get<0>(joint_limits_);
+    if (radians.size() != lowest.size())
+        throw std::runtime_error("This target is for another robot.");
+    impl_->joints = radians;
 }
 
 }

@@ -1,6 +1,9 @@
 #pragma once
+
 #include <atomic>
 #include <memory>
+#include <string>
+#include <tuple>
 
 #include <sas_core/sas_robot_driver.hpp>
 
@@ -9,35 +12,33 @@ using namespace Eigen;
 namespace sas
 {
 
+// ip: the robot's address. joint_limits: the lowest and the highest positions, in radians.
 struct RobotDriverMyrobotConfiguration
 {
     std::string ip;
     std::tuple<VectorXd, VectorXd> joint_limits;
 };
 
-class RobotDriverMyrobot: public RobotDriver
+class RobotDriverMyrobot : public RobotDriver
 {
-private:
-    RobotDriverMyrobotConfiguration configuration_;
-
     class Impl;
-    std::unique_ptr<Impl> impl_;
+    const RobotDriverMyrobotConfiguration configuration_;
+    const std::unique_ptr<Impl> impl_;
 
 public:
-    RobotDriverMyrobot(const RobotDriverMyrobot&)=delete;
-    RobotDriverMyrobot()=delete;
-    ~RobotDriverMyrobot();
+    RobotDriverMyrobot(const RobotDriverMyrobotConfiguration& given, std::atomic_bool* flag);
+    RobotDriverMyrobot(const RobotDriverMyrobot&) = delete;
+    ~RobotDriverMyrobot() override;
 
-    RobotDriverMyrobot(const RobotDriverMyrobotConfiguration& configuration, std::atomic_bool* break_loops);
-
-    VectorXd get_joint_positions() override;
-    void set_target_joint_positions(const VectorXd& desired_joint_positions_rad) override;
-
+    // Each pair is called once, at the beginning and at the end.
     void connect() override;
     void disconnect() override;
-
     void initialize() override;
     void deinitialize() override;
+
+    // These two are called in each cycle.
+    VectorXd get_joint_positions() override;
+    void set_target_joint_positions(const VectorXd& radians) override;
 };
 
 }

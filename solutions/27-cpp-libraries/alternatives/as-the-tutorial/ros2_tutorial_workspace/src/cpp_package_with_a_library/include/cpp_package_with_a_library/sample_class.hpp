@@ -6,21 +6,22 @@
 #include <QString>
 #include <eigen3/Eigen/Dense>
 
+/// A number that others can set, a text and a matrix that stay as they are.
 class SampleClass
 {
-private:
-    int a_private_member_;  // without a value of its own, as in the tutorial
-    const QString a_private_qt_string_;
-    const Eigen::MatrixXd a_private_eigen3_matrix_;
-
 public:
-    SampleClass();
+  SampleClass();
 
-    int get_a_private_member() const;
-    void set_a_private_member(int value);
-    std::string to_string() const;
+  static double sum_of_squares(const double & a, const double & b);
 
-    static double sum_of_squares(const double& a, const double& b);
+  std::string to_string() const;
+  void set_a_private_member(int number);
+  int get_a_private_member() const;
+
+private:
+  int number_;  // without a starting value, as in the tutorial
+  const QString text_;
+  const Eigen::MatrixXd matrix_;
 };
 
-std::ostream& operator<<(std::ostream& os, const SampleClass& sc);
+std::ostream & operator<<(std::ostream & stream, const SampleClass & sample);

@@ -2,6 +2,9 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
+#include <tuple>
+
 #include <sas_core/sas_robot_driver.hpp>
 
 using namespace Eigen;
@@ -9,35 +12,34 @@ using namespace Eigen;
 namespace sas
 {
 
+/// The robot's address, and the lowest and the highest position of each joint in radians.
 struct RobotDriverMyrobotConfiguration
 {
-    std::string ip;
-    std::tuple<VectorXd, VectorXd> joint_limits;
+  std::string ip;
+  std::tuple<VectorXd, VectorXd> joint_limits;
 };
 
-class RobotDriverMyrobot: public RobotDriver
+/// A silent robot: its six joints move to each target at once, and no function prints anything.
+class RobotDriverMyrobot : public RobotDriver
 {
-private:
-    RobotDriverMyrobotConfiguration configuration_;
-
-    class Impl;
-    std::unique_ptr<Impl> impl_;
-
 public:
-    RobotDriverMyrobot(const RobotDriverMyrobot&)=delete;
-    RobotDriverMyrobot()=delete;
-    ~RobotDriverMyrobot();
+  RobotDriverMyrobot() = delete;
+  RobotDriverMyrobot(const RobotDriverMyrobot &) = delete;
+  RobotDriverMyrobot(const RobotDriverMyrobotConfiguration & settings, std::atomic_bool * stop);
+  ~RobotDriverMyrobot();
 
-    RobotDriverMyrobot(const RobotDriverMyrobotConfiguration& configuration, std::atomic_bool* break_loops);
+  void connect() override;
+  void initialize() override;
+  VectorXd get_joint_positions() override;
+  void set_target_joint_positions(const VectorXd & radians) override;
+  void deinitialize() override;
+  void disconnect() override;
 
-    VectorXd get_joint_positions() override;
-    void set_target_joint_positions(const VectorXd& desired_joint_positions_rad) override;
+private:
+  class Impl;
 
-    void connect() override;
-    void disconnect() override;
-
-    void initialize() override;
-    void deinitialize() override;
+  RobotDriverMyrobotConfiguration settings_;
+  std::unique_ptr<Impl> impl_;
 };
 
 }
