@@ -1,4 +1,4 @@
-"""A rover at work: nine nodes talk on topics; two miss each other by a letter, one waits for a quote."""
+"""A rover at work: nine nodes use topics; two miss each other by a letter, and one waits for a quote."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SLOW = 1.0
 
 CREW = "arm battery camera driver localizer mapper navigator planner recorder scanner speaker radio".split()
 PLACES = "arm base front left mast rear right roof".split()
-# What is measured, its type, and the field that holds the number.
+# What is measured, its type, and the field that contains the number.
 MEASURED = (
     ("air", "sensor_msgs/msg/RelativeHumidity", "relative_humidity"),
     ("motor", "sensor_msgs/msg/Temperature", "temperature"),
@@ -46,7 +46,7 @@ THINKERS = (
 )
 THOUGHTS = (
     "A smooth road teaches nobody to steer, but it is nicer.",
-    "If you coil the cable today, you find it tomorrow.",
+    "If you coil the cable today, you will find it tomorrow.",
     "The horizon is always on time.",
     "Two maps are one decision too many.",
     "A full battery has no enemies.",
@@ -58,7 +58,7 @@ THOUGHTS = (
 
 @dataclass(frozen=True)
 class Said:
-    """One quote of the cycle."""
+    """One of the quotes that repeat."""
 
     id: int
     quote: str
@@ -67,7 +67,7 @@ class Said:
 
 @dataclass(frozen=True)
 class Plan:
-    """All that differs from rover to rover. rate: of `measured`, in hertz. Nodes go without a slash."""
+    """What differs from rover to rover. `rate`: of `measured`, in hertz. Node names have no slash."""
 
     measured: str
     type: str
@@ -126,7 +126,7 @@ def draw(seed: int) -> Plan:
 
 
 def slip(word: str, chance: random.Random) -> str:
-    """The word with one letter missing, or with two neighbors swapped; never the word itself."""
+    """The word with one letter missing or two neighbors swapped, but never the word itself."""
     places = [n for n in range(1, len(word) - 2) if word[n] != word[n + 1]]
     at = chance.choice(places)
     if chance.random() < 0.5:
@@ -151,13 +151,13 @@ def _type(name: str) -> Any:
 
 
 def _repeat(node: Node, period: float, topic: str, make: Callable[[], Any]) -> None:
-    """Publish what `make` makes, again and again."""
+    """Publish what `make` returns, again and again."""
     publisher = node.create_publisher(type(make()), topic, 10)
     node.create_timer(period, lambda: publisher.publish(make()))
 
 
 def _instruments(plan: Plan) -> list[Node]:
-    """One that measures, and one that reads it."""
+    """One node that measures, and one that reads the measurements."""
     from rclpy.node import Node
 
     measurer, reader = Node(plan.measurer), Node(plan.reader)
@@ -168,7 +168,7 @@ def _instruments(plan: Plan) -> list[Node]:
 
 
 def _sharers(plan: Plan) -> list[Node]:
-    """Two that publish on the same topic."""
+    """Two nodes that publish on the same topic."""
     from rclpy.node import Node
     from std_msgs.msg import Bool
 
@@ -179,7 +179,7 @@ def _sharers(plan: Plan) -> list[Node]:
 
 
 def _strangers(plan: Plan) -> list[Node]:
-    """Two that would like to talk, were it not for a letter."""
+    """Two nodes whose topics differ by a letter or two, so they never connect."""
     from rclpy.node import Node
     from std_msgs.msg import Float64
 
@@ -190,7 +190,7 @@ def _strangers(plan: Plan) -> list[Node]:
 
 
 def _notifier(plan: Plan) -> Node:
-    """Publishes once, before anybody can listen, and keeps it for those who come later."""
+    """A node that publishes once, before anyone can listen, and keeps the message for late subscribers."""
     from rclpy.node import Node
     from rclpy.qos import DurabilityPolicy, QoSProfile
     from std_msgs.msg import String
@@ -217,7 +217,7 @@ def _reciter(plan: Plan) -> Node:
 
 
 def _waiter(plan: Plan, acts: Any) -> Node:
-    """Waits for one quote, and says what it thinks of every one that comes."""
+    """A node that waits for one quote and replies to each one that arrives."""
     from package_with_interfaces.msg import AmazingQuote
     from rclpy.node import Node
     from std_msgs.msg import String

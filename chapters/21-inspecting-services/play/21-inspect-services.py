@@ -1,4 +1,4 @@
-"""A rover at its base: five nodes offer services, one is stuck, and somebody calls what nobody offers."""
+"""A rover at its base: five nodes offer services, one is stuck, and one calls a service that is missing."""
 
 from __future__ import annotations
 
@@ -31,16 +31,16 @@ WITH_FIELDS = (
     ("ground", "nav_msgs/srv/SetMap"),
     ("dictionary", "type_description_interfaces/srv/GetTypeDescription"),
 )
-# Only these are called `std_srvs/srv/Trigger`.
+# Only these services have the type `std_srvs/srv/Trigger`.
 CHORES = "brake calibrate charge clean honk reset".split()
 WORDS = "antenna axle bumper compass fender headlight magnet pulley spring wheel".split()
 
 
 @dataclass(frozen=True)
 class Plan:
-    """All that differs from rover to rover. owners: node by service. Nodes go without a slash.
+    """What differs from rover to rover. `owners`: the node of each service. Node names have no slash.
 
-    point: what the oracle answers when the quote's id is 0; x grows by `step` with each id.
+    `point`: the oracle's answer if the quote's id is 0. If the id grows by 1, x grows by `step`.
     """
 
     typed: str
@@ -61,7 +61,7 @@ class Plan:
     owners: Mapping[str, str]
 
     def x(self, number: int) -> float:
-        """What the oracle answers for the id `number`."""
+        """The x that the oracle returns for the id `number`."""
         return self.point[0] + self.step * number
 
 
@@ -95,7 +95,7 @@ def draw(seed: int) -> Plan:
 
 
 def _point(chance: random.Random) -> tuple[float, float, float]:
-    """Three numbers far enough from each other, and from what the oracle answers to any other id."""
+    """Three numbers far enough from each other and from the oracle's answers to all other ids."""
     x, y, z = chance.sample(range(10, 40), 3)
     return float(x), -float(y), -100.0 - z
 
@@ -119,7 +119,7 @@ def play(plan: Plan, acts: Any) -> list[Node]:
 
 
 def _answers(plan: Plan) -> dict[str, tuple[str, Answer]]:
-    """By service, its type and what answers it."""
+    """For each service: its type, and the function that answers it."""
     return {
         plan.typed: (plan.type, _as_it_is),
         plan.fields: (plan.fields_type, _as_it_is),

@@ -1,4 +1,4 @@
-"""A rover that publishes quotes, with more parameters than it admits; some may be set, one may not."""
+"""A rover that publishes quotes and has extra parameters. Learners can't set one of them."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 NODE = "peanut_butter_falcon_quote_publisher_node"
 TOPIC = "truly_inspirational_quote"
 EVENTS = "/parameter_events"
-# What learners are given to load.
+# The file that learners load.
 GIVEN = "starter/24-inspect-parameters/ros2_tutorial_workspace/src/quote_of_the_day.yaml"
 TEXTS = ("quote", "philosopher_name")
 
 PERIODS = (0.2, 0.25, 0.4, 0.8, 1.6)
 DIALS = "brightness loudness patience range speed".split()
-# Some do not look like what they are.
+# Some values do not look like their type.
 ODD_ONES = (
     ("license", "string", "2027"),
     ("serial_number", "string", "17.5"),
@@ -52,9 +52,9 @@ THOUGHTS = (
 
 @dataclass(frozen=True)
 class Plan:
-    """All that differs from rover to rover. dial, odd, fixed: names of parameters. period: seconds.
+    """What differs from rover to rover. `dial`, `odd`, `fixed`: names of parameters. `period`: in seconds.
 
-    given: quote and philosopher in the file that is to be loaded, for all the same.
+    `given`: the quote and the philosopher in the file to load. They are the same for everyone.
     """
 
     quote: str
@@ -124,7 +124,7 @@ def _declare(node: Node, plan: Plan) -> None:
 
 
 def _publish(node: Node, plan: Plan) -> None:
-    """As the node of chapter 22: where and how often is read once, what is said each time."""
+    """Like the node from chapter 22: read the topic and the period once, and the text for each message."""
     from package_with_interfaces.msg import AmazingQuote
 
     publisher = node.create_publisher(AmazingQuote, TOPIC, 10)
@@ -137,7 +137,7 @@ def _publish(node: Node, plan: Plan) -> None:
 
 
 def _watch(node: Node, plan: Plan, acts: Any) -> None:
-    """Record what is set, as everybody can hear it on /parameter_events."""
+    """Record what is set, as anyone can hear on /parameter_events."""
     from rcl_interfaces.msg import ParameterEvent
 
     def hear(event: ParameterEvent) -> None:

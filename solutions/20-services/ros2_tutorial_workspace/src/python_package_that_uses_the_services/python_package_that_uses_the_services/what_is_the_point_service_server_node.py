@@ -1,4 +1,4 @@
-"""The node what_is_the_point_service_server tells the point of a quote."""
+"""The node what_is_the_point_service_server responds with the point of a quote."""
 
 import random
 
@@ -11,7 +11,7 @@ THE_ANSWER = 42.0
 
 
 class WhatIsThePointServer(Node):
-    """Responds to calls of /what_is_the_point."""
+    """Responds to calls to /what_is_the_point."""
 
     def __init__(self):
         super().__init__('what_is_the_point_service_server')

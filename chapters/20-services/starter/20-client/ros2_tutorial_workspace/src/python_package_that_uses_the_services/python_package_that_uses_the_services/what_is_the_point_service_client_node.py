@@ -12,8 +12,8 @@ class WhatIsThePointClient(Node):
 
     def __init__(self):
         super().__init__('what_is_the_point_service_client')
-        # TODO 2: create the client, and wait until its service is there. Log that
-        #   you wait.
+        # TODO 2: create the client, and wait until its service is there. Log a
+        #   message while the node waits.
         # TODO 3: set the future to None, and create a timer of 0.5 seconds that
         #   calls timer_callback.
 

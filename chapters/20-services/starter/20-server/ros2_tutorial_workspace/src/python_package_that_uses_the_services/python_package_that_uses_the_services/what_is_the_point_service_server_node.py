@@ -1,4 +1,4 @@
-"""The node what_is_the_point_service_server tells the point of a quote."""
+"""The node what_is_the_point_service_server responds with the point of a quote."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -8,7 +8,7 @@ from rclpy.node import Node
 
 
 class WhatIsThePointServer(Node):
-    """Responds to calls of /what_is_the_point."""
+    """Responds to calls to /what_is_the_point."""
 
     def __init__(self):
         super().__init__('what_is_the_point_service_server')
