@@ -96,7 +96,7 @@ class Child:
         *lines, self._rest = (self._rest + data).split(b"\n")
         if len(self._rest) > LONGEST_LINE:
             self._rest = b""
-            raise DamagedData("A line of another process is far too long.")
+            raise DamagedData("Another process sent a line that is far too long.")
         return lines
 
     def readline(self, timeout: float) -> bytes | None:

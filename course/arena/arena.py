@@ -237,7 +237,7 @@ class Arena(HomePrograms):
         """Raise Spoilt if anyone else has killed a program of the course; called at the end."""
         for process in self._started_ours:
             if process.killed_by_others:
-                raise Spoilt(f"A program of the course's own ({process.name}) was killed from outside.")
+                raise Spoilt(f"One of the course's own programs ({process.name}) was killed from outside.")
 
     def close(self) -> None:
         """End everything that was started here."""

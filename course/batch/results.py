@@ -314,7 +314,9 @@ def _make_ready(database: sqlite3.Connection, file: Path) -> None:
     elif application != APPLICATION:
         raise UsageError(f"{file} is not a file of ros2course.", _ELSEWHERE)
     elif version > SCHEMA_VERSION:
-        raise UsageError(f"{file} was written by a newer ros2course.", "Use that one, or another folder.")
+        raise UsageError(
+            f"{file} was written by a newer ros2course.", "Use that version, or choose another folder."
+        )
 
 
 @contextlib.contextmanager

@@ -144,7 +144,8 @@ def alone_in(out: Path) -> Iterator[None]:
             stack.enter_context(locked(out / "lock", wait=False))
         except BlockingIOError:
             raise UsageError(
-                f"Somebody is grading into {out} right now.", "Wait until that ends, or name another --out."
+                f"Somebody else is grading into {out} right now.",
+                "Wait until that ends, or name another --out.",
             ) from None
     with stack:
         yield

@@ -126,7 +126,7 @@ def too_much(package: Package, largest: str) -> BuildFailure:
 
 
 def too_many(package: Package, number: int, most: float) -> BuildFailure:
-    summary = f"This exercise's packages and those that they need are {number}; at most {most:g} are built."
+    summary = f"This exercise needs {number} packages, its own included, and at most {most:g} are built."
     advice = "Remove the dependencies that the exercise does not ask for from package.xml."
     where = (Location(f"{package.source}/package.xml"),)
     return BuildFailure(package.name, "packages-limit", Feedback(summary, where=where, advice=advice))

@@ -278,10 +278,14 @@ def stopped(build: Build, ended: Ended, time_limit: float, bounds: Bounds) -> Bu
         return _told(build, "time-limit", f"{what} and was stopped", advice, build.lines[-3:])
     if ended.limit in _TOGETHER:
         what = f"was stopped: the packages of this exercise together {_TOGETHER[ended.limit](bounds)}"
-        advice = "Look for what does that in their setup.py or CMakeLists.txt: a normal build needs little."
+        advice = (
+            "Look for the code that does it in their setup.py or CMakeLists.txt: a normal build needs little."
+        )
         return _told(build, f"{ended.limit}-limit", what, advice, build.lines[-3:])
     if ended.limit is not None:
-        advice = "Look for what does that in setup.py or CMakeLists.txt: building a package needs little."
+        advice = (
+            "Look for the code that does it in setup.py or CMakeLists.txt: building a package needs little."
+        )
         what = f"{_LIMITS[ended.limit]} and was stopped"
         return _told(build, f"{ended.limit}-limit", what, advice, build.lines[-3:])
     advice = "Look for a loop that prints in setup.py or CMakeLists.txt."

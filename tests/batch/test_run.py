@@ -249,7 +249,7 @@ def test_recordings_and_answers_of_those_who_are_gone_go(
 def test_two_do_not_grade_into_one_folder(tmp_path: Path) -> None:
     with (
         results_folder(tmp_path / "out"),
-        pytest.raises(UsageError, match="Somebody is grading"),
+        pytest.raises(UsageError, match="Somebody else is grading"),
         results_folder(tmp_path / "out"),
     ):
         pass

@@ -113,7 +113,7 @@ def test_who_was_forked_needs_the_fork_server_no_more(job: RecordingTask, tmp_pa
 def test_a_killed_program_of_ours_is_no_failure(job: RecordingTask, tmp_path: Path) -> None:
     judgment = judged(job, tmp_path, lambda top: running(top, "61.5")[-1].kill())
     assert judgment.doubt is Doubt.SPOILT and judgment.fault is not None
-    assert "A program of the course's own (ours) was killed from outside." in judgment.fault.summary
+    assert "One of the course's own programs (ours) was killed from outside." in judgment.fault.summary
 
 
 def test_a_killed_program_of_the_learners_gets_another_attempt(job: RecordingTask, tmp_path: Path) -> None:

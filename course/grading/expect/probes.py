@@ -19,7 +19,7 @@ _FOLDERS = re.compile(r" \(/[^)]*\)")  # where Python looked for an import: in o
 _ADVICE = (
     (("SyntaxError",), "Python cannot read the file. Check this line and the end of the line before it."),
     (("IndentationError",), "Check the spaces at the beginning of this line: use four for each level."),
-    (("takes", "positional argument"), "Does each method name `self` as its first argument?"),
+    (("takes", "positional argument"), "Does each method have `self` as its first argument?"),
     (("unexpected keyword argument",), "The names of the arguments must match the task: compare them."),
     (("missing", "argument"), "Give the argument a default value, `name=value`: then a call may omit it."),
     (("module '", "has no attribute"), "Define it there, or import it in the package's `__init__.py`."),

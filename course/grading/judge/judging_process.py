@@ -151,7 +151,7 @@ def _read(file: Path, exercise: str) -> Recording | Unjudged:
             return Unjudged(UnjudgedCause.MISSING, "The recording no longer exists.")
         return Unjudged(UnjudgedCause.DAMAGED, f"The recording cannot be read: {_why(error)}.")
     except OtherFormat as error:
-        what = f"Another version of the course made the recording ({_why(error)})."
+        what = f"The recording was made by another version of the course ({_why(error)})."
         return Unjudged(UnjudgedCause.FORMAT, what)
     except (BadRecording, MemoryError) as error:
         return Unjudged(UnjudgedCause.DAMAGED, f"The recording is damaged ({_why(error)}).")
