@@ -5,7 +5,7 @@ from minimalist_package import MinimalistClass
 
 
 class TestMinimalistClass(unittest.TestCase):
-    """One test for each promise of the class."""
+    """One test for each thing that the class promises."""
 
     def test_defaults(self) -> None:
         """Both arguments may be left out."""
