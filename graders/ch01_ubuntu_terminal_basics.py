@@ -301,8 +301,8 @@ def in_another_file(recording: Recording) -> Feedback | None:
                     expected=f"~/{BASHRC}",
                     seen=f"~/{name}",
                     where=(Location(name, number),),
-                    advice="Move the line to `~/.bashrc`, with the dot: bash reads that file each time it "
-                    "opens a terminal.",
+                    advice="Move the line to `~/.bashrc`, with the dot: bash reads that file each time you "
+                    "open a terminal.",
                 )
     return None
 

@@ -1,4 +1,4 @@
-"""Tests of MinimalistClass."""
+"""Tests for MinimalistClass."""
 import unittest
 
 from minimalist_package import MinimalistClass

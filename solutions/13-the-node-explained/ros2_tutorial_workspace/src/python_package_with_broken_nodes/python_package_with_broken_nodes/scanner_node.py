@@ -25,7 +25,7 @@ class Scanner(Node):
         self.get_logger().info('The way is clear.')
 
     def switch_off_the_laser(self):
-        """Switch it off, and print that: at the end of a node, its logger no longer works."""
+        """Switch it off. Print instead of logging: when the node ends, its logger no longer works."""
         self.laser_is_on = False
         print('The laser is off.')
 

@@ -1,11 +1,11 @@
-"""Tests of MinimalistClass."""
+"""Tests for MinimalistClass."""
 import unittest
 
 from minimalist_package import MinimalistClass
 
 
 class TestMinimalistClass(unittest.TestCase):
-    """One test for each promise of the class."""
+    """One test for each thing that the class promises."""
 
     def test_defaults(self) -> None:
         """Both arguments may be left out."""
@@ -13,7 +13,7 @@ class TestMinimalistClass(unittest.TestCase):
         # TODO 1: this test compares nothing yet. Check both numbers, with
         #   self.assertEqual(result, expected)
 
-    # TODO 2: a test for each row of the table of 02-class.
+    # TODO 2: a test for each row of the table in 02-class.
 
 
 if __name__ == "__main__":

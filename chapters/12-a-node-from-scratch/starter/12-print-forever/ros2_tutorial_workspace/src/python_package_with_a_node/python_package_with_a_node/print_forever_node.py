@@ -1,4 +1,4 @@
-"""The node print_forever logs twice per second how many times it has logged before."""
+"""The node print_forever logs twice per second how many messages it has logged so far."""
 
 # TODO 1: import rclpy, and the class Node from rclpy.node.
 
