@@ -209,7 +209,7 @@ def why_not(
     if seen == list(shop):
         return "`robocop.txt` contains all of `a_file.whatever`.", plain
     if seen == [line for line in wanted if re.search(r"\brobocop\b", line)]:
-        return "The line with `robocops` is missing: it contains `robocop` too.", f"Leave `-w` out. {plain}"
+        return "The line with `robocops` is missing: it contains `robocop`, too.", f"Leave `-w` out. {plain}"
     if seen == [line for line in shop if "robocop" not in line]:
         return "These are the lines without `robocop`.", f"Leave the option `-v` out. {plain}"
     if len(seen) > len(wanted) and seen == wanted * (len(seen) // len(wanted)):

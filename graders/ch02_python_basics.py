@@ -467,7 +467,7 @@ def apart(recording: Recording) -> None:
     raise Failure(
         Feedback(
             summary="Two objects share their numbers: when the second is created or the first is changed, "
-            "the other changes too.",
+            "the other changes, too.",
             expected="first: 1.5 and 2.5, second: 3.5 and 4.5",
             seen=f"first: {seen[0]} and {seen[1]}, second: {seen[2]} and {seen[3]}"
             if seen != [1.5, 2.5, 3.5, 4.5]

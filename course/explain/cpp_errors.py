@@ -62,7 +62,7 @@ COMPILER: tuple[Known[Evidence], ...] = (
     Known(
         rf"^Eigen/(?:{'|'.join(_OF_EIGEN)}): No such file or directory",
         "CMake knows where Eigen's headers are: `find_package(Eigen3 REQUIRED)`, then "
-        "`target_link_libraries(... Eigen3::Eigen)`. A target that links to `sas_core` gets them too.",
+        "`target_link_libraries(... Eigen3::Eigen)`. A target that links to `sas_core` gets them, too.",
         "Eigen/Dense: No such file or directory",
     ),
     Known(

@@ -150,24 +150,24 @@ public:
 
   // Empty when no answer came in time; a negative time waits for ever.
   std::vector<Parameter> get_parameters(
-    const std::vector<std::string> & names, std::chrono::nanoseconds timeout = forever);
+    const std::vector<std::string> & names, std::chrono::nanoseconds timeout = no_timeout);
   std::vector<Descriptor> describe_parameters(
-    const std::vector<std::string> & names, std::chrono::nanoseconds timeout = forever);
+    const std::vector<std::string> & names, std::chrono::nanoseconds timeout = no_timeout);
   std::vector<ParameterType> get_parameter_types(
-    const std::vector<std::string> & names, std::chrono::nanoseconds timeout = forever);
+    const std::vector<std::string> & names, std::chrono::nanoseconds timeout = no_timeout);
   std::vector<Result> set_parameters(
-    const std::vector<Parameter> & parameters, std::chrono::nanoseconds timeout = forever);
+    const std::vector<Parameter> & parameters, std::chrono::nanoseconds timeout = no_timeout);
   std::vector<Result> delete_parameters(
-    const std::vector<std::string> & parameters_names, std::chrono::nanoseconds timeout = forever);
+    const std::vector<std::string> & parameters_names, std::chrono::nanoseconds timeout = no_timeout);
   std::vector<Result> load_parameters(
-    const std::string & yaml_filename, std::chrono::nanoseconds timeout = forever);
+    const std::string & yaml_filename, std::chrono::nanoseconds timeout = no_timeout);
 
   // These throw std::runtime_error when no answer came in time.
   Result set_parameters_atomically(
-    const std::vector<Parameter> & parameters, std::chrono::nanoseconds timeout = forever);
+    const std::vector<Parameter> & parameters, std::chrono::nanoseconds timeout = no_timeout);
   Listed list_parameters(
     const std::vector<std::string> & parameter_prefixes, std::uint64_t depth,
-    std::chrono::nanoseconds timeout = forever);
+    std::chrono::nanoseconds timeout = no_timeout);
 
   bool has_parameter(const std::string & parameter_name);
   template<typename T>
@@ -209,7 +209,7 @@ public:
   }
 
 private:
-  static constexpr std::chrono::nanoseconds forever{-1};
+  static constexpr std::chrono::nanoseconds no_timeout{-1};
 
   template<typename T>
   bool wait(const std::shared_future<T> & future, std::chrono::nanoseconds timeout);

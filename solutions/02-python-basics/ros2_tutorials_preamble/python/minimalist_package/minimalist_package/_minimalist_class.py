@@ -1,13 +1,13 @@
-"""A class as small as a class can be, and still show everything."""
+"""A small class with an example of each kind of member."""
 
 
 class MinimalistClass:
-    """Holds two numbers, of which one is meant for the class alone."""
+    """Stores two numbers. The second one is private."""
 
     attribute_reference: str = "Hello "
 
     def __init__(self, attribute_arg: float = 10.0, private_attribute_arg: float = 20.0) -> None:
-        """Keep both numbers."""
+        """Store both numbers."""
         self.attribute: float = attribute_arg
         self._private_attribute: float = private_attribute_arg
 
@@ -16,14 +16,14 @@ class MinimalistClass:
         return self.attribute + self._private_attribute
 
     def get_private_attribute(self) -> float:
-        """Return the number that is not to be touched from outside."""
+        """Return the private number."""
         return self._private_attribute
 
     def set_private_attribute(self, private_attribute_arg: float) -> None:
-        """Replace the number that is not to be touched from outside."""
+        """Replace the private number."""
         self._private_attribute = private_attribute_arg
 
     @staticmethod
     def static_method() -> str:
-        """Return a greeting, which takes no object."""
+        """Return a greeting. This needs no object."""
         return "Hello World!"
