@@ -293,14 +293,14 @@ def expect_topic(
 
 
 def expect_limits(recording: Recording, robot: Robot, advice: str, where: Iterable[Location] = ()) -> None:
-    for name, degrees, which in ((LEAST, robot.least, "lowest"), (GREATEST, robot.greatest, "highest")):
+    for name, degrees, which in ((LEAST, robot.least, "lower"), (GREATEST, robot.greatest, "upper")):
         seen = recording.stream(robot.topic(name), "data")
         expect_width(seen, JOINTS, advice=advice, where=tuple(where))
         wanted = [math.radians(limit) for limit in degrees]
         what = f"{which} limits"
         other = robot.least if degrees is robot.greatest else robot.greatest
         if same(tuple(seen.rows[0]), tuple(map(math.radians, other))):
-            advice = "Swap the lowest and the highest limits: the lowest come first."
+            advice = "Swap the lower and upper limits: the lower limits come first."
             where = at(recording, r"deg2rad\b.*joint_limits_m(?:in|ax)|joint_limits\s*=", NODE_CPP)
         expect_values(seen.name, seen.rows[0], wanted, what=what, advice=advice, where=tuple(where))
 
