@@ -19,7 +19,7 @@ EPILOG = (
     examples(
         ("next", "begin, or continue where you left off"),
         ("check", "check your current exercise"),
-        ("watch", "check it at every save"),
+        ("watch", "check it on every save"),
         ("hint", "a hint for it"),
         ("shell", "a shell in your course home, with ROS 2 ready"),
         ("doctor", "what this machine has, and what is missing"),
@@ -65,7 +65,7 @@ OPTIONAL = ("similar",)
 COMMANDS = (
     LazyCommand("next", "Show the next exercise and put its files in place.", "next_", "next_"),
     LazyCommand("check", "Build and run what you wrote, and judge what it does.", "check", "check"),
-    LazyCommand("watch", "Check at every save, and show the results.", "watch", "watch"),
+    LazyCommand("watch", "Check on every save, and show the results.", "watch", "watch"),
     LazyCommand("hint", "Show the next hint for an exercise.", "hint", "hint"),
     LazyCommand("review", "Answer a few questions from earlier quizzes again.", "review", "review"),
     LazyCommand("play", "Start the nodes of a mystery, for you to explore.", "play", "play"),

@@ -45,8 +45,8 @@ def check(
         bool,
         typer.Option(
             "--namespaces/--no-namespaces",
-            help="Keep your nodes apart from others: with kernel namespaces, or with a separate ROS "
-            "domain where there are none.",
+            help="Keep your nodes apart from others, with kernel namespaces if possible, or else with a "
+            "separate ROS domain.",
         ),
     ] = True,
     again: Annotated[

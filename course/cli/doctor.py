@@ -185,7 +185,7 @@ def doctor(ctx: typer.Context) -> None:
     """Check this machine: ROS 2, compilers, disk, clock.
 
     If something is missing, it says exactly what to do. The exit code is 4 if
-    the course needs what is missing.
+    the course needs something that is missing.
     """
     findings = find_all(options_of(ctx))
     render_findings(open_console(), findings)

@@ -140,7 +140,7 @@ def _recorded(session: CourseSession, name: str | None) -> Recorded:
     found = recorded(session.home, chosen.id)
     if found is None:
         if not runs_programs(chosen):
-            raise UsageError(f"{chosen.id} has questions only: nothing is run, so nothing is recorded.")
+            raise UsageError(f"{chosen.id} has only questions: nothing is run, so nothing is recorded.")
         raise UsageError(
             f"There is no recording of {chosen.id} yet.", f"`{typed(f'check {chosen.id}')}` makes one."
         )

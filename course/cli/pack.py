@@ -56,8 +56,8 @@ def pack(
 
     It contains only the files that these exercises need. They are checked as
     they are in the zip, without the rest of your course home, so you see what
-    your instructor will see. The results, your versions, and a digest of each
-    file go into it, too. The exit codes are those of `check`.
+    your instructor will see. The zip also records the results, the versions of
+    your software, and a digest of each file. The exit codes are those of `check`.
     """
     with open_session(ctx) as session:
         chosen = _chosen(session, exercises or [])

@@ -47,7 +47,7 @@ def regrade(
 
     Uses the recordings that `grade` keeps, so changed points, tolerances, and
     checks take effect, but no submission runs. Shows whose marks changed, and
-    why. Either all marks change together, or none do.
+    why. Either all changes are saved, or none are.
     """
     if rerun and dry_run:
         raise UsageError("--rerun grades again, and --dry-run changes nothing.", "Give one of them.")

@@ -63,7 +63,7 @@ def marks(ctx: typer.Context, folder: Folder) -> None:
     """Write a marks.yaml to fill in.
 
     It lists everyone, with each exercise in which they did not earn all points.
-    People with equal code and equal results share an entry. Empty entries
+    People with the same code and results share an entry. Empty entries
     change nothing. `report` and `regrade` read the file.
     """
     file = folder / MARKS
@@ -128,8 +128,8 @@ def moodle(ctx: typer.Context, folder: Folder) -> None:
 def canvas(ctx: typer.Context, folder: Folder) -> None:
     """Make a file of the letters for Canvas.
 
-    Each letter becomes a comment. The command sends nothing; it shows the line
-    that does. Canvas adds a new comment each time you send it.
+    Each letter becomes a comment. The command sends nothing itself, but shows
+    how to send the file. Canvas adds a new comment each time you send it.
     """
     file = folder / "canvas-comments.json"
     letters = _letters(ctx, folder, Lms.CANVAS)
@@ -144,7 +144,7 @@ def _letters(ctx: typer.Context, folder: Path, lms: Lms) -> list[tuple[str, str,
         page = read_class(folder.absolute(), stored, course_of(options_of(ctx))).page
         numbers = _numbers(people_of(stored), {one.person: one.source for one in stored.submissions()}, lms)
     if not any(numbers):
-        step = f"Grade what {lms.value} exports with all submissions."
+        step = f"Grade the export of all submissions from {lms.value}."
         raise UsageError(f"None of these submissions has a {lms.value} number in its name.", step)
     for sheet, number in zip(page.sheets, numbers, strict=True):
         if not number:

@@ -37,7 +37,7 @@ def schema(
 ) -> None:
     """Show the JSON Schema of lesson.yaml and similar files.
 
-    Editors use it to check and complete such a file, whose first line names it:
+    Editors use it to check and complete such a file if its first line names it:
     `# yaml-language-server: $schema=../../.schema/lesson.schema.json`.
     """
     text = schema_text(_kind(file))

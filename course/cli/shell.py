@@ -110,7 +110,7 @@ def shell(
 def env(ctx: typer.Context) -> None:
     """Print the lines that set up your own shell for the course.
 
-    The lines set ROS 2 up, say where your course home is, and let you type
+    The lines set up ROS 2, say where your course home is, and let you type
     ros2course in any folder.
     """
     home = home_of(options_of(ctx))

@@ -35,7 +35,7 @@ def solution(
     with open_session(ctx) as session:
         chosen = session.exercise(exercise)
         if not anyway and not session.is_passed(chosen.id):
-            what = f"{chosen.id} is not passed yet, and seeing the solution would spoil it."
+            what = f"You have not passed {chosen.id} yet, and seeing the solution would spoil it."
             steps = (
                 f"`{typed('hint')}` gives a hint. `{typed(f'solution {chosen.id} --anyway')}` shows it now."
             )

@@ -252,7 +252,7 @@ def validate(
         Path | None, typer.Option("--junit", metavar="FILE", help="Also write JUnit XML to this file.")
     ] = None,
     mutate: Annotated[
-        bool, typer.Option("--mutate", help="Weaken the graders, and report what no mistake notices.")
+        bool, typer.Option("--mutate", help="Weaken the graders, and report changes that no mistake catches.")
     ] = False,
 ) -> None:
     """Prove that a course does what it claims.
@@ -260,7 +260,7 @@ def validate(
     Reads all files, then grades what the course itself supplies. Solutions and
     alternatives must earn all points, and starters must not pass. Each known
     mistake must be caught by its check, with the expected words. The exit code
-    is 0 if nothing was found, 1 if something was, and 4 if this machine cannot
+    is 0 if no problem was found, 1 if one was, and 4 if this machine cannot
     grade some exercise.
     """
     if mutate and (static or repeat > 1 or junit):

@@ -1,4 +1,4 @@
-"""`watch`: check at every save, in a terminal that shows the lesson and the results."""
+"""`watch`: check on every save, in a terminal that shows the lesson and the results."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def watch(
     exercise: CurrentExercise = None,
     namespaces: Annotated[bool, typer.Option("--namespaces/--no-namespaces", help="As with `check`.")] = True,
 ) -> None:
-    """Check at every save, and show the results.
+    """Check on every save, and show the results.
 
     Leave it open in a terminal next to your editor. Saving during a check
     restarts it. Your files are only read.

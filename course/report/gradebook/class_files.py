@@ -200,7 +200,7 @@ def _digest(data: bytes) -> str:
 
 _MARKS_HEAD = """\
 # Marks by hand, on top of the machine's results. Empty fields change nothing.
-# An entry counts for everyone in its list. People with equal code and equal results share one.
+# An entry counts for everyone in its list. People with the same code and results share one.
 #   points   instead of the machine's      bonus    added; below zero is subtracted
 #   comment  for the learner               rubric   ids of items below
 #   check    the id of one check           excused  true: it does not count
