@@ -203,7 +203,7 @@ def why_not(
             f"Leave the option `-i` out. {plain}",
         )
     if all(re.match(r"\d+:", line) for line in seen):
-        return "Each line begins with its number.", f"Leave the option `-n` out. {plain}"
+        return "Each line begins with its line number.", f"Leave the option `-n` out. {plain}"
     if all(line.startswith(f"{SHOP}:") for line in seen):
         return "Each line begins with the name of the file.", f"Leave the option `-H` out. {plain}"
     if seen == list(shop):
@@ -262,7 +262,7 @@ def unknown_alias(recording: Recording) -> Feedback:
         advice = "Correct its name in `~/.bashrc`."
     elif function:
         summary = "`say_hello` is a function, not an alias."
-        advice = "It works too, but the task is about an alias: `alias say_hello='echo hello'`."
+        advice = "It works too, but the task asks for an alias: `alias say_hello='echo hello'`."
     elif commented:
         summary = "The line with `say_hello` begins with `#`, so bash skips it."
         advice = "Remove the `#`."

@@ -101,7 +101,7 @@ def its_python_runs(recording: Recording) -> None:
         raise OurFault(f"the Python of ~/{ENVIRONMENT} did not end")
     raise Failure(
         Feedback(
-            summary=f"`~/{ENVIRONMENT}` has no Python that runs.",
+            summary=f"`~/{ENVIRONMENT}` has no working Python.",
             expected=f"~/{ENVIRONMENT}/bin/python3",
             seen=view.text[-1][:120] if view.text else "no such program",
             advice=(
@@ -557,10 +557,10 @@ def look_over_the_package(arena: Arena) -> None:
 
 @style.check("readable", "Python can read the package's files")
 def readable(recording: Recording) -> None:
-    expect_text(recording, SCRIPT, advice="It is the script of 02-script.")
+    expect_text(recording, SCRIPT, advice="It is the script from 02-script.")
     texts = recording.sources.below(PACKAGE).files.values()
     if not any(re.search(r"^class \w", text, re.MULTILINE) for text in texts):
-        expect_text(recording, CLASS, advice="It is the class of 02-class.")
+        expect_text(recording, CLASS, advice="It is the class from 02-class.")
     expect_readable(recording)
 
 
@@ -580,7 +580,7 @@ def hints(recording: Recording) -> None:
         recording,
         UNKNOWN,
         "A name is not defined",
-        advice="Python's types are `int`, `float`, `str`, and `bool`, in lowercase. Import any other name.",
+        advice="Python's types are `int`, `float`, `str`, and `bool`, in lowercase. Import other types.",
     )
     expect_no_findings(
         recording,
@@ -899,7 +899,7 @@ def tries(recording: Recording) -> None:
         if len(lines) < draws:
             raise Failure(
                 Feedback(
-                    summary=f"It drew {draws} numbers, but printed {len(lines)} lines with its tag.",
+                    summary=f"It drew {draws} numbers but printed {len(lines)} lines with its tag.",
                     expected="a line with the tag for each number that is drawn",
                     seen=lines[-1][:120] if lines else "no such line",
                     where=(Location(COROUTINE),),
@@ -972,7 +972,7 @@ def callback_runs(recording: Recording) -> None:
             seen=f"{draws} draws, then the end",
             where=(Location(file_of(CALLBACK)),),
             advice=(
-                "When `async_main` returns, `asyncio.run` cancels the tasks that still run. Keep the "
+                "When `async_main` returns, `asyncio.run` cancels any unfinished tasks. Keep the "
                 "tasks in a list, and wait for them at the end: `await asyncio.wait(tasks)`."
             ),
         )
@@ -1247,7 +1247,7 @@ def commands(recording: Recording) -> None:
         if not does_its_work(name, lambda view=view: view.text):  # type: ignore[misc]
             raise Failure(
                 Feedback(
-                    summary=f"The command `{name}` starts, but does not do what the program does.",
+                    summary=f"The command `{name}` starts but does not do what the program does.",
                     expected=f"a line with `{SIGNS[name]}`",
                     seen=view.text[-1][:120] if view.text else "no output",
                     where=text_places(recording.sources.below(PROJECT), name)[:1],

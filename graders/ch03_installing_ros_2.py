@@ -177,7 +177,7 @@ def finds_ros2(recording: Recording) -> None:
             expected="usage: ros2 ...",
             seen=ran.printed[-1][:120] if ran.printed else "nothing",
             where=places(recording, r".*\bPATH=")[:2] or (Location(BASHRC),),
-            advice="Does a line set `PATH` after ROS 2 was sourced, without `$PATH` in it? And is there an "
+            advice="Does a line set `PATH` after ROS 2 is sourced, without `$PATH` in it? And is there an "
             "alias or a function called `ros2`?",
             details=ran.printed[:4],
         )

@@ -152,7 +152,7 @@ def too_few(name: str, entry: tuple[Part, ...], file: HomeFile) -> Feedback:
         summary = (
             f"In the layout `{name}`, `{odd.name}` has the type `{odd.kind}`, which Terminator does not know."
         )
-        advice = f"The types are {listed(KINDS)}, with the same capital letters."
+        advice = f"The types are {listed(KINDS)}, capitalized exactly like this."
     elif orphan and sum(counts.values()) >= ENOUGH:
         summary = (
             f"In the layout `{name}`, `{orphan.name}` is in `{orphan.parent}`, which is not in any window."

@@ -77,7 +77,7 @@ def built_in_src(inside: list[str]) -> Feedback:
         summary=f"colcon was run in `src`: it left {listed(inside)} there.",
         expected=f"~/{WS}/install",
         seen=f"~/{WS}/src/{inside[0]}",
-        advice=f"Clean up: `cd ~/{WS}/src`, then `rm -r {' '.join(inside)}`. Build one folder higher: "
+        advice=f"Clean up: `cd ~/{WS}/src`, then `rm -r {' '.join(inside)}`. Build one level up: "
         "`cd ..`, then `colcon build`.",
     )
 
@@ -151,7 +151,7 @@ def not_sourced(recording: Recording, written: tuple[Location, ...]) -> Feedback
         summary = "The line begins with `#`, so bash skips it."
         advice = "Remove the `#`."
     elif "/src/" in text:
-        summary = "The line names a `setup.bash` inside `src`; the right one is one folder higher."
+        summary = "The line names a `setup.bash` inside `src`; the right one is one level up."
         advice = f"Write this line: `{LINE}`."
     elif written:
         summary = "The workspace is named in `~/.bashrc`, but it is not sourced there."

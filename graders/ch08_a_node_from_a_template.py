@@ -46,7 +46,7 @@ def modules(recording: Recording) -> list[str]:
 def no_program(recording: Recording) -> Feedback:
     built = recording.packages.get(PACKAGE)
     return Feedback(
-        summary=f"No executable found: the package contains no program at all, so no `{PROGRAM}` either.",
+        summary=f"No executable found: the package contains no programs at all, not even `{PROGRAM}`.",
         expected=PROGRAM,
         seen="a package without a program",
         where=(Location(f"{built.source}/{PACKAGE}"),) if built else (),
@@ -73,7 +73,7 @@ def greeting(recording: Recording) -> None:
             expected=GREETING,
             seen=text[0] if text else "nothing",
             where=tuple(call.where for call in calls(recording.sources, "print"))[:2],
-            advice="Print exactly these words: capital letters, underscores, and the period count."
+            advice="Print exactly these words, with the same capital letters, underscores, and period."
             if text
             else "Does the entry point name the function that prints, and does that function call `print`?",
         )

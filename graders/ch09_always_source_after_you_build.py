@@ -92,7 +92,7 @@ def runs(recording: Recording) -> None:
             if lost
             else f"`{PROGRAM}` never ends."
             if after.exited is None or after.exited.signal
-            else f"`{PROGRAM}` starts, but ends with an error.",
+            else f"`{PROGRAM}` starts but ends with an error.",
             expected=f"Hi from {PACKAGE}.",
             seen=text[-1][:120] if text else "nothing",
             where=(Location(f"{SOURCE}/setup.py"),),

@@ -355,7 +355,8 @@ def a_list(recording: Recording, line: LogLine) -> Feedback:
 def misspelt(recording: Recording, line: LogLine, name: str) -> Feedback:
     if not (name.isascii() and name.isalpha()):
         strange = [sign for sign in dict.fromkeys(name) if not (sign.isascii() and sign.isalpha())]
-        summary = f"The name `{name[:40]}` contains more than ASCII letters: {listed(strange[:3])}."
+        shown = listed(strange[:3])
+        summary = f"The name `{name[:40]}` contains characters that are not ASCII letters: {shown}."
         advice = "Draw from `string.ascii_letters`, which contains a to z and A to Z."
     else:
         summary = f"The name `{name[:40]}` has {len(name)} letters, not {LETTERS}."

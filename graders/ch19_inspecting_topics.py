@@ -70,7 +70,7 @@ def published(recording: Recording) -> None:
     mystery.expect_act(
         recording,
         "published",
-        "No `AmazingQuote` with the id 1994 has arrived on the topic where a node waits for it.",
+        "No `AmazingQuote` with the id 1994 has arrived on the topic where a node is waiting for it.",
         near_miss="other_id",
     )
 
@@ -86,7 +86,7 @@ def _not_shared(plan: Any) -> dict[str, str]:
             plan.measured: alone,
             plan.said: "Only one node publishes there.",
             plan.heard: "No node publishes there. One node subscribes.",
-            plan.waiting: "No node publishes there. One node waits for a message.",
+            plan.waiting: "No node publishes there. One node is waiting for a message.",
             plan.quotes: "Only one node publishes there.",
             plan.notice: "Only one node publishes there, and only once.",
             "rosout": "That topic belongs to ROS: every node has a publisher on it.",
@@ -112,7 +112,7 @@ def _not_waiting(plan: Any) -> dict[str, str]:
         {
             plan.quotes: "Quotes arrive there all the time, so some node publishes there.",
             plan.heard: (
-                "No node publishes there either, but the subscriber does not wait for an `AmazingQuote`."
+                "No node publishes there either, but the subscriber isn't waiting for an `AmazingQuote`."
             ),
         }
     )

@@ -284,7 +284,7 @@ def random_point(recording: Recording) -> None:
             summary="Every quote that is not about life gets the same point."
             if len(points) == 1
             else "The same quote gets the same point again. The point should be random each time.",
-            expected="a random point at each call",
+            expected="a random point on each call",
             seen=shown(asked[0]),
             where=lost.where if lost else seeds or settings(own),
             advice=lost.text
@@ -631,7 +631,7 @@ def stops(recording: Recording) -> None:
 @controller.check("drives_again", "after a call with false, it drives again", needs="stops")
 def drives_again(recording: Recording) -> None:
     free = recording.marked(FREE)
-    advice = "Store `request.data` in `self` at each call, so that a call with `false` ends the stop."
+    advice = "Store `request.data` in `self` on each call, so that a call with `false` ends the stop."
     for distance, speed in rover.answered_distances(recording, free.t if free else -inf, inf):
         rover.expect_speed(about_controller(recording), distance, speed, rover.safe_speed(distance), advice)
 

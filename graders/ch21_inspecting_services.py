@@ -116,7 +116,7 @@ def _other_numbers(plan: Any) -> dict[float, str]:
     _, y, z = plan.point
     return {
         plan.x(0): (
-            f"That is the response for the id 0. Your {ASKED_ID} did not arrive. Check what `ros2 "
+            f"That is the response for id 0. Your {ASKED_ID} did not arrive. Check what `ros2 "
             "service call` prints after `making request`."
         ),
         y: "That is y.",
@@ -128,7 +128,7 @@ def _not_silent(plan: Any) -> dict[str, str]:
     awake = {name: "That service does respond. Call it, and you will see." for name in plan.chores}
     nobody = {
         plan.wanted: (
-            "That service has no server at all. The question is about a service that has a server, but "
+            "That service has no server at all. The question is about a service that has a server but "
             "never responds."
         )
     }

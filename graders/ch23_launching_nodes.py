@@ -173,7 +173,7 @@ def arrives(recording: Recording) -> None:
                 expected=f"{DISTANCE} m",
                 seen=f"{first:.2f} m",
                 where=named(recording.sources, "distance")[:2],
-                advice="In the sensor, `self.distance` begins with the value of the parameter `distance`.",
+                advice="In the sensor, set `self.distance` to the parameter `distance` at the start.",
             )
         )
     swapped = abs(last - FULL_SPEED) <= NEAR
@@ -182,7 +182,7 @@ def arrives(recording: Recording) -> None:
             recording,
             STOP_AT,
             last,
-            "It stops where `full_speed` says. The order of the arguments is "
+            "It stops at a distance of `full_speed`. The order of the arguments is "
             "`safe_speed(distance, stop_at, full_speed)`."
             if swapped
             else "In the callback, read `stop_at` and `full_speed`, and pass both to `safe_speed`.",

@@ -174,7 +174,7 @@ def controller_subscribes(recording: Recording) -> None:
     if not recording.sent(rover.RANGE):  # it may have existed only for a moment
         raise Failure(
             Feedback(
-                summary=f"The subscription to `{rover.RANGE}` was gone before a message came.",
+                summary=f"The subscription to `{rover.RANGE}` was gone before a message arrived.",
                 where=text_places(recording.sources, "create_subscription")[:1],
                 advice=KEPT.format("subscription"),
             )

@@ -103,7 +103,7 @@ def answer(recording: Recording, question: str, what: str, shape: Any) -> Any:
         Feedback(
             summary=f"`{what}` throws: {seen.error[:80]}",
             where=(CODE,),
-            advice="None of these functions should throw. Check the functions that it calls.",
+            advice="None of these functions should throw. Check the functions that this one calls.",
         )
     )
 

@@ -196,7 +196,7 @@ def printing_advice(wanted: str, printed: str) -> str:
     begun = wanted.partition(":")[0] + ":"
     if printed.count(begun) > 1:
         return (
-            "The program had already started the line when the exception was thrown. Call the "
+            "The program had already begun to print the line when the exception was thrown. Call the "
             "function and store its result before you print anything."
         )
     if wanted.endswith(("no such sensor", "not a number")):
@@ -314,7 +314,7 @@ def own_child_named(recording: Recording) -> Iterator[None]:
         own = [n for n, line in lines if re.search(r"\b(\w+)->children\.\w+_back\(\1\)", line)]
         if not own:
             raise
-        advice = "This line makes the parent its own child. Store the child in it."
+        advice = "This line makes the parent its own child. Store the child there instead."
         raise Failure(replace(failure.feedback, where=(Location(HARDWARE, own[0]),), advice=advice)) from None
 
 
@@ -497,7 +497,7 @@ def values(recording: Recording) -> None:
                 where=(Location(LOG),),
                 advice="This is only the last value. Add each one to the sum with `+=`."
                 if question == "total value" and answer.value == 8.0
-                else "The caller's vector stays as it is. Take it by reference, with `&`."
+                else "The caller's vector stays unchanged. Take it by reference, with `&`."
                 if answer.value == []
                 else "Remove the copies, but keep the same values.",
             ),

@@ -330,7 +330,7 @@ def expect_step_and_wave(
     steps, sine = commands_of(recording, robot)
     states = states_of(recording, robot)
     if len(states.widths) > 1:
-        remedy = "Replace the old positions by those of the target. `+=` or `append` makes the list longer."
+        remedy = "Replace the old positions with those of the target. `+=` or `append` makes the list longer."
         expect_width(states, JOINTS, advice=remedy)
     if kind == "steps":
         within = max(0.010, 2.5 * robot.period)
@@ -918,7 +918,7 @@ def swing(recording: Recording) -> None:
         if not floods(targets) and abs(around) > 0.02:
             raise Failure(
                 Feedback(
-                    summary="The targets do not swing around the joints' first positions.",
+                    summary="The targets do not swing around the joints' initial positions.",
                     expected=f"joint {joint + 1} around {begin[joint]:.3g} rad",
                     seen=f"around {made.offset:.3g} rad",
                     where=where,
@@ -1037,7 +1037,7 @@ def python_wave(recording: Recording) -> None:
 @in_python.check("python_wrong", "a target of five elements ends it cleanly", needs="python_joints")
 def python_wrong(recording: Recording) -> None:
     advice = "Check `len(message.data)` first. Log an error, and raise an exception that `main` catches."
-    order = "In `main`, switch off and disconnect in a `finally:`, which runs no matter how `spin` ended."
+    order = "In `main`, switch off and disconnect in a `finally` block, which runs however `spin` ends."
     expect_end_by_a_wrong_target(recording, AGAIN, advice, order, WORDS)
 
 
@@ -1045,5 +1045,5 @@ def python_wrong(recording: Recording) -> None:
 def python_end(recording: Recording) -> None:
     expect_clean_interrupt(recording, PYTHON_NODE)
     view = recording.process(PYTHON_NODE)
-    order = "In `main`, switch off and disconnect in a `finally:`, which runs no matter how `spin` ended."
+    order = "In `main`, switch off and disconnect in a `finally` block, which runs however `spin` ends."
     expect_order(view, view.interrupted_at or 0.0, "Ctrl+C", order, WORDS)

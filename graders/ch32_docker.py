@@ -125,7 +125,7 @@ def complaint(found: Document, error: ValidationError) -> Feedback:
         )
     if place == ():
         return Feedback(
-            summary="The file does not consist of names with a value after each `:`.",
+            summary="The file is not a list of names, each with a `:` and a value after it.",
             expected="services: at the start of a line",
             where=(Location(COMPOSE, 1),),
             advice="Put a space after each `:`.",
@@ -286,7 +286,7 @@ def grace(recording: Recording) -> None:
     for name in SERVICES:
         value = dict(service_items(found))[name].get("stop_grace_period")
         if value is None:
-            otherwise = "So Docker waits only ten seconds."
+            otherwise = "Without it, Docker waits only ten seconds."
             raise Failure(lacks(found, name, "stop_grace_period", "20s", otherwise))
         if not lasts(str(value)):
             none = DURATION.fullmatch(str(value))
@@ -294,7 +294,7 @@ def grace(recording: Recording) -> None:
                 Feedback(
                     summary=f"The service `{name}` gets no time to shut down."
                     if none
-                    else f"The service `{name}` has the time `{str(value)[:40]}`, which is not valid.",
+                    else f"For the service `{name}`, `{str(value)[:40]}` is not a valid time.",
                     expected="a number and its unit, such as 20s or 1m30s",
                     seen=str(value)[:40] or "nothing",
                     where=(place_of(found, name, "stop_grace_period"),),

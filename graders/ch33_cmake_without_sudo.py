@@ -489,7 +489,7 @@ def turned(seen: tuple[float, ...] | None, wanted: tuple[float, float, float]) -
         return "Change the order: the numbers are right, but x1 and x2 come first, then the objective."
     other = SECOND if wanted == FIRST else FIRST
     if seen and is_solution(seen, other):
-        return "Print the first problem first. These are the numbers of the other one."
+        return "Print the first problem first. These numbers belong to the other problem."
     return None
 
 
@@ -520,7 +520,7 @@ def computed(recording: Recording) -> None:
             expected="the results of `tinyqp::solve`",
             seen="numbers written in the program",
             where=(Location(PROGRAM),),
-            advice="Pass both problems to `tinyqp::solve`, and print `x` and `objective` of its result.",
+            advice="Pass both problems to `tinyqp::solve`, and print `x` and `objective` from its result.",
         )
     )
 

@@ -147,8 +147,7 @@ def _not_logged(
     return Feedback(
         summary="The node prints the answers with `print`, so they are not in its log."
         if printed
-        else f"{len(lost)} of {every} answers are not completely in the log: "
-        f"{listed(names)} of the first one {'is' if len(names) == 1 else 'are'} missing.",
+        else f"{len(lost)} of {every} answers are logged incompletely: the first one lacks {listed(names)}.",
         expected=", ".join(f"{name}={part}" for name, part in wanted.items()),
         seen=shown[0][:120] if shown else "no message",
         where=cause.where if cause else tuple(call.where for call in made)[:2],

@@ -49,7 +49,7 @@ def _no_init(folder: str, path: str, error: str) -> Feedback:
         expected=file,
         seen=error,
         where=(Location(f"{folder}/{path}"),),
-        advice=f"Create it in the package's folder: `touch {file}`. For the build it may be empty.",
+        advice=f"Create it in the package's folder: `touch {file}`. For the build, it may be empty.",
     )
 
 

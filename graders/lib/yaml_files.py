@@ -33,7 +33,7 @@ _NOT_YAML = (
 )
 _NO_SPACE = re.compile(r"\s*(?:- )?[\w.-]+:[^\s/]")
 _INDENT = (
-    "Count the spaces at the beginning of this line and the line before. Entries of the same "
+    "Count the spaces at the beginning of this line and of the line before it. Entries at the same "
     "level must have the same indentation."
 )
 

@@ -52,8 +52,8 @@ def complaint(text: str) -> Feedback:
         ),
         ("services: {talker: {image: a, env_file: [{paht: b}]}}", ("`paht` does not exist in",)),
         ("services: {talker: {image: yes}}", ("cannot be `true` or `false`", "quotation marks")),
-        ("- services", ("does not consist of names",)),
-        ("services", ("does not consist of names",)),
+        ("- services", ("not a list of names",)),
+        ("services", ("not a list of names",)),
     ],
 )
 def test_the_first_thing_that_the_specification_does_not_have_is_named(

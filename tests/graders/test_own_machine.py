@@ -44,7 +44,7 @@ def test_one_whose_python_is_gone(course: Course, home: Path, check: Check) -> N
     outcomes = {one.id: one for one in check(course.exercise("02-venv"), home).checks}
     assert outcomes["made"].outcome is Outcome.PASSED
     runs = outcomes["runs"]
-    assert runs.feedback is not None and "no Python that runs" in runs.feedback.summary
+    assert runs.feedback is not None and "no working Python" in runs.feedback.summary
 
 
 def test_a_submission_has_none(course: Course, home: Path) -> None:

@@ -48,7 +48,7 @@ def test_a_client_that_answers_itself(grade: Grade) -> None:
     text = with_attack("answers_itself", CLIENT, "20-client")
     graded = grade({CLIENT: text}, "20-client", guarantee="only the grader's own answers count")
     assert graded.result.verdict is Verdict.NOT_PASSED
-    assert "not completely in the log" in graded.words("logs")
+    assert "logged incompletely" in graded.words("logs")
 
 
 def test_one_that_talks_to_the_graders_own_services(grade: Grade) -> None:
