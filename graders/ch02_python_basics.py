@@ -240,7 +240,7 @@ def runs_when_imported(recording: Recording, seen: str) -> Feedback:
     guard = any(re.match(r"if\s+__name__\s*==", line) for line in text)
     top = [n for n, line in enumerate(text, 1) if re.match(r"(main\(|while |print\(|for )", line)]
     return Feedback(
-        summary="When another file imports `minimalist_script`, it runs.",
+        summary="When another file imports `minimalist_script`, the whole script runs.",
         expected="an import runs nothing",
         seen=seen,
         where=tuple(Location(SCRIPT, n) for n in top[:2]) or (Location(SCRIPT),),

@@ -410,7 +410,7 @@ def expect_end_by_a_wrong_target(
     if view.ended_by_itself is None:
         raise Failure(
             Feedback(
-                summary="A target of five elements does not end the driver, which has six joints.",
+                summary="The driver has six joints, but a target with five elements does not stop it.",
                 expected="the driver ends, with an error in its log",
                 seen="the driver continues to run",
                 where=text_places(recording.sources, "::set_target_joint_positions(")[:1]

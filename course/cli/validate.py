@@ -252,7 +252,7 @@ def validate(
         Path | None, typer.Option("--junit", metavar="FILE", help="Also write JUnit XML to this file.")
     ] = None,
     mutate: Annotated[
-        bool, typer.Option("--mutate", help="Weaken the graders, and report changes that no mistake catches.")
+        bool, typer.Option("--mutate", help="Weaken the graders, and report changes that no mistake reveals.")
     ] = False,
 ) -> None:
     """Prove that a course does what it claims.

@@ -132,7 +132,7 @@ def _halted(note: _Note, ran: dict[str, set[int]]) -> Cause | None:
         if not called_back or not isinstance(loop, ast.While | ast.For):
             return None
         return Cause(
-            f"The loop on line {loop.lineno} never ends: {note.event.seconds:.0f} s later, the callback "
+            f"The loop on line {loop.lineno} never ends: after {note.event.seconds:.0f} s, the callback "
             "was still in it. Until a callback returns, the node can do nothing else.",
             (Location(note.by.file, loop.lineno),),
         )
