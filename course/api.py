@@ -66,7 +66,7 @@ from course.grading.expect.native import (
 from course.grading.expect.one_program import about
 from course.grading.expect.parameters import expect_declared, expect_parameter, expect_set
 from course.grading.expect.periods import expect_period
-from course.grading.expect.probes import answered, expect_answer, expect_importable
+from course.grading.expect.probes import answered, expect_answer, expect_importable, known_error
 from course.grading.expect.programs import (
     cause_of_silence,
     expect_clean_end,

@@ -23,6 +23,7 @@ from course.api import (
     expect_period,
     expect_running,
     listed,
+    slips,
     text_places,
     timer_places,
 )
@@ -157,7 +158,8 @@ def spoken_at(recording: Recording) -> tuple[float, ...]:
 def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
     if not said:
         expect_logged(recording, program(COUNTDOWN), (), COUNTED[0], COUNTED[-1])  # knows the usual causes
-    cause = cause_of_silence(
+    known = slips.also_equal(recording.sources, 0) if said == (*COUNTED[:3], "0", COUNTED[3]) else None
+    cause = known or cause_of_silence(
         recording,
         program(COUNTDOWN),
         look_at="does the rest of the file still do what its docstring says? Only one thing was wrong.",
@@ -188,7 +190,10 @@ def laser(recording: Recording) -> None:
     own = only(recording, SCANNER).sources
     places = text_places(own, "switch_off_the_laser()") or text_places(own, LASER)
     advice = "After the `except` block, call `switch_off_the_laser()`."
-    if not before:
+    named = slips.uncalled(own, only="switch_off_the_laser")
+    if named:
+        places, advice = named.where, named.text
+    elif not before:
         try:
             expect_clean_interrupt(only(recording, SCANNER), program(SCANNER))
         except Failure as failure:  # it ends the program too early, so it is the cause

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
 from course.explain.cmake import LISTS, commands_in
 from course.explain.compiler import CppError, first_error, warnings
 from course.explain.cpp_code import places_of
-from course.explain.engine import Cause, Evidence, Known, Proven, Symptom, Words, explain, like
+from course.explain.engine import Cause, Evidence, Known, Proof, Proven, Symptom, Words, explain, like
 from course.model.feedback import Feedback, Location
 
 _OF_EIGEN = (
@@ -46,7 +48,97 @@ def _link_directories_late(evidence: Evidence, symptom: Symptom, words: Words) -
     return None
 
 
+def _in_code(pattern: str) -> Proof[Evidence]:
+    """The compiler shows code that matches; named groups become words."""
+
+    def proof(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+        found = re.search(pattern, "\n".join(symptom.printed), re.MULTILINE)
+        return Proven(found.groupdict()) if found else None
+
+    return proof
+
+
+def _forwarded(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`std::forward(value)`, for the argument `T && value` of a template."""
+    named = re.search(r"\| .*\bforward\s*\(\s*(\w+)", "\n".join(symptom.printed))
+    declared = rf"(\w+)\s*&&\s*(?:\.\.\.\s*)?{named[1] if named else ''}\b"
+    types = {found[1] for text in evidence.sources.files.values() for found in re.finditer(declared, text)}
+    return Proven({"type": types.pop(), "argument": named[1]}) if named and len(types) == 1 else None
+
+
+def _after_the_code(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """The compiler's `^` points to where the shown line ends."""
+    code, caret = (line.rstrip() for line in (*symptom.printed[1:3], "", "")[:2])
+    return Proven() if caret.endswith("^") and len(caret) > len(code) else None
+
+
+def _held_by_value(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`rclcpp::Publisher<Twist> publisher_;`, where `::SharedPtr` is missing."""
+    name = rf"rclcpp::{words['kind']}\b(?:\s*<[^;(){{}}]*>)?"
+    places = places_of(evidence.sources, rf"(?m)^[ \t]*{name}\s+\w+\s*;")
+    return Proven(where=places[:1]) if places else None
+
+
+def _other_const(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """A definition and its declaration of which only one ends with `const`."""
+    missing = not words["end"].strip()
+    ends = r"\s*const\b[^;{]*;" if missing else r"\s*(?:noexcept\s*)?;"
+    places = places_of(evidence.sources, rf"(?<![:\w]){words['name']}\s*\([^();{{}}]*\){ends}")
+    if len(places) != 1:
+        return None
+    place = f"Line {places[0].line} of the header"
+    if missing:
+        return Proven({"cause": f"{place} ends with `const`: write `const` after these parentheses, too."})
+    return Proven({"cause": f"{place} has no `const` after the parentheses: add it there."})
+
+
 COMPILER: tuple[Known[Evidence], ...] = (
+    Known(
+        r"lvalue required as unary '&' operand",
+        "With parentheses, `{function}()` is called here. `&` needs only its name: `&{function}`.",
+        "lvalue required as unary '&' operand\n    1 |   std::bind(&Talker::tick(), this)",
+        proof=_in_code(r"&\s*(?P<function>(?:\w+::)*\w+)\s*\(\s*\)"),
+    ),
+    Known(
+        r"(?:could not|cannot) convert .* from '[^']*\bweak_ptr<.*' to '[^']*\bshared_ptr<"
+        r"|conversion from '[^']*\bweak_ptr<.*' to .*\bshared_ptr<",
+        "A `weak_ptr` has to be asked for its object: `.lock()` after it returns a `shared_ptr`.",
+        "could not convert 'part->Part::parent' from 'weak_ptr<Part>' to 'shared_ptr<Part>'",
+    ),
+    Known(
+        r"base operand of '->' .*\bweak_ptr<",
+        "A `weak_ptr` has no `->`. Its `lock()` returns a `shared_ptr`, which has.",
+        "base operand of '->' has non-pointer type 'std::weak_ptr<Part>'",
+    ),
+    Known(
+        r"cannot convert '(?:[^']*(?:::|->|\.))?(?P<called>\w+)' from type '[^']*\([^()']*::\)\("
+        r"|invalid use of (?:non-static )?member function '[^(]*\b(?P<function>\w+)\(.*forget the '\(\)'",
+        ("`{called}` is named here, but not called: write `{called}()`.",
+         "`{function}` is named here, but not called: write `{function}()`."),
+        "cannot convert 'std::weak_ptr<Part>::lock' from type 'A (Part::)() const' to type 'A'",
+    ),
+    Known(
+        r"no matching function for call to 'forward\(",
+        "`std::forward` needs the argument's type: write `std::forward<{type}>({argument})`.",
+        "no matching function for call to 'forward(int&)'\n    1 |   add(std::forward(values)...);",
+        proof=_forwarded,
+        given={"src/arm.hpp": "template <typename T>\nvoid f(T && ... values)\n{\n}\n"},
+    ),
+    Known(
+        r"rclcpp::(?P<kind>Publisher|Subscription|Service|Client|TimerBase|Node)\b(?=.*(?:::(?P=kind)\(\)'"
+        r"|abstract|deleted function|operator=))",
+        "A class keeps a pointer to this, not the object itself: write `::SharedPtr` after the type.",
+        "no matching function for call to 'rclcpp::Publisher<Twist>::Publisher()'",
+        proof=_held_by_value,
+        given={"src/arm.hpp": "class Arm\n{\n  rclcpp::Publisher<Twist> publisher_;\n};\n"},
+    ),
+    Known(
+        r"no declaration matches '[^(]*\b(?P<name>\w+)\([^()]*\)(?P<end>(?: const)?)'",
+        "{cause}",
+        "no declaration matches 'std::string Arm::to_string()'",
+        proof=_other_const,
+        given={"src/arm.hpp": "class Arm\n{\n  std::string to_string() const;\n};\n"},
+    ),
     Known(
         r"application of 'sizeof' to incomplete type '(?:\w+::)*(?P<outer>\w+)::(?P<name>\w+)'",
         "Code that deletes an object of type `{name}` needs the full definition. Declare `~{outer}();` in "
@@ -161,6 +253,12 @@ COMPILER: tuple[Known[Evidence], ...] = (
         "At this point, the compiler only knows the name of the type. Include its header, or move the code "
         "that uses it to the .cpp file, below `class ... { };`.",
         "invalid use of incomplete type 'class lab::Arm::Impl'",
+    ),
+    Known(
+        r"expected .*;",
+        "A semicolon is missing at the end of this line.",
+        "expected ';' before '}' token\n    1 |   int count = 0\n      |                ^",
+        proof=_after_the_code,
     ),
     Known(
         r"expected .*;",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 import msgspec
@@ -10,7 +11,7 @@ import msgspec
 from course.errors import OurFault
 from course.evidence.process_view import ProbeAnswer
 from course.evidence.recording import Recording
-from course.explain.engine import Evidence, Symptom, explain
+from course.explain.engine import Cause, Evidence, Known, Symptom, explain
 from course.explain.python_errors import EXCEPTIONS, PROVEN, learners_file
 from course.model.feedback import Failure, Feedback, Location
 
@@ -127,8 +128,7 @@ def trouble(
     place = Location(file, answer.line) if file else where
     error = answer.error or ""
     advice = next((text for words, text in _ADVICE if all(word in error for word in words)), None)
-    evidence = Evidence(sources=recording.sources, packages=recording.packages)
-    known = explain(PROVEN if advice else EXCEPTIONS[:-2], [Symptom(error, place)], evidence)
+    known = known_error(recording, error, place, PROVEN if advice else EXCEPTIONS[:-2])
     otherwise = (
         "The error came from this line of your code: check the values that it uses."
         if place
@@ -137,8 +137,20 @@ def trouble(
     return Feedback(
         summary=f"{summary}: {_FOLDERS.sub('', error)}",
         where=known.where if known else (place,) if place else (),
-        advice=known.remedy if known else advice or otherwise,
+        advice=known.text if known else advice or otherwise,
     )
+
+
+def known_error(
+    recording: Recording,
+    error: str,
+    place: Location | None,
+    known: Sequence[Known[Evidence]] = PROVEN,
+) -> Cause | None:
+    """What the learner's code proves about this exception, raised at this place, and where."""
+    evidence = Evidence(sources=recording.sources, packages=recording.packages)
+    found = explain(known, [Symptom(error, place)], evidence)
+    return Cause(found.remedy, found.where) if found else None
 
 
 def _hangs(recording: Recording, what: str, name: str) -> Feedback:
