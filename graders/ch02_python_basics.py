@@ -17,7 +17,6 @@ from course.api import (
     BASHRC,
     Arena,
     Cause,
-    Crash,
     Failure,
     Feedback,
     Grader,
@@ -1270,9 +1269,9 @@ def commands(recording: Recording) -> None:
         view = recording.process(name)
         if recording.missing_program(name):
             raise Failure(why_not_installed(recording) if joined else no_command(recording, name, target))
-        failed = crash(view.traceback(), recording.packages, recording.sources)
-        if failed:
-            raise Failure(crashed_command(recording, name, failed))
+        crashed = crashed_command(recording, name)
+        if crashed:
+            raise Failure(crashed)
         if not does_its_work(name, lambda view=view: view.text):  # type: ignore[misc]
             raise Failure(
                 Feedback(
@@ -1313,7 +1312,10 @@ def packages_line(recording: Recording) -> tuple[Location, ...]:
     )
 
 
-def crashed_command(recording: Recording, name: str, failed: Crash) -> Feedback:
+def crashed_command(recording: Recording, name: str) -> Feedback | None:
+    failed = crash(recording.process(name).traceback(), recording.packages, recording.sources)
+    if failed is None:
+        return None
     lost = re.search(r"No module named '(minimalist_package[\w.]*)'", failed.error)
     entry = next((e for e in entry_points(recording.sources, PROJECT) if e.name == name), None)
     inside = bool(lost) and f"{PROJECT}/{(lost[1] if lost else '').replace('.', '/')}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Sequence
 from functools import partial
 from itertools import pairwise
@@ -9,12 +10,15 @@ from statistics import median
 
 from course.api import (
     Arena,
+    Cause,
     Failure,
     Feedback,
     Grader,
+    Location,
     LogLine,
     Process,
     Recording,
+    Sources,
     about,
     cause_of_silence,
     expect_clean_interrupt,
@@ -26,6 +30,7 @@ from course.api import (
     slips,
     text_places,
     timer_places,
+    trees,
 )
 
 PACKAGE = "python_package_with_broken_nodes"
@@ -158,7 +163,7 @@ def spoken_at(recording: Recording) -> tuple[float, ...]:
 def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
     if not said:
         expect_logged(recording, program(COUNTDOWN), (), COUNTED[0], COUNTED[-1])  # knows the usual causes
-    known = slips.also_equal(recording.sources, 0) if said == (*COUNTED[:3], "0", COUNTED[3]) else None
+    known = also_zero(recording.sources) if said == (*COUNTED[:3], "0", COUNTED[3]) else None
     cause = known or cause_of_silence(
         recording,
         program(COUNTDOWN),
@@ -171,6 +176,17 @@ def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
         where=cause.where,
         advice=cause.text,
     )
+
+
+def also_zero(sources: Sources) -> Cause | None:
+    """`left >= 0`."""
+    for file, tree in trees(sources):
+        for node in ast.walk(tree):
+            match node:
+                case ast.Compare(ops=[ast.GtE()], comparators=[ast.Constant(value=0)], left=left):
+                    text = f"`{ast.unparse(node)}` is true for 0, too. Write `{ast.unparse(left)} > 0`."
+                    return Cause(text, (Location(file, left.lineno),))
+    return None
 
 
 @repair.check("interrupt", "Ctrl+C ends all three cleanly", needs=[f"{node}_runs" for node in NODES])
@@ -202,6 +218,8 @@ def laser(recording: Recording) -> None:
         Feedback(
             summary="The scanner switches off its laser before Ctrl+C."
             if before
+            else "After Ctrl+C, the laser stays on."
+            if named
             else "After Ctrl+C, the laser stays on, because the program ends before switching it off.",
             expected=f"{LASER} after Ctrl+C, and not before",
             seen=f"{LASER} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",

@@ -647,7 +647,20 @@ def stops(recording: Recording) -> None:
         recording, told.t if told else -inf, told_at(recording, 2)
     ):
         own = about_controller(recording)
-        rover.expect_speed(own, distance, speed, 0.0, advice, slips.toggled(own.sources))
+        rover.expect_speed(own, distance, speed, 0.0, advice, toggled(own.sources))
+
+
+def toggled(sources: Sources) -> Cause | None:
+    """`self.stopped = not self.stopped`, which ignores what the call asks for."""
+    for file, tree in trees(sources):
+        for node in ast.walk(tree):
+            match node:
+                case ast.Assign(
+                    targets=[ast.Attribute() as kept], value=ast.UnaryOp(op=ast.Not(), operand=operand)
+                ) if ast.unparse(kept) == ast.unparse(operand):
+                    again = f"A second call with the same value changes `{ast.unparse(kept)}` back. "
+                    return Cause(f"{again}Store `request.data` in it.", (Location(file, kept.lineno),))
+    return None
 
 
 @controller.check("drives_again", "after a call with false, it drives again", needs="stops")

@@ -183,9 +183,10 @@ def read_dump(text: str) -> Dump:
     except _NOT_YAML as error:
         return Dump(problem=_no_yaml(str(error), None))
     nodes = data if isinstance(data, dict) else {}
-    inside = next((nodes[key] for key in KEYS if key in nodes), None)
-    if inside is None:
+    key = next((key for key in KEYS if key in nodes), None)
+    if key is None:
         return Dump(problem=_no_node(text, nodes))
+    inside = nodes[key]
     values = inside.get(KEY) if isinstance(inside, dict) else None
     if not isinstance(values, dict):
         return Dump(problem=_no_parameters(text, inside))

@@ -34,7 +34,12 @@ def undeclared(error: str, sources: Sources) -> Cause | None:
     if close:
         places = (*named(sources, name), *named(sources, close))
         return Cause(f"The node declares `{close}` but reads `{name}`: spell both the same way.", places[:2])
-    unread = declared(sources) - {text for call in _reads(sources) for text in _texts(call)}
+    single = (call.argument(0, "name") for call in calls(sources, "declare_parameter"))
+    unread = {str(one.value) for one in single if isinstance(one, ast.Constant)}
+    unread -= {text for call in _reads(sources) for text in _texts(call)}
+    every = (node for _, tree in trees(sources) for node in ast.walk(tree) if isinstance(node, ast.Assign))
+    kept = {last_name(node.targets[0]) for node in every if f"({name!r})" in ast.unparse(node.value)}
+    unread = {one for one in unread if one in kept or one in name or name in one}
     if len(unread) == 1 and not calls(sources, "declare_parameters"):
         places = (*named(sources, name), *named(sources, *unread))
         text = f"The node reads `{name}`, which it does not declare, and never reads `{next(iter(unread))}`, "

@@ -41,6 +41,7 @@ from course.explain.python_code import (
 from course.explain.python_mixups import MIXUPS
 from course.explain.python_slips import (
     accidental_tuple,
+    assigned_backward,
     class_spun,
     misnamed_constructor,
     missing_sign,
@@ -747,6 +748,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"rclpy_logging_rcutils_log\(\): incompatible function arguments",
           "A logger takes a string. Convert the value: use `str(value)` or an f-string.",
           "TypeError: rclpy_logging_rcutils_log(): incompatible function arguments."),
+    Known(r"'\w+' object has no attribute", "{cause}",
+          "AttributeError: 'Talker' object has no attribute 'name'", proof=because(assigned_backward),
+          given={"talk/talker.py": "class Talker:\n    def __init__(self, name):\n"
+                                   "        name = self.name  # here\n"}),
     Known(r"'\w+' object has no attribute '(?P<name>\w+)'",
           "`{name}` is an argument of `{function}`, not part of the object: write it without `self.`.",
           "AttributeError: 'Talker' object has no attribute 'text'", proof=_argument,

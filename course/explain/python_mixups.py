@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import builtins
+import re
 from collections.abc import Iterator
 
 from course.explain.callbacks import TAKERS
@@ -281,28 +282,23 @@ def _hint_only(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | N
 
 def _by_name_only(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`spin_once(node, 0.1)`, where the last argument has to be passed by its name."""
-    own = [
-        ([one.arg for one in node.args.args if one.arg != "self"], [one.arg for one in node.args.kwonlyargs])
-        for node in functions(evidence.sources, words["name"])
-    ]
-    first, others = own[0] if own else _BY_NAME.get(words["name"], ((), ()))
-    for call in calls(evidence.sources, words["name"]):
-        more = call.args[len(first) :]
-        if call.where == symptom.where and len(more) <= len(others) and more:
-            named = [f"{name}={ast.unparse(one)}" for name, one in zip(others, more, strict=False)]
-            before = [ast.unparse(one) for one in call.args[: len(first)]]
-            return Proven({"names": " and ".join(f"`{one}`" for one in named),
-                           "right": f"{words['name']}({', '.join([*before, *named])})"})  # fmt: skip
+    own = functions(evidence.sources, words["name"])
+    others = _BY_NAME.get(words["name"]) if not own and f".{words['name']}(" not in symptom.text else None
+    first, names = (own[0].args.args, [one.arg for one in own[0].args.kwonlyargs]) if own else ((0,), others)
+    count = len(first) - (bool(own) and takes_self(own[0]))
+    for call in calls(evidence.sources, words["name"]) if names else ():
+        more = [
+            f"{name}={ast.unparse(one)}" for name, one in zip(names or (), call.args[count:], strict=False)
+        ]
+        if call.where == symptom.where and more and len(call.args) <= count + len(names or ()):
+            before = [ast.unparse(one) for one in call.args[:count]]
+            given = " and ".join(f"`{one}`" for one in more)
+            return Proven({"names": given, "right": f"{words['name']}({', '.join([*before, *more])})"})
     return None
 
 
-# Functions of others: what they take by position, and what only by name.
-_BY_NAME = {
-    "spin_once": (("node",), ("timeout_sec",)),
-    "choices": (("population", "weights"), ("k",)),
-    "wait": (("tasks",), ("timeout",)),
-    "sorted": (("items",), ("key",)),
-}
+# Functions of others that take one argument by position: what they take by name.
+_BY_NAME = {"spin_once": ["timeout_sec"], "wait": ["timeout"]}
 
 
 def _imported_from(evidence: Evidence, *parts: str) -> set[str]:
@@ -322,22 +318,6 @@ def _message_by_position(evidence: Evidence, symptom: Symptom, words: Words) -> 
     return None
 
 
-def _imports_itself(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`from talk import Quote` in talk/__init__.py, or `from talk.words import x` in talk/words.py."""
-    module, place = words["module"].replace(".", "/"), symptom.where
-    own = place is not None and f"/{place.file}".endswith((f"/{module}.py", f"/{module}/__init__.py"))
-    imports = (node for _, node in nodes(evidence.sources) if isinstance(node, ast.ImportFrom))
-    lines = {node.lineno for node in imports if node.module == words["module"]}
-    if place is None or not own or place.line not in lines:
-        return None
-    folder = place.file.rpartition("/")[0]
-    beside = [name for name in evidence.sources.files if name.rpartition("/")[0] == folder]
-    homes = [name for name in beside if name != place.file and _has(evidence, name, words["name"])]
-    near = {"home": homes[0].rpartition("/")[2]} if homes else {}
-    package = words["module"] if place.file.endswith("__init__.py") else words["module"].rpartition(".")[0]
-    return Proven({**near, "right": f"{package}.{homes[0].rpartition('/')[2][:-3]}"} if homes else {})
-
-
 def _has(evidence: Evidence, file: str, name: str) -> bool:
     """Whether a file defines this name, or, as an `__init__.py`, imports it."""
     tree = parsed(evidence.sources.files.get(file, "")) if file.endswith(".py") else None
@@ -353,28 +333,25 @@ def _has(evidence: Evidence, file: str, name: str) -> bool:
 
 
 def _in_a_part(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
-    """`from talk import Quote`, where talk.words has it."""
+    """`from talk import Quote`, where talk.words has it; perhaps in talk/__init__.py itself."""
     package = f"/{words['module'].replace('.', '/')}/"
     inside = [name for name in evidence.sources.files if package in f"/{name}" and "/test/" not in name]
-    found = [name for name in inside if _has(evidence, name, words["name"])]
-    parts = sorted(
-        (f"/{name}".rpartition(package)[2].removesuffix(".py").removesuffix("/__init__") for name in found),
-        key=lambda part: ("_" in (part[0], part.rpartition("/")[2][0]), part.count("/"), part),
-    )
-    if not parts or parts[0] == "__init__":
-        return None
-    return Proven({"right": f"{words['module']}.{parts[0].replace('/', '.')}"})
+    own = f"{package}__init__.py"
+    found = [one for one in inside if _has(evidence, one, words["name"]) and not f"/{one}".endswith(own)]
+    parts = [f"/{one}".rpartition(package)[2].removesuffix(".py").removesuffix("/__init__") for one in found]
+    parts.sort(key=lambda part: ("_" in (part[0], part.rpartition("/")[2][0]), part.count("/"), part))
+    itself = {"itself": ""} if symptom.where and f"/{symptom.where.file}".endswith(own) else {}
+    right = f"{words['module']}.{parts[0].replace('/', '.')}" if parts else ""
+    return Proven({"right": right, **itself}) if parts else None
 
 
-# The exceptions' texts for these. Python names a method with its class.
-_TAKES = r"(?<![.\w])(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given"
+_TAKES = r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given"
 
 
 def _without_arguments(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`def main(args):`, where every call, such as that of an entry point, is `main()`."""
-    own = functions(evidence.sources, "main")
-    with_some = any(one.args or one.keywords for one in calls(evidence.sources, "main"))
-    if len(own) != 1 or takes_self(own[0]) or with_some:
+    own = [one for one in functions(evidence.sources, "main") if len(one.args.args) > len(one.args.defaults)]
+    if len(own) != 1 or takes_self(own[0]) or any(one.args for one in calls(evidence.sources, "main")):
         return None
     needed = ", ".join(f"{one.arg}=None" for one in own[0].args.args)
     places = (Location(file, own[0].lineno) for file, tree in trees(evidence.sources) if own[0] in tree.body)
@@ -399,7 +376,26 @@ def _type_of_service(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
     return Proven({"type": found[0]}) if found else None
 
 
+def _without_default(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`declare_parameter('period')`, whose value this line uses."""
+    shown = evidence.shown(symptom.where)[:1] if symptom.where else ()
+    given = [node for _, node in nodes(evidence.sources) if isinstance(node, ast.Assign)]
+    for call in calls(evidence.sources, "declare_parameter"):
+        name = ast.unparse(call.args[0]) if len(call.args) == 1 and not call.keywords else "?"
+        values = [last_name(one.targets[0]) for one in given if f"({name})" in ast.unparse(one.value)]
+        if any(re.search(rf"\b{value}\b", line) for line in shown for value in values):
+            return Proven({"name": name}, (call.where,))
+    return None
+
+
 MIXUPS: tuple[Known[Evidence], ...] = (
+    Known(r"'NoneType'",
+          "This line gets `None`: `declare_parameter({name})` sets no default value. Write "
+          "`declare_parameter({name}, ...)`.",
+          "TypeError: float() argument must be a string or a real number, not 'NoneType'",
+          proof=_without_default, where=(here,),
+          given={"talk/talker.py": "node.declare_parameter('period')\n"
+                 "period = node.get_parameter('period').value\nnode.create_timer(period, tick)  # here\n"}),
     Known(r"(?<!\.)\b(?P<name>main)\(\) missing \d+ required positional argument",
           "The program calls `main()` without arguments. Write `{right}`.",
           "TypeError: main() missing 1 required positional argument: 'args'", proof=_without_arguments,
@@ -434,15 +430,9 @@ MIXUPS: tuple[Known[Evidence], ...] = (
           "TypeError: Quote.__init__() takes 1 positional argument but 2 were given",
           proof=_message_by_position, where=(here,),
           given={"talk/talker.py": "from talk.msg import Quote\nmessage = Quote('Hi')  # here\n"}),
-    Known(r"cannot import name '(?P<name>\w+)' from partially initialized module '(?P<module>[\w.]+)'",
-          ("This file imports `{name}` from itself. Import it from `{home}`: write `from {right} import "
-           "{name}`.", "This file imports `{name}` from itself. Import it from the file that defines it."),
-          "ImportError: cannot import name 'Quote' from partially initialized module 'talk.talker'",
-          proof=_imports_itself, where=(here,),
-          given={"talk/talker.py": "from talk.talker import Quote\n",
-                 "talk/_quote.py": "class Quote:\n    pass\n"}),
-    Known(r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'",
-          "`{name}` is in `{right}`: write `from {right} import {name}`.",
+    Known(r"cannot import name '(?P<name>\w+)' from (?:partially initialized module )?'(?P<module>[\w.]+)'",
+          ("{itself}This file imports `{name}` from itself. Write `from {right} import {name}`.",
+           "`{name}` is in `{right}`: write `from {right} import {name}`."),
           "ImportError: cannot import name 'Quote' from 'talk'", proof=_in_a_part,
           given={"talk/words/__init__.py": "from talk.words._quote import Quote\n"}),
     Known(r"(?<!\.)\b(?P<name>\w+)\(\) missing 1 required positional argument: 'self'",

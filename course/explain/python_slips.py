@@ -185,34 +185,6 @@ def compared(sources: Sources) -> Cause | None:
     return None
 
 
-def also_equal(sources: Sources, bound: float) -> Cause | None:
-    """`left >= 0`, where a node goes one step too far."""
-    for file, node in nodes(sources):
-        if isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.GtE | ast.LtE):
-            left, right = node.left, node.comparators[0]
-            if number(sources, right) == bound and len(node.ops) == 1:
-                sign = ">" if isinstance(node.ops[0], ast.GtE) else "<"
-                text = f"`{ast.unparse(node)}` is true for {bound:g}, too. Without it: `{sign} {bound:g}`."
-                return Cause(text, (Location(file, left.lineno),))
-    return None
-
-
-def toggled(sources: Sources) -> Cause | None:
-    """`self.stopped = not self.stopped` in a server's callback, which should store what was asked for."""
-    for callback in callbacks(sources, "create_service"):
-        for node in ast.walk(callback.node):
-            match node:
-                case ast.Assign(targets=[target], value=ast.UnaryOp(op=ast.Not(), operand=operand)):
-                    if ast.unparse(target) == ast.unparse(operand):
-                        asked = f"`{(*callback.parameters, 'request')[0]}.data`"
-                        return Cause(
-                            f"A second call with the same value changes `{ast.unparse(target)}` back. Store "
-                            f"{asked} in it.",
-                            (Location(callback.file, node.lineno),),
-                        )
-    return None
-
-
 def never_awaited(sources: Sources) -> Cause | None:
     """`asyncio.sleep(0.1)` as a whole line, or such a call of the learner's own `async def`."""
     own = {node.name for _, node in nodes(sources) if isinstance(node, ast.AsyncFunctionDef)}
@@ -221,7 +193,7 @@ def never_awaited(sources: Sources) -> Cause | None:
         call = node.value if isinstance(node, ast.Expr) else None
         if isinstance(call, ast.Call) and (called_name(call) in own or ast.unparse(call.func) in _COROUTINES):
             text = f"Without `await`, `{ast.unparse(call.func)}(...)` does nothing: write `await` before it."
-            return Cause(text, (Location(file, node.lineno),))
+            return Cause(text, (Location(file, call.lineno),))
     return None
 
 
@@ -233,14 +205,12 @@ def assigned_backward(sources: Sources) -> Cause | None:
     for file, function in nodes(sources):
         inside = list(ast.walk(function)) if isinstance(function, _Def) else []
         given = {part.arg for part in inside if isinstance(part, ast.arg)} - {"self"}
-        used = {part.id for part in inside if isinstance(part, ast.Name) and not _is_stored(part)}
+        given -= {part.id for part in inside if isinstance(part, ast.Name) and not _is_stored(part)}
         for line in inside:
             match line:
-                case ast.Assign(targets=[ast.Name(id=name)], value=ast.Attribute() as kept) if (
-                    name in given - used
-                ):
+                case ast.Assign(targets=[ast.Name(id=name)], value=ast.Attribute() as kept) if name in given:
                     right = f"{ast.unparse(kept)} = {name}"
-                    text = f"The left side gets the value, here the argument. Swap the two: `{right}`."
+                    text = f"The side left of `=` gets the value. Swap the two sides: `{right}`."
                     return Cause(text, (Location(file, line.lineno),))
     return None
 
@@ -694,6 +664,17 @@ def several_timers(sources: Sources) -> Cause | None:
         if name in first_of:
             return Cause(f"Two timers call `{name}`: remove one of the two.", (call.where, first_of[name]))
         first_of[name] = call.where
+    return None
+
+
+def quoted_variable(sources: Sources, maker: str, topics: Iterable[str]) -> Cause | None:
+    """`create_publisher(Quote, 'topic_name', 10)`, where `topic_name` is a variable."""
+    given = {node.id for _, node in nodes(sources) if isinstance(node, ast.Name) and _is_stored(node)}
+    for call in calls(sources, maker):
+        name = getattr(call.argument(1, "topic"), "value", None)
+        if name in given and f"/{name}" in topics:
+            text = f"`'{name}'` in quotation marks is a text, not the variable `{name}`: remove the marks."
+            return Cause(text, (call.where,))
     return None
 
 

@@ -118,7 +118,7 @@ def _refusal(recording: Recording, reason: str) -> Cause:
         )
     every = calls(recording.sources, "add_on_set_parameters_callback")
     callback = tuple(call.where for call in every)[:1]
-    if "has no attribute 'successful'" in reason and every and every[0].args:
+    if "invalid type" in reason and every and every[0].args:
         name = last_name(every[0].args[0])
         return Cause(
             f"`{name}` must return `SetParametersResult(successful=True)`, and nothing else.",

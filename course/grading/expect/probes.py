@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from typing import Any
 
 import msgspec
@@ -11,7 +10,7 @@ import msgspec
 from course.errors import OurFault
 from course.evidence.process_view import ProbeAnswer
 from course.evidence.recording import Recording
-from course.explain.engine import Cause, Evidence, Known, Symptom, explain
+from course.explain.engine import Cause, Evidence, Symptom, explain
 from course.explain.python_errors import EXCEPTIONS, PROVEN, learners_file
 from course.model.feedback import Failure, Feedback, Location
 
@@ -128,7 +127,7 @@ def trouble(
     place = Location(file, answer.line) if file else where
     error = answer.error or ""
     advice = next((text for words, text in _ADVICE if all(word in error for word in words)), None)
-    known = known_error(recording, error, place, PROVEN if advice else EXCEPTIONS[:-2])
+    known = known_error(recording, error, place, proven=bool(advice))
     otherwise = (
         "The error came from this line of your code: check the values that it uses."
         if place
@@ -142,14 +141,14 @@ def trouble(
 
 
 def known_error(
-    recording: Recording,
-    error: str,
-    place: Location | None,
-    known: Sequence[Known[Evidence]] = PROVEN,
+    recording: Recording, error: str, place: Location | None, *, proven: bool = True
 ) -> Cause | None:
-    """What the learner's code proves about this exception, raised at this place, and where."""
+    """What is known about the exception `error`, which was raised at `place`, and where to look.
+
+    proven: only causes that the learner's code proves, not what the exception's text alone suggests.
+    """
     evidence = Evidence(sources=recording.sources, packages=recording.packages)
-    found = explain(known, [Symptom(error, place)], evidence)
+    found = explain(PROVEN if proven else EXCEPTIONS[:-2], [Symptom(error, place)], evidence)
     return Cause(found.remedy, found.where) if found else None
 
 
