@@ -37,7 +37,7 @@ from course.explain.engine import Cause
 from course.explain.languages import timer_places
 from course.explain.parameter_causes import named, read_once
 from course.explain.python_code import calls, functions, text_places, trees
-from course.explain.python_errors import Crash, crash, crash_feedback, learners_file
+from course.explain.python_errors import crash, crash_feedback, learners_file
 from course.explain.setup_py import entry_points, misspelled_group, packages_place, read_setup_cfg
 from course.grading.author import Grader
 from course.grading.expect.endpoints import (
@@ -66,7 +66,7 @@ from course.grading.expect.native import (
 from course.grading.expect.one_program import about
 from course.grading.expect.parameters import expect_declared, expect_parameter, expect_set
 from course.grading.expect.periods import expect_period
-from course.grading.expect.probes import answered, expect_answer, expect_importable
+from course.grading.expect.probes import answered, expect_answer, expect_importable, known_error
 from course.grading.expect.programs import (
     cause_of_silence,
     expect_clean_end,

@@ -17,7 +17,6 @@ from course.api import (
     BASHRC,
     Arena,
     Cause,
-    Crash,
     Failure,
     Feedback,
     Grader,
@@ -41,6 +40,7 @@ from course.api import (
     expect_running,
     expect_text,
     functions,
+    known_error,
     listed,
     misspelled_group,
     nearest,
@@ -335,6 +335,9 @@ def direct(recording: Recording) -> None:
     view = recording.process("direct")
     if any(line.strip() == HOWDY for line in view.text):
         return
+    failed = crash(view.traceback(), recording.packages, recording.sources)
+    if failed:
+        raise Failure(crash_feedback(failed, recording.packages, recording.sources))
     first = recording.home.file(SCRIPT).lines[0]
     if any("No such file" in line for line in view.text):
         raise NotApplicable(f"This machine has no {first.removeprefix('#!').split()[0]}.")
@@ -503,7 +506,7 @@ def private(recording: Recording) -> None:
     )
     after = "after set_private_attribute(8.0),"
     sets = "In `set_private_attribute`, assign the argument to `self._private_attribute`."
-    if slip := slips.compared(only(recording, CLASS, INIT)):
+    if slip := slips.first(only(recording, CLASS, INIT), slips.compared, slips.assigned_backward):
         sets, (was_set, *_) = slip.text, slip.where
     expect_answer(
         recording, "set and get", 8.0, f"get_private_attribute(), {after}", advice=sets, where=was_set
@@ -777,6 +780,7 @@ def notices(recording: Recording) -> None:
     missed = unnoticed(recording)
     if len(FAULTS) - len(missed) >= NOTICED:
         return
+    unnamed = never_run(only(recording, TEST))
     asserts = any("assert" in line for line in recording.home.file(TEST).lines)
     raise Failure(
         Feedback(
@@ -784,11 +788,11 @@ def notices(recording: Recording) -> None:
             + ("" if asserts else " They call the class, but they do not compare anything."),
             expected=f"at least {NOTICED} noticed",
             seen=f"{len(FAULTS) - len(missed)} noticed",
-            where=(Location(TEST),),
-            advice=(
-                "For each fault below, write a test that fails because of it. `self.assertEqual` "
-                "compares a result with the expected value."
-            ),
+            where=unnamed.where if unnamed else (Location(TEST),),
+            advice=unnamed.text
+            if unnamed
+            else "For each fault below, write a test that fails because of it. `self.assertEqual` "
+            "compares a result with the expected value.",
             details=tuple(f"not noticed: {fault}" for fault in missed),
         )
     )
@@ -797,15 +801,32 @@ def notices(recording: Recording) -> None:
 @unit_tests.check("notices_all", "they notice every fault", bonus=True, needs="notices")
 def notices_all(recording: Recording) -> None:
     missed = unnoticed(recording)
+    unnamed = never_run(only(recording, TEST))
     if missed:
         raise Failure(
             Feedback(
                 summary=f"{len(missed)} of {len(FAULTS)} faults went unnoticed.",
-                where=(Location(TEST),),
-                advice="A test for each row of the table in 02-class notices them all.",
+                where=unnamed.where if unnamed else (Location(TEST),),
+                advice=unnamed.text
+                if unnamed
+                else "A test for each row of the table in 02-class notices them all.",
                 details=tuple(f"not noticed: {fault}" for fault in missed),
             )
         )
+
+
+def never_run(tests: Sources) -> Cause | None:
+    """A method that asserts something, but has a name that unittest does not look for."""
+    for file, text in tests.files.items():
+        classes = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ClassDef))
+        for part in (part for owner in classes for part in owner.body):
+            if not isinstance(part, ast.FunctionDef) or part.name.startswith(("test", "setUp", "tearDown")):
+                continue
+            if "self.assert" in ast.unparse(part) and f".{part.name}(" not in text:
+                name = f"test_{part.name.replace('test', '').strip('_')}"
+                what = f"unittest runs only methods whose names begin with `test`, so not `{part.name}`. "
+                return Cause(f"{what}Call it `{name}`.", (Location(file, part.lineno),))
+    return None
 
 
 def unnoticed(recording: Recording) -> list[str]:
@@ -925,8 +946,14 @@ def runs(recording: Recording) -> None:
 def pace(recording: Recording) -> None:
     lines = recording.process(AWAIT).lines
     times = tuple(line.t for line in lines if line.text.startswith("[draw 1 "))
+    slip = slips.never_awaited(recording.sources.below(ASYNC))
     expect_period(
-        times, 0.1, what="draws", tolerance=0.4, advice="Write `await asyncio.sleep(0.1)` between two draws."
+        times,
+        0.1,
+        what="draws",
+        tolerance=0.4,
+        advice=slip.text if slip else "Write `await asyncio.sleep(0.1)` between two draws.",
+        where=slip.where if slip else (),
     )
 
 
@@ -1067,11 +1094,12 @@ def one_after_the_other(recording: Recording, example: str) -> Feedback:
             where=tuple(blocking),
             advice="`await asyncio.sleep(0.1)` lets the other task run in the meantime.",
         )
+    slip = slips.never_awaited(recording.sources.below(ASYNC))
     return Feedback(
         summary="The second task begins only when the first has ended: together they take twice as long.",
         expected="both at the same time",
-        where=(Location(file_of(example)),),
-        advice="Start both with `asyncio.create_task` before the first `await`.",
+        where=slip.where if slip else (Location(file_of(example)),),
+        advice=slip.text if slip else "Start both with `asyncio.create_task` before the first `await`.",
     )
 
 
@@ -1241,9 +1269,9 @@ def commands(recording: Recording) -> None:
         view = recording.process(name)
         if recording.missing_program(name):
             raise Failure(why_not_installed(recording) if joined else no_command(recording, name, target))
-        failed = crash(view.traceback(), recording.packages, recording.sources)
-        if failed:
-            raise Failure(crashed_command(recording, name, failed))
+        crashed = crashed_command(recording, name)
+        if crashed:
+            raise Failure(crashed)
         if not does_its_work(name, lambda view=view: view.text):  # type: ignore[misc]
             raise Failure(
                 Feedback(
@@ -1284,7 +1312,10 @@ def packages_line(recording: Recording) -> tuple[Location, ...]:
     )
 
 
-def crashed_command(recording: Recording, name: str, failed: Crash) -> Feedback:
+def crashed_command(recording: Recording, name: str) -> Feedback | None:
+    failed = crash(recording.process(name).traceback(), recording.packages, recording.sources)
+    if failed is None:
+        return None
     lost = re.search(r"No module named '(minimalist_package[\w.]*)'", failed.error)
     entry = next((e for e in entry_points(recording.sources, PROJECT) if e.name == name), None)
     inside = bool(lost) and f"{PROJECT}/{(lost[1] if lost else '').replace('.', '/')}"
@@ -1300,12 +1331,17 @@ def crashed_command(recording: Recording, name: str, failed: Crash) -> Feedback:
             "`__init__.py`.",
             details=failed.shown,
         )
+    cause = known_error(recording, failed.error, failed.where)
+    bare = re.search(r"No module named '(\w+)'", failed.error)
+    if bare and f"{PROJECT}/minimalist_package/{bare[1]}.py" in recording.sources.files and entry:
+        text = f"Write the package before the module, too: `{name} = minimalist_package.{entry.target}`."
+        cause = Cause(text, (entry.where,))
     return Feedback(
         summary=f"The command `{name}` stops with an error: {failed.error}",
-        where=(entry.where,) if entry else (Location(SETUP),),
-        advice=(
-            "An entry point has the form `command = package.module:function`. Are all three parts right?"
-        ),
+        where=cause.where if cause else (entry.where,) if entry else (Location(SETUP),),
+        advice=cause.text
+        if cause
+        else "An entry point has the form `command = package.module:function`. Are all three parts right?",
         details=failed.shown,
     )
 

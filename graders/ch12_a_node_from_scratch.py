@@ -78,7 +78,7 @@ def counts(recording: Recording) -> None:
         first=FIRST,
         begin="Start with a count of 0, and add one after each message that you log, not before it.",
         step="Keep the count in the node (`self.count`), and add one each time the callback runs.",
-        cause=slips.first(recording.sources, slips.compared, slips.never_counts),
+        cause=slips.first(recording.sources, slips.compared, slips.never_counts, slips.local_copy),
     )
     if len(lines) < ENOUGH:
         raise Failure(too_few(recording, lines))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Sequence
 from functools import partial
 from itertools import pairwise
@@ -9,12 +10,15 @@ from statistics import median
 
 from course.api import (
     Arena,
+    Cause,
     Failure,
     Feedback,
     Grader,
+    Location,
     LogLine,
     Process,
     Recording,
+    Sources,
     about,
     cause_of_silence,
     expect_clean_interrupt,
@@ -23,8 +27,10 @@ from course.api import (
     expect_period,
     expect_running,
     listed,
+    slips,
     text_places,
     timer_places,
+    trees,
 )
 
 PACKAGE = "python_package_with_broken_nodes"
@@ -157,7 +163,8 @@ def spoken_at(recording: Recording) -> tuple[float, ...]:
 def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
     if not said:
         expect_logged(recording, program(COUNTDOWN), (), COUNTED[0], COUNTED[-1])  # knows the usual causes
-    cause = cause_of_silence(
+    known = also_zero(recording.sources) if said == (*COUNTED[:3], "0", COUNTED[3]) else None
+    cause = known or cause_of_silence(
         recording,
         program(COUNTDOWN),
         look_at="does the rest of the file still do what its docstring says? Only one thing was wrong.",
@@ -169,6 +176,17 @@ def miscounted(recording: Recording, said: tuple[str, ...]) -> Feedback:
         where=cause.where,
         advice=cause.text,
     )
+
+
+def also_zero(sources: Sources) -> Cause | None:
+    """`left >= 0`."""
+    for file, tree in trees(sources):
+        for node in ast.walk(tree):
+            match node:
+                case ast.Compare(ops=[ast.GtE()], comparators=[ast.Constant(value=0)], left=left):
+                    text = f"`{ast.unparse(node)}` is true for 0, too. Write `{ast.unparse(left)} > 0`."
+                    return Cause(text, (Location(file, left.lineno),))
+    return None
 
 
 @repair.check("interrupt", "Ctrl+C ends all three cleanly", needs=[f"{node}_runs" for node in NODES])
@@ -188,7 +206,10 @@ def laser(recording: Recording) -> None:
     own = only(recording, SCANNER).sources
     places = text_places(own, "switch_off_the_laser()") or text_places(own, LASER)
     advice = "After the `except` block, call `switch_off_the_laser()`."
-    if not before:
+    named = slips.uncalled(own, only="switch_off_the_laser")
+    if named:
+        places, advice = named.where, named.text
+    elif not before:
         try:
             expect_clean_interrupt(only(recording, SCANNER), program(SCANNER))
         except Failure as failure:  # it ends the program too early, so it is the cause
@@ -197,6 +218,8 @@ def laser(recording: Recording) -> None:
         Feedback(
             summary="The scanner switches off its laser before Ctrl+C."
             if before
+            else "After Ctrl+C, the laser stays on."
+            if named
             else "After Ctrl+C, the laser stays on, because the program ends before switching it off.",
             expected=f"{LASER} after Ctrl+C, and not before",
             seen=f"{LASER} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",

@@ -22,6 +22,7 @@ from course.api import (
     answered,
     expect_importable,
     functions,
+    known_error,
     learners_file,
     listed,
     nearest,
@@ -170,6 +171,8 @@ def not_imported(recording: Recording, error: str) -> Feedback:
             "the bare name only "
         )
         advice += "when that file is in the current folder."
+    elif known := known_error(recording, error, place[0] if place else None):
+        place, advice = known.where, known.text
     else:
         advice = remedy(error)
     return Feedback(
@@ -273,10 +276,12 @@ def class_(recording: Recording) -> None:
 
 
 def broken(recording: Recording, call: str, error: str, where: tuple[Location, ...]) -> Feedback:
+    known = known_error(recording, error, where[0] if where else None)
+    where = known.where if known else where
     return Feedback(
         summary=f"`{call}` fails: {error}",
         where=where,
-        advice=remedy(error),
+        advice=known.text if known else remedy(error),
         details=code_at(recording, where),
     )
 
@@ -475,11 +480,14 @@ def wrong_speed(recording: Recording, case: tuple[float, float, float], speed: o
         expected=f"{wanted!r}",
         seen=f"{speed!r}"[:200],
         where=cause.where if cause else defined_at(recording, SPEED)[:1],
-        advice=cause.text if cause else advice_on_speed(distance, stop_at, wanted, speed),
+        advice=cause.text if cause else advice_on_speed(distance, stop_at, full_speed, wanted, speed),
     )
 
 
-def advice_on_speed(distance: float, stop_at: float, wanted: float, speed: object) -> str:
+def advice_on_speed(distance: float, stop_at: float, full_speed: float, wanted: float, speed: object) -> str:
+    reversed_ = min(full_speed, max(0.0, stop_at - distance))
+    if distance < stop_at and same(speed, reversed_):
+        return "This is `stop_at - distance`. The speed is the other difference, `distance - stop_at`."
     if speed is None:
         return "It returns nothing: use `return`. Printing the result is not enough."
     if isinstance(speed, float | int) and speed < 0.0:

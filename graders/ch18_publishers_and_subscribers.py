@@ -132,7 +132,9 @@ def ids(recording: Recording) -> None:
     shown = ", ".join(map(str, numbers[:ENOUGH]))
     seen = f"id goes {shown}" if len(steps) > 1 else f"id changes by {steps.pop()} each time: {shown}"
     constant = len(set(numbers)) == 1
-    cause = slips.first(recording.sources, slips.filled_late, slips.compared, slips.never_counts)
+    cause = slips.first(
+        recording.sources, slips.filled_late, slips.compared, slips.never_counts, slips.local_copy
+    )
     raise Failure(
         Feedback(
             summary=f"`id` is always {numbers[0]}." if constant else "`id` does not go up by one.",

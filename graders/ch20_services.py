@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import ast
 import secrets
+from collections.abc import Sequence
 from functools import partial
+from itertools import product
 from math import inf, isclose
+from operator import mul
 from typing import Any
 
 from course.api import (
@@ -203,6 +206,22 @@ def case_sensitive(sources: Sources) -> Cause | None:
     return None
 
 
+def other_sign(wrong: Sequence[ServiceCall], where: tuple[Location, ...]) -> Cause | None:
+    """`42 - x + y`: with one sign or two changed, each sum is 42."""
+    points = [(call.response.point.x, call.response.point.y, call.response.point.z) for call in wrong]
+    for signs in product((1, -1), repeat=3):
+        if min(signs) < 0 and all(isclose(sum(map(mul, signs, point)), 42, abs_tol=1e-6) for point in points):
+            terms = "".join(
+                f" {'+' if sign > 0 else '-'} {axis}" for sign, axis in zip(signs, "xyz", strict=True)
+            )
+            return Cause(
+                f"`{terms.removeprefix(' + ').strip()}` is 42 each time, so a sign is wrong. Subtract both "
+                "other numbers from 42.",
+                where,
+            )
+    return None
+
+
 def never_found(sources: Sources) -> Cause | None:
     """`'Life' in text.lower()`."""
     for file, tree in trees(sources):
@@ -231,6 +250,7 @@ def life(recording: Recording) -> None:
     cause = (
         case_sensitive(own.sources) if some else slips.first(own.sources, slips.other_response, never_found)
     )
+    cause = cause or other_sign(wrong, settings(own))
     raise Failure(
         Feedback(
             summary=(
@@ -543,7 +563,7 @@ controller = Grader("20-rover")
 
 @controller.scenario
 def approach_and_stop(arena: Arena) -> None:
-    """Play the sensor: publish a few distances. Then tell the rover to stop, and to drive again."""
+    """Play the sensor: publish a few distances. Then tell the rover to stop, twice, and to drive again."""
     commands = arena.ros.subscribe(rover.COMMAND, rover.COMMAND_TYPE)
     sensor = arena.ros.publisher(rover.RANGE, rover.RANGE_TYPE)
     stop = arena.ros.client(rover.STOP, rover.STOP_TYPE)
@@ -551,9 +571,10 @@ def approach_and_stop(arena: Arena) -> None:
     if node and arena.until(lambda: sensor.matched and arena.ros.graph.nodes, timeout=15, while_running=node):
         rover.measure(arena, sensor.publish, commands, node, *rover.distances())
         if arena.until(lambda: stop.available, timeout=3, while_running=node):
-            for phase, order in ((STOPPED, True), (FREE, False)):
-                call = stop.call(data=order)
-                arena.until(partial(is_done, call), timeout=3, while_running=node)
+            for phase, *orders in ((STOPPED, True, True), (FREE, False)):
+                for order in orders:
+                    call = stop.call(data=order)
+                    arena.until(partial(is_done, call), timeout=3, while_running=node)
                 arena.mark(phase)
                 rover.measure(arena, sensor.publish, commands, node, AFTER[phase], AFTER[phase])
     arena.interrupt(node)
@@ -623,9 +644,23 @@ def stops(recording: Recording) -> None:
         "each measurement."
     )
     for distance, speed in rover.answered_distances(
-        recording, told.t if told else -inf, told_at(recording, 1)
+        recording, told.t if told else -inf, told_at(recording, 2)
     ):
-        rover.expect_speed(about_controller(recording), distance, speed, 0.0, advice)
+        own = about_controller(recording)
+        rover.expect_speed(own, distance, speed, 0.0, advice, toggled(own.sources))
+
+
+def toggled(sources: Sources) -> Cause | None:
+    """`self.stopped = not self.stopped`, which ignores what the call asks for."""
+    for file, tree in trees(sources):
+        for node in ast.walk(tree):
+            match node:
+                case ast.Assign(
+                    targets=[ast.Attribute() as kept], value=ast.UnaryOp(op=ast.Not(), operand=operand)
+                ) if ast.unparse(kept) == ast.unparse(operand):
+                    again = f"A second call with the same value changes `{ast.unparse(kept)}` back. "
+                    return Cause(f"{again}Store `request.data` in it.", (Location(file, kept.lineno),))
+    return None
 
 
 @controller.check("drives_again", "after a call with false, it drives again", needs="stops")

@@ -18,6 +18,7 @@ from course.api import (
     expect_launched,
     expect_launched_node,
     expect_period,
+    expect_set,
     expect_type,
     launch_file,
     named,
@@ -209,6 +210,7 @@ def full_speed(recording: Recording) -> None:
 @whole.check("tunes", "a new `stop_at` takes effect while it runs", needs="arrives")
 def tunes(recording: Recording) -> None:
     _, last = driven(recording, before=False)
+    expect_set(recording, CONTROLLER, "stop_at")
     if abs(last - NEARER) > NEAR:
         raise Failure(
             elsewhere(recording, NEARER, last, "Read the parameter in the callback, not in `__init__`.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
@@ -182,9 +183,10 @@ def read_dump(text: str) -> Dump:
     except _NOT_YAML as error:
         return Dump(problem=_no_yaml(str(error), None))
     nodes = data if isinstance(data, dict) else {}
-    inside = next((nodes[key] for key in KEYS if key in nodes), None)
-    if inside is None:
+    key = next((key for key in KEYS if key in nodes), None)
+    if key is None:
         return Dump(problem=_no_node(text, nodes))
+    inside = nodes[key]
     values = inside.get(KEY) if isinstance(inside, dict) else None
     if not isinstance(values, dict):
         return Dump(problem=_no_parameters(text, inside))
@@ -288,6 +290,14 @@ def _no_node(text: str, nodes: Mapping[Any, Any]) -> Feedback:
 def _no_parameters(text: str, inside: Any) -> Feedback:
     names = [str(name) for name in inside] if isinstance(inside, dict) else []
     close = nearest(KEY, names)
+    found = re.search(rf"^{KEY}:", text, re.MULTILINE)
+    if found:
+        return Feedback(
+            summary=f"`{KEY}:` is at the left margin, so it is not below the node's name.",
+            expected=f"two spaces before `{KEY}:`",
+            where=(Location(FILE, text[: found.start()].count("\n") + 1),),
+            advice="Indent this line by two spaces, and the parameters below it by four.",
+        )
     return Feedback(
         summary=f"Below the node's name is `{close}`, not `{KEY}`."
         if close
@@ -295,7 +305,9 @@ def _no_parameters(text: str, inside: Any) -> Feedback:
         expected=f"{KEY}:",
         seen=listed(names[:5], "nothing"),
         where=_places(text, close),
-        advice=f"Write two underscores between `ros` and `parameters`. {DUMP}",
+        advice=f"Write two underscores between `ros` and `parameters`. {DUMP}"
+        if close
+        else f"Below the node's name, `{KEY}:` follows, indented by two spaces. {DUMP}",
     )
 
 

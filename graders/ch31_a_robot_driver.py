@@ -250,7 +250,11 @@ def expect_topics(recording: Recording, robot: Robot, prefix: str, missing: str)
     ):
         topics = {robot.topic(name): type_name for name, type_name in wanted.items()}
         for topic, type_name in topics.items():
-            expect_topic(seen[kind], topic, type_name, robot, verb, prefix, missing)
+            try:
+                expect_topic(seen[kind], topic, type_name, robot, verb, prefix, missing)
+            except Failure as failure:
+                where = named(recording.sources, failure.feedback.seen or "")
+                raise Failure(replace(failure.feedback, where=where[:1])) from None
         more = sorted(t for t in seen[kind].keys() - topics.keys() if t.startswith(f"/{robot.name}/"))
         if more:
             raise Failure(
@@ -286,7 +290,7 @@ def expect_topic(
             if close
             else f"The driver has no topic `{topic}`.",
             expected=topic,
-            seen=listed(sorted(seen), "no topics"),
+            seen=close or listed(sorted(seen), "no topics"),
             advice=prefix if other else missing,
         )
     )
@@ -898,6 +902,17 @@ def swing(recording: Recording) -> None:
                     seen=f"a swing of {made.amplitude:.1f}",
                     where=where,
                     advice="Write `deg2rad(10 * sin(...))`. `deg2rad` comes from `dqrobotics.utils.DQ_Math`.",
+                )
+            )
+        multiplied = fit_wave(range(len(targets)), targets.column(joint), math.pi / math.tau / 50)
+        if multiplied and abs(multiplied.amplitude - SWING) < 0.05 * SWING > multiplied.rest:
+            raise Failure(
+                Feedback(
+                    summary="The targets swing too fast: `i` is divided by 50 and then multiplied by pi.",
+                    expected=f"{CYCLES:.0f} cycles per period",
+                    seen="100 cycles per period",
+                    where=places(sources, "sin")[:1] or where,
+                    advice="Put parentheses around the product: `i / (50.0 * math.pi)`.",
                 )
             )
         amplitude, rest = made.amplitude, made.rest

@@ -18,7 +18,7 @@ GRADERS = REPO / "graders"
 MOST = 110
 
 NAMES = """
-AllOf Arena BASHRC BuiltPackage Call Cause Client Command ContentError CppError Crash Document Failure
+AllOf Arena BASHRC BuiltPackage Call Cause Client Command ContentError CppError Document Failure
 Feedback Grader HomeFile Listener Location LogLine Message Mystery NotApplicable Number OneOf OurFault
 Parameters ProbeAnswer Process ProcessView Recording Server ServiceCall Sources Spoilt Stream Text TooBusy
 TopicView about answered ask_for calls cause_of_silence commands complaints cpp_files crash crash_feedback
@@ -28,9 +28,9 @@ expect_importable expect_launch_file expect_launch_interrupt expect_launch_param
 expect_launched_node expect_lines expect_logged expect_manifest expect_mode expect_no_warnings expect_node
 expect_own_launch_parameter expect_parameter expect_period expect_qos expect_ran expect_running expect_service
 expect_service_type expect_set expect_shell expect_sound expect_text expect_type first_error functions
-launch_file learners_file listed misspelled_group named native_answer nearest never_called not_configured
-not_made packages_place parse_document places_of read_once read_setup_cfg replace seconds slips text_places
-timer_places trees without_effect words
+known_error launch_file learners_file listed misspelled_group named native_answer nearest never_called
+not_configured not_made packages_place parse_document places_of read_once read_setup_cfg replace seconds slips
+text_places timer_places trees without_effect words
 """.split()
 
 

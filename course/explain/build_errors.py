@@ -281,64 +281,33 @@ _HEADER = "std_msgs/msg/string.hpp: No such file or directory"
 HEADERS = tuple(
     Known[Build](_NO_HEADER, remedy, example, _NOT_COMPILED, proof=proof, kind="compiler", given=given)
     for proof, remedy, example, given in (
-        (
-            _with_capitals,
-            "Headers of interfaces have lowercase names: `#include <{right}>`.",
-            "geometry_msgs/msg/PointStamped.hpp: No such file or directory",
-            {},
-        ),
-        (
-            _for_itself_alone,
-            "`PRIVATE` hides this folder from targets that link the library: write `PUBLIC`.",
-            "talk/talk.hpp: No such file or directory",
-            {LISTS: "target_include_directories(talk PRIVATE include)"},
-        ),
-        (
-            _header_without_folder,
-            'Write the header with its folder: `#include "{right}"`.',
-            "talk.hpp: No such file or directory",
-            {"include/talk/talk.hpp": ""},
-        ),
-        (
-            _header_of_another_name,
-            'Did you mean `#include "{right}"`?',
-            "robot.h: No such file or directory",
-            {"src/robot.hpp": ""},
-        ),
-        (
-            _of_this_package,
-            "The header is in this package: `target_include_directories` must name the folder `include`.",
-            "talk/talk.hpp: No such file or directory",
-            {},
-        ),
-        (
-            _target_without,
-            "The header belongs to `{name}`. Add `{use}`.",
-            f"{_HEADER}\ngmake[2]: *** [CMakeFiles/robot.dir/build.make:76: "
-            "CMakeFiles/robot.dir/src/main.cpp.o] Error 1",
-            {LISTS: "find_package(std_msgs REQUIRED)\nadd_executable(robot src/main.cpp)"},
-        ),
-        (
-            _of_known_package,
-            "The header belongs to `{name}`: add that package to `find_package`, to the target's libraries, "
-            "and as `<depend>` to package.xml.",
-            _HEADER,
-            {},
-        ),
-        (
-            _header_like,
-            "Did you mean the header `{near}`? If so, `target_include_directories` must name its folder.",
-            "robot/robot.h: No such file or directory",
-            {"include/robots/robot.hpp": ""},
-        ),
-        (
-            _package_like,
-            "Did you mean a header of `{near}`?",
-            "std_msg/msg/string.hpp: No such file or directory",
-            {},
-        ),
+        (_with_capitals, "Headers of interfaces have lowercase names: `#include <{right}>`.",
+         "geometry_msgs/msg/PointStamped.hpp: No such file or directory", {}),
+        (_for_itself_alone,
+         "`PRIVATE` hides this folder from targets that link the library: write `PUBLIC`.",
+         "talk/talk.hpp: No such file or directory",
+         {LISTS: "target_include_directories(talk PRIVATE include)"}),
+        (_header_without_folder, 'Write the header with its folder: `#include "{right}"`.',
+         "talk.hpp: No such file or directory", {"include/talk/talk.hpp": ""}),
+        (_header_of_another_name, 'Did you mean `#include "{right}"`?', "robot.h: No such file or directory",
+         {"src/robot.hpp": ""}),
+        (_of_this_package,
+         "The header is in this package: `target_include_directories` must name the folder `include`.",
+         "talk/talk.hpp: No such file or directory", {}),
+        (_target_without, "The header belongs to `{name}`. Add `{use}`.",
+         f"{_HEADER}\ngmake[2]: *** [CMakeFiles/robot.dir/build.make:76: "
+         "CMakeFiles/robot.dir/src/main.cpp.o] Error 1",
+         {LISTS: "find_package(std_msgs REQUIRED)\nadd_executable(robot src/main.cpp)"}),
+        (_of_known_package,
+         "The header belongs to `{name}`: add that package to `find_package`, to the target's libraries, "
+         "and as `<depend>` to package.xml.", _HEADER, {}),
+        (_header_like,
+         "Did you mean the header `{near}`? If so, `target_include_directories` must name its folder.",
+         "robot/robot.h: No such file or directory", {"include/robots/robot.hpp": ""}),
+        (_package_like, "Did you mean a header of `{near}`?",
+         "std_msg/msg/string.hpp: No such file or directory", {}),
     )
-)
+)  # fmt: skip
 COMPILED = (*HEADERS, *(_for_builds(known, "compiler", _NOT_COMPILED, here) for known in COMPILER))
 _UNDEFINED = r"^undefined reference to `(?!(?:vtable|typeinfo) for )"
 _IS_UNDEFINED = "`{said}` is used, but nothing in `{where}` defines it."

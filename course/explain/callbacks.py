@@ -40,8 +40,8 @@ def called_callback(sources: Sources) -> Cause | None:
                 else f"without parentheses: `{name}`"
             )
             return Cause(
-                f"`{written}` calls the function immediately and passes its result, `None`. Pass the "
-                f"function itself, {right}.",
+                f"`{written}` calls the function immediately, in place of passing it on. Pass the function "
+                f"itself, {right}.",
                 (taker.where,),
             )
     return None

@@ -42,6 +42,8 @@ _LONG_NAMES = (
      "std::string"),
     (re.compile(r"std::__cxx11::"), "std::"),
     (re.compile(r"Eigen::Matrix<double, -1, 1>"), "Eigen::VectorXd"),
+    (re.compile(r"\(\(const std::__shared_ptr_access<[^()]*>\*\)\(& (\w+)\)\)->[^()]*::operator->\(\)"),
+     r"\1"),
     (re.compile(r" \[with [^\]]*\]"), ""),
     (re.compile("[‘’]"), "'"),  # compilers' quotes on terminals that can show them
     (re.compile(r" \{aka '[^']*'\}"), ""),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
 from course.explain.cmake import LISTS, Command, commands
+from course.explain.engine import Evidence
 from course.explain.setup_py import entry_points, joined_entry_points, misspelled_group
 from course.model import replace
 from course.model.events import ExecutableMissing
@@ -29,7 +30,10 @@ def no_executable(missing: ExecutableMissing, packages: BuiltPackages, sources: 
     if joined and missing.executable in joined.text:
         return _comma(joined.text, joined.where)
     if missing.executable in declared:
-        return _elsewhere(missing.package, missing.executable, declared[missing.executable])
+        config = f"{package.source}/setup.cfg"
+        line = Evidence(sources=sources).line(config, r"install[_-]scripts")
+        where = Location(config, line) if line else declared[missing.executable]
+        return _elsewhere(missing.package, missing.executable, where)
     if close:
         return _misspelt(missing.executable, close, declared.get(close, setup))
     group = None if declared else misspelled_group(sources, package.source)

@@ -105,6 +105,15 @@ def _in_capitals(build: Build, symptom: Symptom, words: Words) -> Proven | None:
     return _used({"right": right}, _definition(build, words["line"], words["message"]))
 
 
+def _small_first_letter(build: Build, symptom: Symptom, words: Words) -> Proven | None:
+    """`geometry_msgs/point`."""
+    package, _, name = words["bare"].partition("/")
+    right = "".join(f"{part[:1].upper()}{part[1:]}" for part in name.split("_"))
+    if not re.fullmatch(r"[A-Z]\w*", right) or right == name or package not in build.known_packages:
+        return None
+    return _used({"right": f"{package}/{right}"}, _definition(build, words["line"], words["message"]))
+
+
 def _in_capitals_here(build: Build, symptom: Symptom, words: Words) -> Proven | None:
     right = words["name"].lower()
     listed = f"msg/{words['name']}.msg" in _files(build)
@@ -329,6 +338,10 @@ INTERFACES: tuple[Known[Build], ...] = (
     Known(kind="field-type", pattern=_PROCESSING + ".*?Traceback", cause=_NO_TYPE,
           remedy="Write `{right}`: basic types are lowercase.", proof=_in_capitals,
           example=_processing("Int32 id", f"'Int32' {_BAD_TYPE}"), given={"msg/Quote.msg": "Int32 id\n"}),
+    Known(kind="field-type", pattern=_PROCESSING + ".*?Traceback", cause=_NO_TYPE,
+          remedy="Write `{right}`: the name of a message begins with a capital letter.",
+          proof=_small_first_letter, example=_processing("other/point p", f"'point' {_BAD_TYPE}"),
+          given={"msg/Quote.msg": "other/point p\n"}),
     Known(kind="field-type", pattern=_PROCESSING + ".*?Traceback", cause=_NO_TYPE,
           remedy=(_OF_ANOTHER, "Did you mean `{near}`?", _BASIC), proof=_type,
           example=_processing("int id", f"'int' {_BAD_TYPE}"), given={"msg/Quote.msg": "int id\n"}),

@@ -14,6 +14,7 @@ from course.evidence.sources import Sources
 from course.explain.cmake import LISTS
 from course.explain.engine import Cause
 from course.explain.python_code import PythonCall, called_name, calls, nodes, parsed
+from course.explain.python_slips import missing_sign
 from course.model.feedback import Feedback, Location
 from course.spelling import LOOSELY, listed, nearest
 
@@ -128,7 +129,7 @@ def launch_file_cause(sources: Sources, packages: BuiltPackages, file: str, erro
     if path is None:
         return None
     own = Sources({path: sources.files[path]})
-    found = no_generate(own) or parameters_as_dict(own) or dict_in_arguments(own)
+    found = missing_sign(own) or no_generate(own) or parameters_as_dict(own) or dict_in_arguments(own)
     return found or not_a_list(own, error) or unknown_keyword(own, error) or misspelt_target(own, packages)
 
 

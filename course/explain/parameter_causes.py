@@ -34,6 +34,16 @@ def undeclared(error: str, sources: Sources) -> Cause | None:
     if close:
         places = (*named(sources, name), *named(sources, close))
         return Cause(f"The node declares `{close}` but reads `{name}`: spell both the same way.", places[:2])
+    single = (call.argument(0, "name") for call in calls(sources, "declare_parameter"))
+    unread = {str(one.value) for one in single if isinstance(one, ast.Constant)}
+    unread -= {text for call in _reads(sources) for text in _texts(call)}
+    every = (node for _, tree in trees(sources) for node in ast.walk(tree) if isinstance(node, ast.Assign))
+    kept = {last_name(node.targets[0]) for node in every if f"({name!r})" in ast.unparse(node.value)}
+    unread = {one for one in unread if one in kept or one in name or name in one}
+    if len(unread) == 1 and not calls(sources, "declare_parameters"):
+        places = (*named(sources, name), *named(sources, *unread))
+        text = f"The node reads `{name}`, which it does not declare, and never reads `{next(iter(unread))}`, "
+        return Cause(f"{text}which it declares. Use the same name in both lines.", places[:2])
     for call in calls(sources, "declare_parameters"):
         prefix, given = call.argument(0, "namespace"), call.argument(1, "parameters")
         if isinstance(given, ast.Constant):
@@ -111,12 +121,16 @@ def read_once(sources: Sources, name: str) -> Cause | None:
     """A parameter that is read only when the node is created, not in any callback."""
     if any(in_callbacks(sources, reader) for reader in _READERS):
         return None
-    reads = [call.where for reader in _READERS for call in calls(sources, reader) if name in _texts(call)]
+    reads = [call.where for call in _reads(sources) if name in _texts(call)]
     return Cause(
         f"`{name}` is read only once, when the node is created. Read it in the callback each time: "
         f"`self.get_parameter('{name}').value`.",
         tuple(reads[:1]),
     )
+
+
+def _reads(sources: Sources) -> Iterator[PythonCall]:
+    return (call for reader in _READERS for call in calls(sources, reader))
 
 
 def _texts(call: PythonCall) -> set[str]:

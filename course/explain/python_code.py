@@ -87,7 +87,7 @@ def last_name(node: ast.AST) -> str:
     return ast.unparse(node).rpartition(".")[2]
 
 
-def takes_self(function: ast.FunctionDef) -> bool:
+def takes_self(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
     return [one.arg for one in function.args.args[:1]] == ["self"]
 
 

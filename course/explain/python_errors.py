@@ -31,6 +31,7 @@ from course.explain.python_code import (
     assigned,
     called_name,
     calls,
+    functions,
     last_name,
     nodes,
     number,
@@ -40,8 +41,10 @@ from course.explain.python_code import (
 from course.explain.python_mixups import MIXUPS
 from course.explain.python_slips import (
     accidental_tuple,
+    assigned_backward,
     class_spun,
     misnamed_constructor,
+    missing_sign,
     shadowed_import,
     uncalled,
     waits_for_input,
@@ -257,6 +260,10 @@ def _ros_passes_more(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
             right = f"def {name}({', '.join([*own, *_PASSED.get(maker, [])])}):"
             return Proven({"right": right}, proven.where)
     return None
+
+
+def _own_method(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    return Proven() if any(map(takes_self, functions(evidence.sources, words["name"]))) else None
 
 
 def _parameters(evidence: Evidence, symptom: Symptom, words: Words) -> Proven:
@@ -707,7 +714,7 @@ SHUT_DOWN_TWICE = Known[Evidence](
 
 EXCEPTIONS: tuple[Known[Evidence], ...] = (
     *MIXUPS,
-    Known(r"__init__\(\)|has no attribute", "{cause}",
+    Known(r"__init__\(\)|has no attribute|takes no arguments", "{cause}",
           "TypeError: Node.__init__() missing 1 required positional argument: 'node_name'",
           proof=because(misnamed_constructor),
           given={"talk/talker.py": "class Talker(Node):\n    def _init_(self):\n        pass\n"}),
@@ -741,6 +748,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"rclpy_logging_rcutils_log\(\): incompatible function arguments",
           "A logger takes a string. Convert the value: use `str(value)` or an f-string.",
           "TypeError: rclpy_logging_rcutils_log(): incompatible function arguments."),
+    Known(r"'\w+' object has no attribute", "{cause}",
+          "AttributeError: 'Talker' object has no attribute 'name'", proof=because(assigned_backward),
+          given={"talk/talker.py": "class Talker:\n    def __init__(self, name):\n"
+                                   "        name = self.name  # here\n"}),
     Known(r"'\w+' object has no attribute '(?P<name>\w+)'",
           "`{name}` is an argument of `{function}`, not part of the object: write it without `self.`.",
           "AttributeError: 'Talker' object has no attribute 'text'", proof=_argument,
@@ -1019,6 +1030,8 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "A quote in the braces ends this f-string too early: it must differ from the quotes around the "
           "string. A field of a message needs no quotes: `message.field`.",
           "SyntaxError: f-string: unmatched '['"),
+    Known(r"SyntaxError", "{cause}", "SyntaxError: invalid syntax. Perhaps you forgot a comma?",
+          proof=because(missing_sign), given={"talk/talker.py": "words = [\n    'a'\n    2,\n]\n"}),
     Known(r"SyntaxError", "Python has no `++`. Add one with `+= 1`.", "SyntaxError: invalid syntax",
           proof=_plus_plus, given={"talk/talker.py": "count++\n"}),
     Known(r"SyntaxError",
@@ -1035,7 +1048,11 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           given={"talk/talker.py": "create_subscription(Text, 'a', self.hear)\ndef hear(self):\n    pass\n"}),
     Known(r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given",
           "Compare this call with `def {name}(...)`, which takes fewer arguments. `self` counts as one.",
-          "TypeError: Talker.say() takes 1 positional argument but 2 were given"),
+          "TypeError: Talker.say() takes 1 positional argument but 2 were given", proof=_own_method,
+          where=(here,), given={"talk/talker.py": "class Talker:\n    def say(self):\n        pass\n"}),
+    Known(r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given",
+          "This call passes more arguments to `{name}` than it takes. Remove one, or pass it by its name, "
+          "as in `name=value`.", "TypeError: say() takes 1 positional argument but 2 were given"),
     Known(r'can only concatenate str \(not "(?:int|float)"',
           "This line adds a number to a string: use an f-string.",
           'TypeError: can only concatenate str (not "int") to str'),

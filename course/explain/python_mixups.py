@@ -3,10 +3,23 @@
 from __future__ import annotations
 
 import ast
+import builtins
+import re
 from collections.abc import Iterator
 
-from course.explain.engine import Evidence, Known, Proven, Symptom, Words
-from course.explain.python_code import calls, function_around, last_name, nodes, takes_self, trees
+from course.explain.callbacks import TAKERS
+from course.explain.engine import Evidence, Known, Proven, Symptom, Words, here
+from course.explain.python_code import (
+    called_name,
+    calls,
+    function_around,
+    functions,
+    last_name,
+    nodes,
+    parsed,
+    takes_self,
+    trees,
+)
 from course.model.feedback import Location
 
 _LACKS = r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'"
@@ -228,7 +241,200 @@ def _gets_the_future_alone(evidence: Evidence, symptom: Symptom, words: Words) -
     return None
 
 
+def _calls_at(evidence: Evidence, place: Location | None) -> Iterator[ast.Call]:
+    """The calls that begin on this line."""
+    for file, node in nodes(evidence.sources):
+        if isinstance(node, ast.Call) and Location(file, node.lineno) == place:
+            yield node
+
+
+def _called_in_place(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`signal(SIGINT, stop())`, `Thread(target=work())`: what takes a function gets a call of it."""
+    if not functions(evidence.sources, words["name"]):
+        return None
+    for call in _calls_at(evidence, symptom.where):
+        given = [one.value for one in call.keywords if one.arg in ("target", "callback", "key")]
+        for one in (*given, *(call.args if called_name(call) in _TAKE_FUNCTIONS else ())):
+            match one:
+                case ast.Call(args=[], keywords=[]) if called_name(one) == words["name"]:
+                    return Proven({"written": ast.unparse(one), "right": ast.unparse(one.func)})
+    return None
+
+
+_TAKE_FUNCTIONS = {"signal", "map", "filter", "register", "partial", "call_later", "call_soon", *TAKERS}
+
+
+def _hint_only(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`self.count: int`, where `=` and a value are missing."""
+    owners = list(_classes(evidence))
+    fields = {id(line) for _, owner in owners for line in owner.body}  # as in a dataclass
+    inside = ((file, node) for file, one in owners if one.name == words.get("of") for node in ast.walk(one))
+    for file, node in inside if "of" in words else nodes(evidence.sources):
+        if not isinstance(node, ast.AnnAssign) or node.value is not None or id(node) in fields:
+            continue
+        target, kind = ast.unparse(node.target), ast.unparse(node.annotation)
+        if last_name(node.target) == words["name"] and ("." in target) == ("of" in words):
+            right = f"{target}: {kind} = ..." if kind in dir(builtins) else f"{target} = {kind}"
+            given = {"line": str(node.lineno), "written": f"{target}: {kind}", "right": right}
+            return Proven(given, (Location(file, node.lineno),))
+    return None
+
+
+def _by_name_only(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`spin_once(node, 0.1)`, where the last argument has to be passed by its name."""
+    own = functions(evidence.sources, words["name"])
+    others = _BY_NAME.get(words["name"]) if not own and f".{words['name']}(" not in symptom.text else None
+    first, names = (own[0].args.args, [one.arg for one in own[0].args.kwonlyargs]) if own else ((0,), others)
+    count = len(first) - (bool(own) and takes_self(own[0]))
+    for call in calls(evidence.sources, words["name"]) if names else ():
+        more = [
+            f"{name}={ast.unparse(one)}" for name, one in zip(names or (), call.args[count:], strict=False)
+        ]
+        if call.where == symptom.where and more and len(call.args) <= count + len(names or ()):
+            before = [ast.unparse(one) for one in call.args[:count]]
+            given = " and ".join(f"`{one}`" for one in more)
+            return Proven({"names": given, "right": f"{words['name']}({', '.join([*before, *more])})"})
+    return None
+
+
+# Functions of others that take one argument by position: what they take by name.
+_BY_NAME = {"spin_once": ["timeout_sec"], "wait": ["timeout"]}
+
+
+def _imported_from(evidence: Evidence, *parts: str) -> set[str]:
+    """Names that are imported from `talk.msg` and the like."""
+    every = [node for _, node in nodes(evidence.sources) if isinstance(node, ast.ImportFrom)]
+    found = [one for one in every if (one.module or "").endswith(parts)]
+    return {alias.asname or alias.name for one in found for alias in one.names}
+
+
+def _message_by_position(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`JointState(positions)`, `Trigger.Request(True)`, for classes from a package of interfaces."""
+    names = _imported_from(evidence, ".msg", ".srv", ".action")
+    for call in _calls_at(evidence, symptom.where):
+        made = ast.unparse(call.func)
+        if call.args and made.partition(".")[0] in names and words["of"].startswith(made.partition(".")[0]):
+            return Proven({"made": made, "given": ast.unparse(call.args[0])})
+    return None
+
+
+def _has(evidence: Evidence, file: str, name: str) -> bool:
+    """Whether a file defines this name, or, as an `__init__.py`, imports it."""
+    tree = parsed(evidence.sources.files.get(file, "")) if file.endswith(".py") else None
+    names: set[str] = set()
+    for node in tree.body if tree else ():
+        if isinstance(node, ast.ImportFrom) and file.endswith("/__init__.py"):
+            names |= {alias.asname or alias.name for alias in node.names}
+        elif isinstance(node, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            names.add(node.name)
+        elif isinstance(node, ast.Assign):
+            names |= {ast.unparse(one) for one in node.targets}
+    return name in names
+
+
+def _in_a_part(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`from talk import Quote`, where talk.words has it; perhaps in talk/__init__.py itself."""
+    package = f"/{words['module'].replace('.', '/')}/"
+    inside = [name for name in evidence.sources.files if package in f"/{name}" and "/test/" not in name]
+    own = f"{package}__init__.py"
+    found = [one for one in inside if _has(evidence, one, words["name"]) and not f"/{one}".endswith(own)]
+    parts = [f"/{one}".rpartition(package)[2].removesuffix(".py").removesuffix("/__init__") for one in found]
+    parts.sort(key=lambda part: ("_" in (part[0], part.rpartition("/")[2][0]), part.count("/"), part))
+    itself = {"itself": ""} if symptom.where and f"/{symptom.where.file}".endswith(own) else {}
+    right = f"{words['module']}.{parts[0].replace('/', '.')}" if parts else ""
+    return Proven({"right": right, **itself}) if parts else None
+
+
+_TAKES = r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given"
+
+
+def _without_arguments(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`def main(args):`, where every call, such as that of an entry point, is `main()`."""
+    own = [one for one in functions(evidence.sources, "main") if len(one.args.args) > len(one.args.defaults)]
+    if len(own) != 1 or takes_self(own[0]) or any(one.args for one in calls(evidence.sources, "main")):
+        return None
+    needed = ", ".join(f"{one.arg}=None" for one in own[0].args.args)
+    places = (Location(file, own[0].lineno) for file, tree in trees(evidence.sources) if own[0] in tree.body)
+    return Proven({"right": f"def main({needed}):"}, tuple(places))
+
+
+def _result_not_awaited(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`task.result()` in an `async def`, where `await task` waits for the result."""
+    waiting = [node for _, node in nodes(evidence.sources) if isinstance(node, ast.AsyncFunctionDef)]
+    inside = {id(part) for node in waiting for part in ast.walk(node)}
+    for call in _calls_at(evidence, symptom.where):
+        if id(call) in inside and called_name(call) == "result" and isinstance(call.func, ast.Attribute):
+            right = f"await {ast.unparse(call.func.value)}"
+            return Proven({"written": ast.unparse(call), "right": right})
+    return None
+
+
+def _type_of_service(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`Trigger()`, where `Trigger` is imported from a package of services."""
+    made = [ast.unparse(call.func) for call in _calls_at(evidence, symptom.where)]
+    found = [one for one in made if one in _imported_from(evidence, ".srv")]
+    return Proven({"type": found[0]}) if found else None
+
+
+def _without_default(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`declare_parameter('period')`, whose value this line uses."""
+    shown = evidence.shown(symptom.where)[:1] if symptom.where else ()
+    given = [node for _, node in nodes(evidence.sources) if isinstance(node, ast.Assign)]
+    for call in calls(evidence.sources, "declare_parameter"):
+        name = ast.unparse(call.args[0]) if len(call.args) == 1 and not call.keywords else "?"
+        values = [last_name(one.targets[0]) for one in given if f"({name})" in ast.unparse(one.value)]
+        if any(re.search(rf"\b{value}\b", line) for line in shown for value in values):
+            return Proven({"name": name}, (call.where,))
+    return None
+
+
 MIXUPS: tuple[Known[Evidence], ...] = (
+    Known(r"'NoneType'",
+          "This line gets `None`: `declare_parameter({name})` sets no default value. Write "
+          "`declare_parameter({name}, ...)`.",
+          "TypeError: float() argument must be a string or a real number, not 'NoneType'",
+          proof=_without_default, where=(here,),
+          given={"talk/talker.py": "node.declare_parameter('period')\n"
+                 "period = node.get_parameter('period').value\nnode.create_timer(period, tick)  # here\n"}),
+    Known(r"(?<!\.)\b(?P<name>main)\(\) missing \d+ required positional argument",
+          "The program calls `main()` without arguments. Write `{right}`.",
+          "TypeError: main() missing 1 required positional argument: 'args'", proof=_without_arguments,
+          given={"talk/talker.py": "def main(args):\n    pass\n"}),
+    Known(r"InvalidStateError",
+          "The task has not finished yet, so it has no result. `{right}` waits for it: write that in place "
+          "of `{written}`.",
+          "asyncio.exceptions.InvalidStateError: Result is not set.", proof=_result_not_awaited,
+          where=(here,), given={"talk/talker.py": "async def ask(task):\n    task.result()  # here\n"}),
+    Known(r"must be a keyword argument: (?P<named>\w+)=(?P<value>\w+)",
+          "Pass this number by name: `{named}=...`.",
+          "TypeError: The number of choices must be a keyword argument: k=10"),
+    Known(r"Service classes can not be instantiated",
+          "A service has two kinds of messages. Create a request like this: `{type}.Request()`.",
+          "NotImplementedError: Service classes can not be instantiated", proof=_type_of_service,
+          where=(here,),
+          given={"talk/talker.py": "from talk.srv import Tell\nTell()  # here\n"}),
+    Known(r"(?P<name>\w+)\(\) missing \d+ required (?:positional|keyword-only) argument",
+          "`{written}` calls the function here, before it is needed. Pass the function itself: `{right}`.",
+          "TypeError: stop() missing 2 required positional arguments: 'number' and 'frame'",
+          proof=_called_in_place, where=(here,),
+          given={"talk/talker.py": "signal.signal(SIGINT, stop())  # here\ndef stop(number, frame): pass\n"}),
+    Known(r"(?:'(?P<of>\w+)' object has no attribute|name|variable) '(?P<name>\w+)'",
+          "On line {line}, `{written}` is only a type hint, and assigns nothing. Write `{right}`.",
+          "AttributeError: 'Talker' object has no attribute 'count'", proof=_hint_only,
+          given={"talk/talker.py": "class Talker:\n    def __init__(self, n):\n        self.count: n\n"}),
+    Known(_TAKES, "Pass {names} by name: `{right}`.",
+          "TypeError: spin_once() takes 1 positional argument but 2 were given", proof=_by_name_only,
+          where=(here,), given={"talk/talker.py": "rclpy.spin_once(node, 0.1)  # here\n"}),
+    Known(r"(?P<of>\w+)\.__init__\(\) takes 1 positional argument but \d+ (?:was|were) given",
+          "A message takes its fields by name: `{made}(field={given})`, with the field's name.",
+          "TypeError: Quote.__init__() takes 1 positional argument but 2 were given",
+          proof=_message_by_position, where=(here,),
+          given={"talk/talker.py": "from talk.msg import Quote\nmessage = Quote('Hi')  # here\n"}),
+    Known(r"cannot import name '(?P<name>\w+)' from (?:partially initialized module )?'(?P<module>[\w.]+)'",
+          ("{itself}This file imports `{name}` from itself. Write `from {right} import {name}`.",
+           "`{name}` is in `{right}`: write `from {right} import {name}`."),
+          "ImportError: cannot import name 'Quote' from 'talk'", proof=_in_a_part,
+          given={"talk/words/__init__.py": "from talk.words._quote import Quote\n"}),
     Known(r"(?<!\.)\b(?P<name>\w+)\(\) missing 1 required positional argument: 'self'",
           "`{name}` is a function, not a method of a class: remove `self` from its `def`.",
           "TypeError: main() missing 1 required positional argument: 'self'", proof=_function_with_self,

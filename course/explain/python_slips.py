@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import ast
 import re
+import warnings
 from collections.abc import Callable, Iterable
 from itertools import pairwise
 
 from course.evidence.sources import Sources
 from course.explain.callbacks import TAKERS, callbacks, called_callback, in_callbacks, long_period
 from course.explain.engine import Cause
-from course.explain.python_code import called_name, calls, nodes, number, text_places, trees
+from course.explain.python_code import LONGEST, called_name, calls, nodes, number, text_places, trees
 from course.explain.service_causes import blocking_call, spin_in_callback
 from course.model.feedback import Location
 
@@ -105,13 +106,16 @@ def shadowed_import(sources: Sources) -> Cause | None:
 
 def uncalled(sources: Sources, only: str = "") -> Cause | None:
     """`node.is_ready` or `rclpy.spin` without the parentheses that call it. only: a name to look for."""
-    stored = {n.attr for _, n in nodes(sources) if isinstance(n, ast.Attribute) and _is_stored(n)}
+    stored = {
+        _last(n) for _, n in nodes(sources) if isinstance(n, ast.Attribute | ast.Name) and _is_stored(n)
+    }
     plain = {node.name for _, node in nodes(sources) if isinstance(node, _Def) and not node.decorator_list}
     names = (plain | _METHODS) - stored
     names = names & {only} if only else names
     for file, node in nodes(sources):
         for part in _asked(node):
-            if isinstance(part, ast.Attribute) and part.attr in names:
+            own = isinstance(part, ast.Attribute) or (isinstance(part, ast.Name) and part.id in plain)
+            if own and _last(part) in names:
                 written = ast.unparse(part)
                 given = "(node)" if written == "rclpy.spin" else "()"
                 return Cause(
@@ -122,7 +126,11 @@ def uncalled(sources: Sources, only: str = "") -> Cause | None:
     return None
 
 
-def _is_stored(node: ast.Attribute) -> bool:
+def _last(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
+def _is_stored(node: ast.Attribute | ast.Name) -> bool:
     return isinstance(node.ctx, ast.Store)
 
 
@@ -177,6 +185,71 @@ def compared(sources: Sources) -> Cause | None:
     return None
 
 
+def never_awaited(sources: Sources) -> Cause | None:
+    """`asyncio.sleep(0.1)` as a whole line, or such a call of the learner's own `async def`."""
+    own = {node.name for _, node in nodes(sources) if isinstance(node, ast.AsyncFunctionDef)}
+    own -= {node.name for _, node in nodes(sources) if isinstance(node, ast.FunctionDef)}
+    for file, node in nodes(sources):
+        call = node.value if isinstance(node, ast.Expr) else None
+        if isinstance(call, ast.Call) and (called_name(call) in own or ast.unparse(call.func) in _COROUTINES):
+            text = f"Without `await`, `{ast.unparse(call.func)}(...)` does nothing: write `await` before it."
+            return Cause(text, (Location(file, call.lineno),))
+    return None
+
+
+_COROUTINES = ("asyncio.sleep", "asyncio.wait", "asyncio.wait_for", "asyncio.to_thread")
+
+
+def assigned_backward(sources: Sources) -> Cause | None:
+    """`value = self.value`, where `value` is the function's argument, and is not used after that."""
+    for file, function in nodes(sources):
+        inside = list(ast.walk(function)) if isinstance(function, _Def) else []
+        given = {part.arg for part in inside if isinstance(part, ast.arg)} - {"self"}
+        given -= {part.id for part in inside if isinstance(part, ast.Name) and not _is_stored(part)}
+        for line in inside:
+            match line:
+                case ast.Assign(targets=[ast.Name(id=name)], value=ast.Attribute() as kept) if name in given:
+                    right = f"{ast.unparse(kept)} = {name}"
+                    text = f"The side left of `=` gets the value. Swap the two sides: `{right}`."
+                    return Cause(text, (Location(file, line.lineno),))
+    return None
+
+
+def missing_sign(sources: Sources) -> Cause | None:
+    """A file that Python can read after one sign is added or replaced."""
+    for file, text in sources.files.items():
+        broken = _syntax_error(text) if file.endswith(".py") and len(text) <= LONGEST else None
+        lines = text.splitlines()
+        begin = broken.lineno or 1 if broken else len(lines) + 1
+        for at, line in enumerate(lines[begin - 1 : begin + _LINES_TRIED], start=begin):
+            for pattern, right, advice in _SIGNS:
+                changed = re.sub(pattern, right, line, count=1)
+                if changed != line and not _syntax_error("\n".join((*lines[: at - 1], changed, *lines[at:]))):
+                    written = advice.format(line=at, right=changed.strip())
+                    return Cause(written, (Location(file, at),))
+    return None
+
+
+_LINES_TRIED = 20
+_SIGNS = (
+    (r"(?<=[\w)\]}'\"])\s*(?=#|$)", ",", "A comma is missing at the end of line {line}."),
+    (r"(['\"])\s*=\s*(?!=)", r"\1: ", "In a dict, write `:` in place of `=`: `{right}`."),
+    (r"(?<=[\w)\]}'\"])\s*(?=#|$)", ":", "A colon is missing at the end of line {line}."),
+)
+
+
+def _syntax_error(text: str) -> SyntaxError | None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            ast.parse(text)
+        except SyntaxError as error:
+            return error
+        except (ValueError, RecursionError, MemoryError):
+            return None
+    return None
+
+
 def never_counts(sources: Sources) -> Cause | None:
     """A count that a callback resets on each call, or of which it only increases a copy."""
     for callback in callbacks(sources):
@@ -193,6 +266,25 @@ def never_counts(sources: Sources) -> Cause | None:
             if value.startswith("self.") and value not in added | {ast.unparse(t) for t in _targets(body)}:
                 text = f"`{name}` is a copy of `{value}`, which never changes. Add to `{value}` itself."
                 return Cause(text, (Location(callback.file, line.lineno),))
+    return None
+
+
+def local_copy(sources: Sources) -> Cause | None:
+    """`count = self.count + 1` in a callback, where nothing else changes `self.count`."""
+    every = [node for _, node in nodes(sources)]
+    for callback in callbacks(sources):
+        inside = list(ast.walk(callback.node))
+        read = {part.id for part in inside if isinstance(part, ast.Name) and not _is_stored(part)}
+        for line in inside:
+            match line:
+                case ast.Assign(targets=[ast.Name(id=name)], value=ast.BinOp(left=ast.Attribute() as own)):
+                    written, place = ast.unparse(own), Location(callback.file, line.lineno)
+                    stores = [one for one in every if isinstance(one, ast.Attribute) and _is_stored(one)]
+                    changed = sum(ast.unparse(one) == written for one in stores)
+                    if name not in read and name in own.attr and changed <= 1:
+                        right = f"{written} = {ast.unparse(line.value)}"
+                        text = f"`{name}` is a variable of this function only, so `{written}` never changes."
+                        return Cause(f"{text} Write `{right}`.", (place,))
     return None
 
 
@@ -572,6 +664,17 @@ def several_timers(sources: Sources) -> Cause | None:
         if name in first_of:
             return Cause(f"Two timers call `{name}`: remove one of the two.", (call.where, first_of[name]))
         first_of[name] = call.where
+    return None
+
+
+def quoted_variable(sources: Sources, maker: str, topics: Iterable[str]) -> Cause | None:
+    """`create_publisher(Quote, 'topic_name', 10)`, where `topic_name` is a variable."""
+    given = {node.id for _, node in nodes(sources) if isinstance(node, ast.Name) and _is_stored(node)}
+    for call in calls(sources, maker):
+        name = getattr(call.argument(1, "topic"), "value", None)
+        if name in given and f"/{name}" in topics:
+            text = f"`'{name}'` in quotation marks is a text, not the variable `{name}`: remove the marks."
+            return Cause(text, (call.where,))
     return None
 
 

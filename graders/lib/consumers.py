@@ -139,8 +139,9 @@ def _no_header(header: str, package: BuiltPackage, every: Sequence[Command], sou
             ),
         )
     installed = [one for one in _named(every, "install") if one.words[:1] == ("DIRECTORY",)]
-    if not installed:
-        return _headers(package, every)
+    nested = [one for one in installed if one.words[1:2] == ("include",)]
+    if not installed or any((one.after("DESTINATION") or "").endswith("include") for one in nested):
+        return _headers(package, nested or every)
     exports = [one for one in every if one.name.startswith("ament_export_") and "depend" not in one.name]
     includes = _named(every, "target_include_directories")
     return Feedback(

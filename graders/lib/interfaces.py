@@ -38,13 +38,17 @@ def expect_tag(
         return
     elsewhere = [tag for tag, text in found.tags if text == value]
     written = f"<{tags[0]}>{value}</{tags[0]}>"
+    near = nearest(value, {text for tag, text in found.tags if tag in tags} - {value})
+    near = None if elsewhere else near
     raise Failure(
         Feedback(
             summary=f"package.xml does not contain `{written}`: {purpose}.",
             expected=written,
-            seen=f"<{elsewhere[0]}>{value}</{elsewhere[0]}>" if elsewhere else None,
-            where=(found.place_of(value) or found.where,),
-            advice=f"Add the line `{written}` to package.xml.",
+            seen=f"<{elsewhere[0]}>{value}</{elsewhere[0]}>" if elsewhere else near,
+            where=(found.place_of(near or value) or found.where,),
+            advice=f"Correct `{near}`: it must be `{value}`."
+            if near
+            else f"Add the line `{written}` to package.xml.",
         )
     )
 

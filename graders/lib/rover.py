@@ -71,14 +71,19 @@ def answered_distances(recording: Recording, begin: float, end: float) -> list[t
 
 
 def expect_speed(
-    recording: Recording, distance: float, speed: float | None, wanted: float, advice: str
+    recording: Recording,
+    distance: float,
+    speed: float | None,
+    wanted: float,
+    advice: str,
+    cause: Cause | None = None,
 ) -> None:
-    """Check the speed (m/s) that followed a distance (m)."""
+    """Check the speed (m/s) that followed a distance (m). cause: if the code proves one for this check."""
     if speed is not None and abs(speed - wanted) <= CLOSE:
         return
     if speed is None:
         advice = "Publish a `Twist` in `range_callback`, once for each measurement."
-    cause = slips.first(
+    cause = cause or slips.first(
         recording.sources, slips.compared, without_effect, *([never_called] if speed is None else [])
     )
     cause = cause or Cause(advice, text_places(recording.sources, "linear.x")[:1])

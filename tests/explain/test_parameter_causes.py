@@ -35,6 +35,23 @@ def test_a_parameter_that_is_declared_below_a_namespace(given: str, prefix: str,
     assert ("`texts.quote`" in cause.text) is is_told
 
 
+@pytest.mark.parametrize(
+    ("declared_one", "line", "is_told"),
+    [
+        ("topic_name", "get_parameter('topic')", True),
+        ("topic_name", "topic_name = get_parameter('place').value", True),
+        ("speed", "topic = get_parameter('topic').value", False),
+        ("topic_name", "get_parameter('topic')\nget_parameter('topic_name')", False),
+    ],
+)
+def test_a_parameter_that_is_read_by_the_name_of_another(declared_one: str, line: str, is_told: bool) -> None:
+    name = "place" if "place" in line else "topic"
+    code = f"declare_parameter('{declared_one}', 'a')\n{line}\n"
+    cause = undeclared(ERROR.format(name), sources(code))
+    assert cause is not None
+    assert ("Use the same name in both lines" in cause.text) is is_told
+
+
 def test_another_error() -> None:
     assert undeclared("ValueError: no", sources("")) is None
 

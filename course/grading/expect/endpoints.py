@@ -5,7 +5,7 @@ from __future__ import annotations
 from course.evidence.recording import Recording
 from course.explain.languages import language_of
 from course.explain.python_code import text_places
-from course.explain.python_slips import made_again
+from course.explain.python_slips import made_again, quoted_variable
 from course.explain.setup_py import starts_another
 from course.model.feedback import Failure, Feedback, Location
 from course.model.graph import Endpoint, Kind, Qos, mismatch
@@ -61,13 +61,16 @@ def expect_endpoint(recording: Recording, kind: Kind, topic: str, *, remedy: str
                 advice=f"Spell the topic's name exactly like this: `{topic.lstrip('/')}`.",
             )
         )
+    quoted = quoted_variable(recording.sources, _MAKERS[kind], topics)
     raise Failure(
         Feedback(
             summary=f"No node {_VERBS[kind]} `{topic}`.",
             expected=f"a {kind} on {topic}",
             seen=f"the node {_VERBS[kind]} {listed(topics, 'no topic')}",
-            where=makers[:2] or language_of(recording.sources).constructor(recording.sources),
-            advice=remedy,
+            where=quoted.where
+            if quoted
+            else makers[:2] or language_of(recording.sources).constructor(recording.sources),
+            advice=quoted.text if quoted else remedy,
         )
     )
 

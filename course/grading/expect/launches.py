@@ -303,6 +303,8 @@ def _place(own: Sources, file: str, error: str) -> tuple[Location, ...]:
     line = _LINE.search(error) if f"({file}," in error else None
     if line:
         return tuple(Location(path, int(line["line"])) for path in own.files)
+    if lost := re.search(r"cannot import name '(\w+)' from '([\w.]+)'", error):
+        return text_places(own, f"from {lost[2]} import")[:1]
     nodes = tuple(call.where for call in calls(own, "Node")) if "Node" in error else ()
     return nodes[:1] or tuple(Location(path) for path in own.files)
 

@@ -11,7 +11,7 @@ from course.evidence.recording import Recording
 from course.explain.engine import Cause
 from course.explain.observed import unproven
 from course.explain.parameter_causes import declared, named, undeclared
-from course.explain.python_code import calls, text_places
+from course.explain.python_code import calls, functions, last_name, text_places
 from course.model.events import OutputLine
 from course.model.feedback import Failure, Feedback, Location
 from course.spelling import listed, nearest
@@ -116,7 +116,14 @@ def _refusal(recording: Recording, reason: str) -> Cause:
         return Cause(
             "A read-only parameter keeps its first value. Declare it without `read_only`.", read_only
         )
-    callback = tuple(call.where for call in calls(recording.sources, "add_on_set_parameters_callback"))[:1]
+    every = calls(recording.sources, "add_on_set_parameters_callback")
+    callback = tuple(call.where for call in every)[:1]
+    if "invalid type" in reason and every and every[0].args:
+        name = last_name(every[0].args[0])
+        return Cause(
+            f"`{name}` must return `SetParametersResult(successful=True)`, and nothing else.",
+            tuple(Location(callback[0].file, one.lineno) for one in functions(recording.sources, name))[:1],
+        )
     if callback:
         return Cause(
             "Your callback for changes should accept this one: end it with `return "

@@ -10,7 +10,7 @@ import msgspec
 from course.errors import OurFault
 from course.evidence.process_view import ProbeAnswer
 from course.evidence.recording import Recording
-from course.explain.engine import Evidence, Symptom, explain
+from course.explain.engine import Cause, Evidence, Symptom, explain
 from course.explain.python_errors import EXCEPTIONS, PROVEN, learners_file
 from course.model.feedback import Failure, Feedback, Location
 
@@ -127,8 +127,7 @@ def trouble(
     place = Location(file, answer.line) if file else where
     error = answer.error or ""
     advice = next((text for words, text in _ADVICE if all(word in error for word in words)), None)
-    evidence = Evidence(sources=recording.sources, packages=recording.packages)
-    known = explain(PROVEN if advice else EXCEPTIONS[:-2], [Symptom(error, place)], evidence)
+    known = known_error(recording, error, place, proven=bool(advice))
     otherwise = (
         "The error came from this line of your code: check the values that it uses."
         if place
@@ -137,8 +136,20 @@ def trouble(
     return Feedback(
         summary=f"{summary}: {_FOLDERS.sub('', error)}",
         where=known.where if known else (place,) if place else (),
-        advice=known.remedy if known else advice or otherwise,
+        advice=known.text if known else advice or otherwise,
     )
+
+
+def known_error(
+    recording: Recording, error: str, place: Location | None, *, proven: bool = True
+) -> Cause | None:
+    """What is known about the exception `error`, which was raised at `place`, and where to look.
+
+    proven: only causes that the learner's code proves, not what the exception's text alone suggests.
+    """
+    evidence = Evidence(sources=recording.sources, packages=recording.packages)
+    found = explain(PROVEN if proven else EXCEPTIONS[:-2], [Symptom(error, place)], evidence)
+    return Cause(found.remedy, found.where) if found else None
 
 
 def _hangs(recording: Recording, what: str, name: str) -> Feedback:

@@ -98,6 +98,8 @@ def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) 
     if reports and ended.code:
         look_at = f"what the program reports before it ends ({reports[-1][:160]})."
     cause = None if reports and ended.code else language.to_keep_running(recording)
+    if any("Couldn't parse parameter override rule" in text for text in view.text):
+        cause = Cause("After `-p`, ROS reads `name:=value`: write `:=` between a name and its value.")
     cause = cause or unproven(recording, look_at, ended=True)
     return Feedback(
         summary=f"The program ended on its own after {seconds(view.lifetime or 0.0)}; "
