@@ -177,8 +177,8 @@ def finds_ros2(recording: Recording) -> None:
             expected="usage: ros2 ...",
             seen=ran.printed[-1][:120] if ran.printed else "nothing",
             where=places(recording, r".*\bPATH=")[:2] or (Location(BASHRC),),
-            advice="Does a line set `PATH` after ROS 2 is sourced, without `$PATH` in it? And is there an "
-            "alias or a function called `ros2`?",
+            advice="After the line that sources ROS 2, is there one that sets `PATH` without `$PATH` in it? "
+            "And is there an alias or a function called `ros2`?",
             details=ran.printed[:4],
         )
     )

@@ -74,7 +74,7 @@ def topic(recording: Recording) -> None:
     remedy = (
         "The launch file sets `topic_name`, but the node must also pass it to `create_publisher`."
         if given and not spaced
-        else "The launch file's `namespace` comes before the topic's name: remove it."
+        else "The launch file's `namespace` is put in front of the topic's name: remove the namespace."
         if given
         else f"Add `'topic_name': '{name}'` to `parameters` in the launch file."
     )

@@ -62,7 +62,7 @@ def about() -> None:
 def marks(ctx: typer.Context, folder: Folder) -> None:
     """Write a marks.yaml to fill in.
 
-    It lists everyone, with each exercise in which they did not earn all points.
+    It lists everyone, with each exercise for which they did not earn full points.
     People with the same code and results share an entry. Empty entries
     change nothing. `report` and `regrade` read the file.
     """

@@ -505,7 +505,7 @@ def await_in_callback(sources: Sources) -> Cause | None:
         waits = [node.lineno for node in ast.walk(callback.node) if isinstance(node, ast.Await)]
         if waits:
             return Cause(
-                "This `await` never ends: the node's callbacks take turns, so its answer waits for this "
+                "This `await` never ends: the node's callbacks take turns, so the answer waits for this "
                 "callback. Use `call_async` without `await`, and read the answer in "
                 "`future.add_done_callback(...)`.",
                 (Location(callback.file, waits[0]),),

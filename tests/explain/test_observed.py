@@ -125,7 +125,7 @@ def test_a_halt_that_was_over() -> None:
 
 def test_a_loop_in_a_callback() -> None:
     found = cause_of(Observed(0.0, "looped", "called back", by=at(8), seconds=3))
-    assert found and found.text.startswith("The loop on line 7 never ends: 3 s later")
+    assert found and found.text.startswith("The loop on line 7 never ends: after 3 s")
     assert found.where == (Location(FILE, 7),)
 
 

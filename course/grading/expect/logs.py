@@ -20,7 +20,7 @@ from course.grading.expect.programs import cause_of_silence, proven_silence
 from course.model.feedback import Failure, Feedback, Location
 
 _SHOWN, _FEW = 3, 2
-_EXACTLY = "Log exactly the words of the task, with the same capital letters and period."
+_EXACTLY = "Log exactly the words given in the task, with the same capitalization and punctuation."
 # A line that is less similar than this is not just a misspelled version of the expected one.
 _ALIKE = 0.6
 
