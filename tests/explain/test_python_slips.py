@@ -1,4 +1,4 @@
-"""Mistakes that Python accepts without an error: what the code must show, and what is no mistake."""
+"""Mistakes that Python accepts without an error: what the code must show, and what is not a mistake."""
 
 from __future__ import annotations
 
