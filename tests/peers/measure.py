@@ -33,21 +33,39 @@ _EXECUTABLE = re.compile(r"^\s*add_executable\s*\(|\bEXECUTABLE\s+\w+", re.MULTI
 _CASES = re.compile(r"^TYPED_TEST\(|^TEST(?:_[FP])?\s*\(", re.MULTILINE)
 _RAN, _PASSED = (re.compile(rf"^\[ *{word} *\] (\d+) test", re.MULTILINE) for word in ("=+", "PASSED"))
 _RUN_TIME = 120.0
+# The tests want messages of a package that is called as rclcpp itself.
 _TESTS = """\
 cmake_minimum_required(VERSION 3.8)
-project(rclcpp_tests LANGUAGES C CXX)
+project(rclcpp LANGUAGES C CXX)
 set(CMAKE_CXX_STANDARD 17)
 find_package(ament_cmake REQUIRED)
 find_package(rclcpp REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
 find_package(test_msgs REQUIRED)
 find_package(GTest REQUIRED)
+file(GLOB messages RELATIVE ${TESTS}/.. ${TESTS}/../msg/*.msg)
+list(TRANSFORM messages PREPEND "${TESTS}/..:")
+rosidl_generate_interfaces(rclcpp_test_msgs ${messages}
+  DEPENDENCIES builtin_interfaces LIBRARY_NAME rclcpp_test_msgs SKIP_INSTALL)
+rosidl_get_typesupport_target(own_messages rclcpp_test_msgs rosidl_typesupport_cpp)
+# Other tests use what is in this one.
+add_library(helpers STATIC ${TESTS}/executors/test_waitable.cpp)
+target_link_libraries(helpers rclcpp::rclcpp)
 foreach(source ${SOURCES})
   get_filename_component(name ${source} NAME_WE)
   add_executable(${name} ${source})
   target_include_directories(${name} PRIVATE ${TESTS} ${TESTS}/..)
   target_compile_definitions(${name} PRIVATE TEST_RESOURCES_DIRECTORY="${RESOURCES}")
-  target_link_libraries(${name} rclcpp::rclcpp ${test_msgs_TARGETS} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name}
+    helpers rclcpp::rclcpp ${own_messages} ${test_msgs_TARGETS} GTest::gmock GTest::gtest_main)
 endforeach()
+"""
+_PACKAGE = """\
+<package format="3">
+  <name>rclcpp</name><version>0.0.0</version><description>Tests</description>
+  <maintainer email="nobody@example.com">nobody</maintainer><license>none</license>
+  <member_of_group>rosidl_interface_packages</member_of_group>
+</package>
 """
 
 
@@ -123,6 +141,7 @@ def rclcpp_tests(builder: Builder) -> Iterator[Row]:
     project, build = builder.folder / "tests", builder.folder / "tests/build"
     project.mkdir(exist_ok=True)
     (project / "CMakeLists.txt").write_text(_TESTS, encoding="utf-8")
+    (project / "package.xml").write_text(_PACKAGE, encoding="utf-8")
     paths = {"TESTS": tests, "RESOURCES": tests.parent / "resources", "Python3_EXECUTABLE": sys.executable}
     lists = {"SOURCES": public, "CMAKE_PREFIX_PATH": [messages, messages.with_name("test_interface_files")]}
     told = {**paths, **{name: ";".join(map(str, paths)) for name, paths in lists.items()}}

@@ -47,6 +47,15 @@ void CallbackGroup::add(const std::shared_ptr<detail::Entity> & entity)
   }
 }
 
+void CallbackGroup::remove(const std::shared_ptr<detail::Entity> & entity)
+{
+  const std::lock_guard lock(mutex_);
+  entities_.erase(
+    std::remove_if(
+      entities_.begin(), entities_.end(), [&](const auto & known) {return known.lock() == entity;}),
+    entities_.end());
+}
+
 void CallbackGroup::set_waker(const std::shared_ptr<GuardCondition> & waker)
 {
   const std::lock_guard lock(mutex_);

@@ -155,6 +155,12 @@ void NodeBaseInterface::add(
   }
 }
 
+void NodeBaseInterface::remove(
+  const std::shared_ptr<detail::Entity> & entity, const CallbackGroup::SharedPtr & group)
+{
+  (group ? group : default_group_)->remove(entity);
+}
+
 void NodeBaseInterface::set_waker(const std::shared_ptr<GuardCondition> & waker)
 {
   const std::lock_guard lock(mutex_);

@@ -62,7 +62,7 @@ PublisherBase::PublisherBase(
       detail::LocalOutbox{gid_, get_actual_qos(), clone, {}});
     local_->add(outbox_);
   }
-  for (const auto & event : events_) {
+  for (const auto & [type, event] : events_) {
     node->add(event, options.callback_group);
   }
 }

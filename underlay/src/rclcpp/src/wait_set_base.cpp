@@ -135,7 +135,7 @@ void WaitSetBase::add_subscription_(
   if (mask.include_subscription) {
     add_entity_(subscription, "subscription");
   }
-  for (const auto & event : subscription->events()) {
+  for (const auto & [type, event] : subscription->get_event_handlers()) {
     if (mask.include_events) {
       add_entity_(event, "subscription event", subscription);
     }
@@ -153,7 +153,7 @@ void WaitSetBase::remove_subscription_(
   if (mask.include_subscription) {
     remove_entity_(subscription, "subscription");
   }
-  for (const auto & event : subscription->events()) {
+  for (const auto & [type, event] : subscription->get_event_handlers()) {
     if (mask.include_events) {
       remove_entity_(event, "subscription event");
     }
@@ -213,20 +213,18 @@ void WaitSetBase::hold()
   held_ = std::move(held);
 }
 
-std::size_t WaitSetBase::count(EntityKind kind) const
-{
-  return static_cast<std::size_t>(std::count_if(
-           held_.others.begin(), held_.others.end(), [&](const auto & one) {return one->kind() == kind;}));
-}
-
 void WaitSetBase::fill()
 {
-  detail::check(
-    rcl_wait_set_resize(
-      &set_, held_.subscriptions.size(),
-      held_.guard_conditions.size() + count(EntityKind::guard_condition) + is_shared_,
-      held_.timers.size(), held_.clients.size(), held_.services.size(), count(EntityKind::event)),
-    "failed to resize the wait set");
+  detail::WaitSetRoom room;
+  room.subscriptions = held_.subscriptions.size();
+  room.guard_conditions = held_.guard_conditions.size() + is_shared_;
+  room.timers = held_.timers.size();
+  room.clients = held_.clients.size();
+  room.services = held_.services.size();
+  for (const auto & other : held_.others) {
+    room.add(*other);
+  }
+  detail::check(room.resize(set_), "failed to resize the wait set");
   for (const auto & one : held_.guard_conditions) {
     detail::check(
       rcl_wait_set_add_guard_condition(&set_, &one->get_rcl_guard_condition(), nullptr),
@@ -284,6 +282,10 @@ WaitResultKind WaitSetBase::wait_(std::chrono::nanoseconds time_to_wait)
     if (ret == RCL_RET_TIMEOUT) {
       rcl_reset_error();
       return WaitResultKind::Timeout;
+    }
+    if (ret == RCL_RET_WAIT_SET_EMPTY) {  // there are waitables that wait for nothing
+      rcl_reset_error();
+      return WaitResultKind::Empty;
     }
     detail::check(ret, "rcl_wait() failed");
     if (!is_only_interrupted()) {

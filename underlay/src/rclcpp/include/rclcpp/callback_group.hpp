@@ -44,6 +44,8 @@ public:
   /// Adds it, and wakes the executor to which this group was added by itself.
   void add(const std::shared_ptr<detail::Entity> & entity);
 
+  void remove(const std::shared_ptr<detail::Entity> & entity);
+
   /// Whom to wake when something is added.
   void set_waker(const std::shared_ptr<GuardCondition> & waker);
 

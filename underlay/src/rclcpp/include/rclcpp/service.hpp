@@ -82,7 +82,7 @@ public:
   using Header = std::shared_ptr<rmw_request_id_t>;
   /// Gives what is to be answered, or nothing when that is sent later.
   using Handler = std::function<std::shared_ptr<Response>(
-        Service &, const Header &, const std::shared_ptr<Request> &)>;
+        Service *, const Header &, const std::shared_ptr<Request> &)>;
 
   Service(
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & service_name,
@@ -104,7 +104,7 @@ public:
   void handle_request(Header request_header, std::shared_ptr<void> request) override
   {
     if (const auto response =
-      handler_(*this, request_header, std::static_pointer_cast<Request>(std::move(request))))
+      handler_(this, request_header, std::static_pointer_cast<Request>(std::move(request))))
     {
       send_response(*request_header, *response);
     }
@@ -133,28 +133,28 @@ typename Service<ServiceT>::Handler service_handler(CallbackT && callback)
   using Response = std::shared_ptr<typename ServiceT::Response>;
   if constexpr (std::is_invocable_v<Given &, Request, Response>) {
     return [callback = Given(std::forward<CallbackT>(callback))](
-      Self &, const Header &, const Request & request) mutable {
+      Self *, const Header &, const Request & request) mutable {
              auto response = std::make_shared<typename ServiceT::Response>();
              callback(request, response);
              return response;
            };
   } else if constexpr (std::is_invocable_v<Given &, Header, Request, Response>) {
     return [callback = Given(std::forward<CallbackT>(callback))](
-      Self &, const Header & header, const Request & request) mutable {
+      Self *, const Header & header, const Request & request) mutable {
              auto response = std::make_shared<typename ServiceT::Response>();
              callback(header, request, response);
              return response;
            };
   } else if constexpr (std::is_invocable_v<Given &, Header, Request>) {
     return [callback = Given(std::forward<CallbackT>(callback))](
-      Self &, const Header & header, const Request & request) mutable {
+      Self *, const Header & header, const Request & request) mutable {
              callback(header, request);
              return Response();
            };
   } else if constexpr (std::is_invocable_v<Given &, std::shared_ptr<Self>, Header, Request>) {
     return [callback = Given(std::forward<CallbackT>(callback))](
-      Self & service, const Header & header, const Request & request) mutable {
-             callback(service.shared_from_this(), header, request);
+      Self * service, const Header & header, const Request & request) mutable {
+             callback(service ? service->shared_from_this() : nullptr, header, request);
              return Response();
            };
   } else {
