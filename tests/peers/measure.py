@@ -46,7 +46,7 @@ find_package(GTest REQUIRED)
 file(GLOB messages RELATIVE ${TESTS}/.. ${TESTS}/../msg/*.msg)
 list(TRANSFORM messages PREPEND "${TESTS}/..:")
 rosidl_generate_interfaces(rclcpp_test_msgs ${messages}
-  DEPENDENCIES builtin_interfaces LIBRARY_NAME rclcpp_test_msgs SKIP_INSTALL)
+  DEPENDENCIES builtin_interfaces LIBRARY_NAME rclcpp SKIP_INSTALL)
 rosidl_get_typesupport_target(own_messages rclcpp_test_msgs rosidl_typesupport_cpp)
 # Other tests use what is in this one.
 add_library(helpers STATIC ${TESTS}/executors/test_waitable.cpp)
@@ -159,7 +159,7 @@ def rclcpp_tests(builder: Builder) -> Iterator[Row]:
 
 def cases(builder: Builder, program: Path, messages: Path) -> tuple[int, int]:
     """How many pass, and how many run."""
-    libraries = f"{messages}/lib:{builder.environment.get('LD_LIBRARY_PATH', '')}"
+    libraries = f"{program.parent}:{messages}/lib:{builder.environment.get('LD_LIBRARY_PATH', '')}"
     try:
         done = subprocess.run(
             ["nice", program], cwd=builder.folder, env={**builder.environment, "LD_LIBRARY_PATH": libraries},

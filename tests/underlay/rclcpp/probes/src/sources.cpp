@@ -10,6 +10,7 @@
 #include "rclcpp/rclcpp.hpp"
 
 #include "case.hpp"
+#include "rclcpp/node_interfaces/node_interfaces.hpp"
 #include "rclcpp/parameter_events_filter.hpp"
 #include "rclcpp/strategies/allocator_memory_strategy.hpp"
 #include "rclcpp/strategies/message_pool_memory_strategy.hpp"
@@ -213,7 +214,7 @@ void parameters_of_files()
 {
   const auto folder = std::filesystem::temp_directory_path();
   const std::string file = folder / ("parameters_" + std::to_string(getpid()) + ".yaml");
-  std::ofstream(file) << "/**:\n  ros__parameters: {a: 1, b: [x, y]}\n"
+  std::ofstream(file) << "/**:\n  ros__parameters: {a: 1, b: [x, z]}\n"
                       << "/other:\n  ros__parameters: {c: true}\n";
   const auto map = rclcpp::parameter_map_from_yaml_file(file);
   EXPECT(map.size() == 2 && map.at("/**").size() == 2 && map.at("/other").front().as_bool());
@@ -333,6 +334,7 @@ void a_pool_of_messages()
   auto message = pool.borrow_message();
   EXPECT(THROWN(std::runtime_error, pool.borrow_message()) == "No more free slots in the pool");
   pool.return_message(message);
+  message.reset();
   EXPECT(pool.borrow_message() != nullptr);
 }
 
