@@ -32,13 +32,16 @@ void check_there(const std::shared_ptr<T> & entity, const char * name)
   }
 }
 
-/// Makes it a member of no other wait set.
+/// Makes it a member of no other wait set. The words are those of the real one, which differ.
 template<typename T>
-void take(const std::shared_ptr<T> & entity, const char * name)
+void take(const std::shared_ptr<T> & entity, const std::string & name)
 {
-  check_there(entity, name);
+  check_there(entity, name.c_str());
   if (entity->exchange_in_use_by_wait_set_state(true)) {
-    throw std::runtime_error(std::string(name) + " already in use by another wait set");
+    const bool is_of_subscription = name.rfind("subscription", 0) == 0;
+    throw std::runtime_error(
+            (name == "guard_condition" ? "guard condition" : name) +
+            (is_of_subscription ? " already associated with a wait set" : " already in use by another wait set"));
   }
 }
 
@@ -272,7 +275,7 @@ WaitResultKind WaitSetBase::wait_(std::chrono::nanoseconds time_to_wait)
     const bool is_empty = held_.guard_conditions.empty() && held_.subscriptions.empty() &&
       held_.timers.empty() && held_.clients.empty() && held_.services.empty() && held_.others.empty();
     ++state_;
-    if (is_empty) {
+    if (is_empty && !is_shared_) {
       return WaitResultKind::Empty;
     }
     fill();
