@@ -2,7 +2,8 @@
 
 Each mistake is made in the solution, or in the alternative that `over` names, and graded as `check` does. The
 feedback for those that match PATTERN is printed, for a person to read and judge. --figures prints the
-judgments in `bench/mistakes/judgments.yaml`. Each mistake has letters: c (the true cause is named), l (the
+judgments in `bench/mistakes/judgments.yaml`. Each mistake has letters, and after a `/` those of a second
+reading, after its feedback was improved: c (the true cause is named), l (the
 feedback leads to the fix) or p (it leads there partly), m (it misleads), u (not caught). `e` marks edits
 that turned out to be right. `fresh` and `strict` are sets. Every other mistake of each other file belongs
 to the set `blind`: read these only after explanations were improved.
@@ -135,8 +136,10 @@ def figures() -> None:
     rows = []
     for name in ("open", "blind", *WHOLE):
         mine = [judged[entry["id"]] for entry in every if entry["set"] == name and entry["id"] in judged]
-        letters = [each for each in mine if each != "e"]
-        rows.append([name, str(len(letters)), *(_share(letter, letters) for letter in "uclpm")])
+        letters = [each.split("/") for each in mine if each != "e"]
+        for title, place in ((name, 0), (f"{name}, again", -1))[: 1 + any(len(each) > 1 for each in letters)]:
+            chosen = [each[place] for each in letters]
+            rows.append([title, str(len(chosen)), *(_share(letter, chosen) for letter in "uclpm")])
     show("mistakes that no feedback was written for", HEAD, rows)
 
 

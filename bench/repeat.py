@@ -77,7 +77,7 @@ def graded(exercise: str, folder: Path, people: int, jobs: int, right: bool) -> 
     return sqlite3.connect(folder / "grades" / FILE)
 
 
-HEAD = ("exercise", "gradings", "right", "wrong", "differ", "reruns", "our errors", "median (s)", "90 % (s)")
+HEAD = ("exercise", "gradings", "right", "wrong", "differ", "reruns", "our errors", "median (s)", "90% (s)")
 
 
 def row(exercise: str, quiet: sqlite3.Connection, loaded: sqlite3.Connection, right: bool) -> list[str]:

@@ -31,13 +31,13 @@ from course.explain import python_slips as slips
 from course.explain.cmake import Command, commands
 from course.explain.cmake_errors import not_configured
 from course.explain.compiler import CppError, first_error
-from course.explain.cpp_code import cpp_files, places_of
+from course.explain.cpp_code import cpp_files, never_called, places_of, without_effect
 from course.explain.cpp_errors import not_made
 from course.explain.engine import Cause
 from course.explain.languages import timer_places
 from course.explain.parameter_causes import named, read_once
 from course.explain.python_code import calls, functions, text_places, trees
-from course.explain.python_errors import Crash, crash, learners_file
+from course.explain.python_errors import Crash, crash, crash_feedback, learners_file
 from course.explain.setup_py import entry_points, misspelled_group, packages_place, read_setup_cfg
 from course.grading.author import Grader
 from course.grading.expect.endpoints import (
@@ -57,7 +57,12 @@ from course.grading.expect.launches import (
 )
 from course.grading.expect.logs import expect_logged
 from course.grading.expect.manifests import expect_build_type, expect_dependency, expect_manifest
-from course.grading.expect.native import expect_compiled, expect_no_warnings, expect_sound, native_answer
+from course.grading.expect.native import (
+    expect_compiled,
+    expect_no_warnings,
+    expect_sound,
+    native_answer,
+)
 from course.grading.expect.one_program import about
 from course.grading.expect.parameters import expect_declared, expect_parameter, expect_set
 from course.grading.expect.periods import expect_period

@@ -62,9 +62,9 @@ def empty_file(recording: Recording) -> None:
 
 @files.check("stuff", "`~/a_folder/file_with_stuff.txt` contains the line `stuff`")
 def stuff(recording: Recording) -> None:
-    write = "`echo stuff > ~/a_folder/file_with_stuff.txt` writes it."
+    write = "Write it with `echo stuff > ~/a_folder/file_with_stuff.txt`."
     found = expect_text(
-        recording, STUFF, advice=f"{write} If there is no such folder yet: `mkdir ~/a_folder`."
+        recording, STUFF, advice=f"{write} If the folder does not exist yet, run `mkdir ~/a_folder` first."
     )
     if "stuff" in (line.rstrip() for line in found.lines):
         return
@@ -98,7 +98,7 @@ def listing(recording: Recording) -> None:
         raise Failure(overwritten(found.lines))
     raise Failure(
         Feedback(
-            summary=f"The listing is not the one of `~`: it lacks {listed(missing)}.",
+            summary=f"This is not the listing of `~`: it lacks {listed(missing)}.",
             expected="every name that `ls ~` prints",
             seen=found.lines[0][:120] if found.lines else "an empty file",
             where=(Location(LISTING),),

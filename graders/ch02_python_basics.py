@@ -16,6 +16,7 @@ from typing import Any
 from course.api import (
     BASHRC,
     Arena,
+    Cause,
     Crash,
     Failure,
     Feedback,
@@ -29,6 +30,7 @@ from course.api import (
     answered,
     calls,
     crash,
+    crash_feedback,
     entry_points,
     expect_answer,
     expect_clean_interrupt,
@@ -452,7 +454,7 @@ def attributes(recording: Recording) -> None:
 def apart(recording: Recording) -> None:
     shares = (
         "Set the attributes of an object with `self.` in `__init__`. All objects share "
-        "`MinimalistClass.attribute`, and also a list in the class itself."
+        "`MinimalistClass.attribute`, and so does a list in the class itself."
     )
     where = place(recording, "__init__")
     two = "[first.attribute, first.get_private_attribute(), second.attribute, second.get_private_attribute()]"
@@ -496,11 +498,11 @@ def private(recording: Recording) -> None:
         "get",
         2.5,
         "MinimalistClass(1.5, 2.5).get_private_attribute()",
-        advice="`return self._private_attribute`.",
+        advice="Write `return self._private_attribute` in it.",
         where=got,
     )
     after = "after set_private_attribute(8.0),"
-    sets = "`self._private_attribute = ` and the argument, in `set_private_attribute`."
+    sets = "In `set_private_attribute`, assign the argument to `self._private_attribute`."
     if slip := slips.compared(only(recording, CLASS, INIT)):
         sets, (was_set, *_) = slip.text, slip.where
     expect_answer(
@@ -543,13 +545,14 @@ def static(recording: Recording) -> None:
 style = Grader("02-style", builds=None, ros=False)
 
 NAMING = ("N801", "N802", "N803", "N806", "N999")
+UNKNOWN = ("F821",)
 HINTS = ("ANN001", "ANN002", "ANN003", "ANN201", "ANN205", "ANN206")
 DOCSTRINGS = ("D101", "D102", "D103")
 
 
 @style.scenario
 def look_over_the_package(arena: Arena) -> None:
-    arena.lint(PACKAGE, *NAMING, *HINTS, *DOCSTRINGS)
+    arena.lint(PACKAGE, *UNKNOWN, *NAMING, *HINTS, *DOCSTRINGS)
 
 
 @style.check("readable", "Python can read the package's files")
@@ -575,13 +578,19 @@ def names(recording: Recording) -> None:
 def hints(recording: Recording) -> None:
     expect_no_findings(
         recording,
+        UNKNOWN,
+        "A name is not defined",
+        advice="Python's types are `int`, `float`, `str`, and `bool`, in lowercase. Import any other name.",
+    )
+    expect_no_findings(
+        recording,
         HINTS,
         "A type hint is missing",
-        advice="`def half(number: float) -> float:`; a function that returns nothing ends with `-> None:`.",
+        advice="Write `def half(number: float) -> float:`. If a function returns nothing, write `-> None:`.",
     )
 
 
-@style.check("docstrings", "classes, functions and methods have docstrings", needs="readable")
+@style.check("docstrings", "classes, functions, and methods have docstrings", needs="readable")
 def docstrings(recording: Recording) -> None:
     expect_no_findings(
         recording,
@@ -731,15 +740,34 @@ def why_it_failed(recording: Recording, run: str) -> Feedback:
     test, line, error, word = (fact(recording, run, name) for name in ("failed", "line", "error", "word"))
     text = recording.home.file(TEST).lines
     number = int(line) if line and int(line) <= len(text) else None
+    cause = slip_in_tests(text, number or 0)
+    advice = (
+        "Compare what this test expects with the table in 02-class. " if error == "AssertionError" else ""
+    )
     kind = f" with {error}" if error else ""
     return Feedback(
         summary="Your tests fail for a correct class: "
         + (f"`{test}` ends{kind}{f' about `{word}`' if word else ''}." if test else "they do not run."),
         seen=text[number - 1].strip() if number else None,
-        where=(Location(TEST, number),),
-        advice="Compare what this test expects with the table in 02-class. Run `python3 -m unittest discover "
-        "-v test` on your own class to see the whole message.",
+        where=cause.where if cause else (Location(TEST, number),),
+        advice=cause.text
+        if cause
+        else f"{advice}Run `python3 -m unittest discover -v test` to see the whole message.",
     )
+
+
+def slip_in_tests(text: tuple[str, ...], failed: int) -> Cause | None:
+    """Why a test does not work at all. failed: the number of its line that failed."""
+    for number, line in enumerate(text, 1):
+        wrong = re.search(r"\bdef ((?!setUp\b)(?i:set_?up))\b", line)
+        if wrong:
+            what = f"unittest never calls `{wrong[1]}`. The method is called `setUp`, with a capital U."
+            return Cause(what, (Location(TEST, number),))
+        asserted = line.partition("assertEqual(")[2].rstrip()
+        if number == failed and "==" in asserted and "," not in asserted and asserted.endswith(")"):
+            what = "`assertEqual` compares two values itself. Put a comma between them, in place of `==`."
+            return Cause(what, (Location(TEST, number),))
+    return None
 
 
 @unit_tests.check(
@@ -852,8 +880,8 @@ def function(recording: Recording) -> None:
 def returns(recording: Recording) -> None:
     where = Location(COROUTINE)
     advice = (
-        "Draw a number and compare it with `<`. If it is below, return the number itself; "
-        "otherwise wait and draw again."
+        "Draw a number. If it is less than `likelihood`, return the number itself. Otherwise, wait and "
+        "draw again."
     )
     for question, what, wanted in (
         ("first", "await unlikely_to_return(tag)", 0.0271),
@@ -871,7 +899,7 @@ def tries(recording: Recording) -> None:
         if len(lines) < draws:
             raise Failure(
                 Feedback(
-                    summary=f"It has drawn {draws} numbers, and printed {len(lines)} lines with its tag.",
+                    summary=f"It drew {draws} numbers, but printed {len(lines)} lines with its tag.",
                     expected="a line with the tag for each number that is drawn",
                     seen=lines[-1][:120] if lines else "no such line",
                     where=(Location(COROUTINE),),
@@ -898,7 +926,7 @@ def pace(recording: Recording) -> None:
     lines = recording.process(AWAIT).lines
     times = tuple(line.t for line in lines if line.text.startswith("[draw 1 "))
     expect_period(
-        times, 0.1, what="draws", tolerance=0.4, advice="`await asyncio.sleep(0.1)` between two draws."
+        times, 0.1, what="draws", tolerance=0.4, advice="Write `await asyncio.sleep(0.1)` between two draws."
     )
 
 
@@ -1061,6 +1089,10 @@ def expect_report(recording: Recording, number: int, example: str) -> int:
     if len(after) > own and tells(str(items[after[-1]]), WINS[number]):
         return after[-1]
     late = slips.late_lambda(only(recording, file_of(example)))
+    failed = crash(recording.process(example).traceback(), recording.packages, recording.sources)
+    if failed:
+        told = crash_feedback(failed, recording.packages, recording.sources)
+        raise Failure(replace(told, summary=f"A callback stopped with an error: {failed.error}"))
     raise Failure(
         Feedback(
             summary=f"The result of {tag} is not reported."
@@ -1181,12 +1213,23 @@ def why_not_installed(recording: Recording) -> Feedback:
             where=(bare[0].where,),
             advice="Put a colon between the module and the function, as in `package.module:main`.",
         )
+    text = recording.home.file(SETUP).lines
+    searched = [n for n, line in enumerate(text, 1) if re.search(r"find_packages\(\s*['\"]", line)]
+    if searched:
+        return Feedback(
+            summary="pip cannot find the packages: `find_packages` looks for them in another folder.",
+            where=(Location(SETUP, searched[0]),),
+            advice="Its first argument is that folder. Leave it out: `find_packages(exclude=['test'])`.",
+            details=tuple(errors[:4]),
+        )
     return Feedback(
         summary=f"pip cannot install the project: {errors[-1] if errors else 'it does not say why'}",
         where=(Location(SETUP, int(place[-1]) if place else None),),
         advice="`find_packages` needs parentheses, which call it: `find_packages()`."
         if "'method' object is not iterable" in "".join(errors)
-        else "Check this line of `setup.py` and the line before it.",
+        else "Check this line of `setup.py` and the line before it."
+        if place
+        else "The last line of the message says what is wrong.",
         details=tuple(errors[:4]),
     )
 

@@ -12,6 +12,7 @@ from course.api import Failure, Feedback, Grader, HomeFile, Location, Recording,
 
 CONFIG = ".config/terminator/config"
 ENOUGH, LONGEST_LINE = 3, 2000
+KINDS = ("Window", "HPaned", "VPaned", "Notebook", "Terminal")
 SAVE = "In Terminator: right-click, then Preferences, Layouts, Add, Save."
 
 layout = Grader("04-layout", builds=None)
@@ -89,7 +90,7 @@ def window_of(part: Part, every: Mapping[str, Part]) -> str | None:
     """The window that contains a part; None if nothing does."""
     seen: set[str] = set()
     while part.kind != "Window":
-        if part.name in seen or part.parent not in every:
+        if part.name in seen or part.parent not in every or part.kind not in KINDS:
             return None
         seen.add(part.name)
         part = every[part.parent]
@@ -115,7 +116,8 @@ def three(recording: Recording) -> None:
     if not found:
         raise Failure(no_layouts(config, file))
     most = {name: largest(entry) for name, entry in found.items()}
-    best = max(most, key=lambda name: most[name])
+    total = {name: sum(terminals(entry).values()) for name, entry in found.items()}
+    best = max(most, key=lambda name: (most[name] >= ENOUGH, total[name]))
     if most[best] < ENOUGH:
         raise Failure(too_few(best, found[best], file))
 
@@ -143,7 +145,15 @@ def too_few(name: str, entry: tuple[Part, ...], file: HomeFile) -> Feedback:
     every = {part.name: part for part in entry}
     orphan = next((p for p in entry if p.kind == "Terminal" and window_of(p, every) is None), None)
     windows = len([window for window in counts if window is not None])
-    if orphan and sum(counts.values()) >= ENOUGH:
+    odd = next((part for part in entry if part.kind not in KINDS), None)
+    if odd:
+        typed = (n for n, line in enumerate(file.lines, 1) if line.split() == ["type", "=", odd.kind])
+        place = Location(CONFIG, next(typed, None))
+        summary = (
+            f"In the layout `{name}`, `{odd.name}` has the type `{odd.kind}`, which Terminator does not know."
+        )
+        advice = f"The types are {listed(KINDS)}, with the same capital letters."
+    elif orphan and sum(counts.values()) >= ENOUGH:
         summary = (
             f"In the layout `{name}`, `{orphan.name}` is in `{orphan.parent}`, which is not in any window."
         )
@@ -163,7 +173,7 @@ def too_few(name: str, entry: tuple[Part, ...], file: HomeFile) -> Feedback:
         summary=summary,
         expected=f"{ENOUGH} terminals in one window",
         seen=f"{largest(entry)} in one window",
-        where=(heading(file, orphan.name if orphan else name),),
+        where=(place if odd else heading(file, orphan.name if orphan else name),),
         advice=advice,
     )
 

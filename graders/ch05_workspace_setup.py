@@ -23,7 +23,11 @@ from lib.sourcing import TRACE, Sourced, environments, sourced, workspaces
 WS = "ros2_tutorial_workspace"
 MADE = ("build", "install", "log")
 LINE = f"source ~/{WS}/install/setup.bash"
-OVERLAY = "echo $COLCON_PREFIX_PATH"
+# A new terminal may open in any folder, as those of editors do.
+OVERLAY = (
+    'cd / && env -i HOME="$HOME" TERM="$TERM" PATH=/usr/local/bin:/usr/bin:/bin '
+    "bash -ic 'echo $COLCON_PREFIX_PATH' 2>/dev/null </dev/null"
+)
 SUBMITTED = "A submission does not include a build, so only your own computer can check this."
 
 workspace = Grader("05-workspace", builds=None, ros=False)
@@ -32,8 +36,8 @@ workspace = Grader("05-workspace", builds=None, ros=False)
 @workspace.scenario
 def open_a_terminal(arena: Arena) -> None:
     with arena.shell() as shell:
-        shell.run(OVERLAY)
         shell.run(TRACE, timeout=20)
+        shell.run(OVERLAY, timeout=20)
 
 
 @workspace.check("src", f"`~/{WS}/src` exists")
@@ -220,8 +224,8 @@ def overlay(recording: Recording) -> None:
 def why_not(text: str, line: Sourced, lacks: str | None) -> str:
     if lacks and re.search(r"[\"']~", text):
         return "The path is in quotation marks, and inside them bash does not expand `~`."
-    if lacks and not line.target.startswith(("/", "~")):
-        return f"bash looks for `{line.target}` in the folder where the terminal opens."
+    if not line.target.startswith(("/", "~")):
+        return f"bash looks for `{line.target}` in the folder where the terminal opens, which may not be `~`."
     if lacks:
         return f"The line names a file that does not exist: {line.target}."
     return "The workspace is sourced, but it is not in the environment of a new terminal."

@@ -132,7 +132,7 @@ def misdirected(
         expected=f"[{section}] {line}",
         seen=f"[{section}] {key}={found}" if found else f"no `{key}` under [{section}]",
         where=places[:1] or (Location(file),),
-        advice=f"Below `[{section}]` write the line `{line}`, {AGAIN}",
+        advice=f"Below `[{section}]`, write the line `{line}`, {AGAIN}",
     )
 
 
@@ -153,7 +153,7 @@ def lint_tests(recording: Recording) -> None:
     )
 
 
-@simplest.check("label", "description, license and maintainer are real", bonus=True, needs="build_type")
+@simplest.check("label", "description, license, and maintainer are real", bonus=True, needs="build_type")
 def label(recording: Recording) -> None:
     found = expect_manifest(recording, PACKAGE)
     for tag, what in (("description", "the description"), ("license", "the license")):
@@ -171,6 +171,6 @@ def still_to_do(recording: Recording, what: str, seen: str, near: str) -> Feedba
         summary=f"In package.xml, {what} is still a placeholder: `{seen}`.",
         where=places[:1] or (Location(file),),
         advice=(
-            "Fill in real values: what the package is for, a license such as `MIT`, and your e-mail address."
+            "Fill in real values: what the package is for, a license such as `MIT`, and your email address."
         ),
     )

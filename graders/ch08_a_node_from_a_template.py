@@ -55,7 +55,7 @@ def no_program(recording: Recording) -> Feedback:
     )
 
 
-@template.check("ends", "it ends by itself, with exit code 0", needs="executable")
+@template.check("ends", "it ends on its own, with exit code 0", needs="executable")
 def ends(recording: Recording) -> None:
     expect_clean_end(recording, PROGRAM)
 

@@ -96,7 +96,7 @@ def runs(recording: Recording) -> None:
             expected=f"Hi from {PACKAGE}.",
             seen=text[-1][:120] if text else "nothing",
             where=(Location(f"{SOURCE}/setup.py"),),
-            advice=f"Is `{PROGRAM}` among the `console_scripts` of setup.py? Then build again: {ANEW}",
+            advice=f"Check that `{PROGRAM}` is in `console_scripts` of setup.py, then build again: {ANEW}",
             details=tuple(text[-6:]),
         )
     )

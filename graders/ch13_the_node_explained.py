@@ -187,9 +187,12 @@ def laser(recording: Recording) -> None:
         return
     own = only(recording, SCANNER).sources
     places = text_places(own, "switch_off_the_laser()") or text_places(own, LASER)
-    catch = ""
-    if not text_places(own, "KeyboardInterrupt"):
-        catch = "Put `rclpy.spin` in a `try:` block, and add `except KeyboardInterrupt:` with `pass`. "
+    advice = "After the `except` block, call `switch_off_the_laser()`."
+    if not before:
+        try:
+            expect_clean_interrupt(only(recording, SCANNER), program(SCANNER))
+        except Failure as failure:  # it ends the program too early, so it is the cause
+            places, advice = failure.feedback.where, failure.feedback.advice or advice
     raise Failure(
         Feedback(
             summary="The scanner switches off its laser before Ctrl+C."
@@ -198,6 +201,6 @@ def laser(recording: Recording) -> None:
             expected=f"{LASER} after Ctrl+C, and not before",
             seen=f"{LASER} before Ctrl+C" if before else f"{view.text[-1][:120]}" if view.text else "nothing",
             where=places[:2],
-            advice=f"{catch}After the `except` block, call `switch_off_the_laser()`.",
+            advice=advice,
         )
     )

@@ -26,6 +26,7 @@ from course.api import (
     listed,
     nearest,
     packages_place,
+    slips,
     trees,
 )
 from lib import rover
@@ -282,7 +283,7 @@ def broken(recording: Recording, call: str, error: str, where: tuple[Location, .
 
 def remedy(error: str) -> str:
     every = (text for words, text in REMEDIES if all(word in error for word in words))
-    return next(every, "This line of your code caused the error.")
+    return next(every, "The error came from this line of your code: check the values that it uses.")
 
 
 REMEDIES = (
@@ -299,6 +300,7 @@ REMEDIES = (
     (("takes", "given"), "The first argument of each method is `self`: `def get_name(self):`."),
     (("has no attribute 'get_name'",), "The class needs a method `get_name`, indented under `class`."),
     (("has no attribute",), "Is it set in `__init__` with `self.`, and spelled the same in both places?"),
+    (("missing", "'self'"), "Below `@staticmethod`, a method gets no `self`. Remove that line above it."),
     (("missing", "argument"), "Compare the arguments with those in the task."),
     (
         ("'str' object is not callable",),
@@ -347,6 +349,7 @@ FORMULAS: tuple[tuple[Callable[[float, float], float], str], ...] = (
     (lambda a, b: a**2 + b**2, "The middle term is missing: 2·a·b."),
     (lambda a, b: a**2 + a * b + b**2, "The middle term should be 2·a·b, not a·b."),
     (lambda a, b: (a - b) ** 2, "The middle term must be added, not subtracted."),
+    (lambda a, b: (a + b) * 2, "`* 2` doubles the sum. The square is `** 2`."),
     (lambda a, b: a + b, "This is the sum of the two numbers. The task asks for its square."),
     (lambda a, b: 2 * a + 2 * a * b + 2 * b, "`a * 2` doubles a. The square is `a**2`."),
     (lambda a, b: a**2 + 2 * a + b + b**2, "Write a `*` between 2, a, and b: `2 * a * b`."),
@@ -465,13 +468,14 @@ def expect_speeds(recording: Recording, question: str, cases: list[Any]) -> None
 def wrong_speed(recording: Recording, case: tuple[float, float, float], speed: object) -> Feedback:
     distance, stop_at, full_speed = case
     wanted = rover.safe_speed(*case)
+    cause = slips.never_above_zero(recording.sources)
     return Feedback(
         summary=f"`{SPEED}({distance:.2f})` returns {speed!r:.40}, with stop_at {stop_at:.2f} and full_speed "
         f"{full_speed:.2f}.",
         expected=f"{wanted!r}",
         seen=f"{speed!r}"[:200],
-        where=defined_at(recording, SPEED)[:1],
-        advice=advice_on_speed(distance, stop_at, wanted, speed),
+        where=cause.where if cause else defined_at(recording, SPEED)[:1],
+        advice=cause.text if cause else advice_on_speed(distance, stop_at, wanted, speed),
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -16,6 +16,7 @@ from course.api import (
     Grader,
     Message,
     Recording,
+    Sources,
     Spoilt,
     about,
     calls,
@@ -253,7 +254,7 @@ def quotes_to_say() -> list[dict[str, Any]]:
     """Six AmazingQuotes as dicts: plain, unicode, quotes within quotes, empty, long, plain.
 
     The texts are random, so a node can get them only from the message. The ids have five digits and
-    alternate between odd and even.
+    alternate between odd and even, except for a zero.
     """
     texts = [
         words(4),
@@ -265,7 +266,11 @@ def quotes_to_say() -> list[dict[str, Any]]:
     ]
     start = 10_000 + secrets.randbelow(80_000)
     return [
-        {"id": start + 7 * index, "quote": text, "philosopher_name": f"Professor {words(1)} {words(1)}"}
+        {
+            "id": 0 if index == 4 else start + 7 * index,
+            "quote": text,
+            "philosopher_name": f"Professor {words(1)} {words(1)}",
+        }
         for index, text in enumerate(texts)
     ]
 
@@ -345,10 +350,12 @@ def stands(recording: Recording) -> None:
         if abs(message.data.range - START) > rover.CLOSE:
             advice = "Start with a distance of 3.0 and a speed of 0.0. Only commands change the speed."
             summary = "The distance is not 3.0 m before the first command."
-            raise Failure(wrong_range(recording, summary, f"{START}", message, advice))
+            raise Failure(
+                wrong_range(recording, summary, f"{START}", message, advice, slips.never_above_zero)
+            )
 
 
-@sensor.check("drives", "a command brings the wall closer", points=2, needs=("rate", "subscribes"))
+@sensor.check("drives", "a command brings the wall closer", points=2, needs=("stands", "subscribes"))
 def drives(recording: Recording) -> None:
     """Expect the distance to fall by the speed, either per second or per period in the task."""
     command = recording.sent(rover.COMMAND)[0].data.linear.x
@@ -358,14 +365,19 @@ def drives(recording: Recording) -> None:
     # If the period is left out, the rover hits the wall at once, and its pace means nothing.
     at_once = last.data.range < rover.CLOSE and command * (last.t - first.t) < START - 1
     if at_once or not any(abs(pace / command - 1) <= TOLERANCE for pace in paces):
+        stored = text_places(recording.sources, "linear.x")[:1]
+        way = "subtract this speed times 0.1 s from the distance."
         raise Failure(
             Feedback(
                 summary=f"At {command:.2f} m/s, the distance does not fall by {command:.2f} m per second.",
                 expected=f"{command:.2f} m per second",
-                seen=f"{paces[0]:.2f} m per second",
-                where=text_places(recording.sources, "linear.x")[:1],
-                advice="Store `linear.x` from each command. In the timer's callback, subtract this speed "
-                "times 0.1 s from the distance.",
+                seen="it is at the wall at once" if at_once else f"{paces[0]:.2f} m per second",
+                where=() if at_once or fallen < 0 else stored,
+                advice=f"It drives too far in each period: {way}"
+                if at_once
+                else f"It drives away from the wall: {way}"
+                if fallen < 0
+                else f"Store `linear.x` from each command. In the timer's callback, {way}",
             )
         )
 
@@ -377,7 +389,7 @@ def halts(recording: Recording) -> None:
         if abs(message.data.range - first.data.range) > rover.CLOSE:
             advice = "Set the speed to `linear.x` from each command, even if it is 0.0. Don't add to it."
             summary = "The command is 0, but the distance changes."
-            raise Failure(wrong_range(recording, summary, "the same", message, advice, "linear.x"))
+            raise Failure(wrong_range(recording, summary, "the same", message, advice, code="linear.x"))
 
 
 @sensor.check("wall", "the distance is never below zero", needs="drives")
@@ -389,15 +401,23 @@ def wall(recording: Recording) -> None:
 
 
 def wrong_range(
-    recording: Recording, summary: str, expected: str, message: Message, advice: str, code: str = ".range = "
+    recording: Recording,
+    summary: str,
+    expected: str,
+    message: Message,
+    advice: str,
+    *causes: Callable[[Sources], Cause | None],
+    code: str = ".range = ",
 ) -> Feedback:
-    """code: a part of the line to look at."""
+    """causes: they look in the code for a better advice. code: a part of the line to look at otherwise."""
+    places = text_places(recording.sources, code)
+    cause = slips.first(recording.sources, *causes) or Cause(advice, places[:1])
     return Feedback(
         summary=summary,
         expected=expected,
         seen=f"range is {message.data.range:.3f}",
-        where=text_places(recording.sources, code)[:1],
-        advice=advice,
+        where=cause.where,
+        advice=cause.text,
     )
 
 

@@ -213,7 +213,7 @@ def never_found(sources: Sources) -> Cause | None:
                     comparators=[ast.Call(func=ast.Attribute(attr="lower" | "upper" as folds))],
                 ) if getattr(word, folds)() != word:
                     return Cause(
-                        f"A text after `.{folds}()` never contains `{word}`. Look for "
+                        f"After `.{folds}()`, no text contains `{word}`. Look for "
                         f"`{getattr(word, folds)()}` in it.",
                         (Location(file, node.lineno),),
                     )

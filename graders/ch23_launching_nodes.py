@@ -7,8 +7,10 @@ from course.api import (
     Failure,
     Feedback,
     Grader,
+    Location,
     OurFault,
     Recording,
+    calls,
     expect_endpoint,
     expect_launch_file,
     expect_launch_interrupt,
@@ -69,7 +71,7 @@ def topic(recording: Recording) -> None:
     given = named(launch_file(recording, FILE), name)
     spaced = text_places(launch_file(recording, FILE), "namespace=")
     remedy = (
-        "The launch file sets it; the node must pass its parameter `topic_name` to `create_publisher`."
+        "The launch file sets `topic_name`, but the node must also pass it to `create_publisher`."
         if given and not spaced
         else "The launch file's `namespace` comes before the topic's name: remove it."
         if given
@@ -161,6 +163,9 @@ def parameters(recording: Recording) -> None:
 @whole.check("arrives", f"the rover stops {STOP_AT} m in front of the wall", points=2, needs="nodes")
 def arrives(recording: Recording) -> None:
     first, last = driven(recording, before=True)
+    if first <= DISTANCE + NEAR and abs(last - STOP_AT) <= NEAR:
+        return
+    parameters(recording)  # a wrong one is the cause
     if first > DISTANCE + NEAR:
         raise Failure(
             Feedback(
@@ -171,11 +176,19 @@ def arrives(recording: Recording) -> None:
                 advice="In the sensor, `self.distance` begins with the value of the parameter `distance`.",
             )
         )
-    if abs(last - STOP_AT) > NEAR:
-        advice = (
-            "In the controller's callback, read `stop_at` and `full_speed`, and pass both to `safe_speed`."
+    swapped = abs(last - FULL_SPEED) <= NEAR
+    raise Failure(
+        elsewhere(
+            recording,
+            STOP_AT,
+            last,
+            "It stops where `full_speed` says. The order of the arguments is "
+            "`safe_speed(distance, stop_at, full_speed)`."
+            if swapped
+            else "In the callback, read `stop_at` and `full_speed`, and pass both to `safe_speed`.",
+            *(call.where for call in calls(recording.sources, "safe_speed") if swapped),
         )
-        raise Failure(elsewhere(recording, STOP_AT, last, advice))
+    )
 
 
 @whole.check("speed", f"it drives at {FULL_SPEED} m/s at most, and that fast at first", needs="arrives")
@@ -216,17 +229,17 @@ def driven(recording: Recording, *, before: bool) -> tuple[float, float]:
     raise Failure(
         Feedback(
             summary=f"No messages arrive on `{topic}`.",
-            advice=f"Start the {other} alone, and look with `ros2 topic echo {topic}`.",
+            advice=f"Start the {other} alone, and look at `ros2 topic echo {topic}`.",
         )
     )
 
 
-def elsewhere(recording: Recording, wanted: float, seen: float, advice: str) -> Feedback:
+def elsewhere(recording: Recording, wanted: float, seen: float, advice: str, *where: Location) -> Feedback:
     return Feedback(
         summary=f"`stop_at` is {wanted} m, but the rover is {seen:.2f} m from the wall.",
         expected=f"{wanted} m",
         seen=f"{seen:.2f} m",
-        where=named(recording.sources, "stop_at")[:2],
+        where=where or named(recording.sources, "stop_at")[:2],
         advice=advice,
     )
 

@@ -67,7 +67,9 @@ def answers(plan: Any) -> dict[str, Answer]:
     return {
         "integer": Text(plan.dial, wrong=_not_integers(plan)),
         "type": OneOf(plan.odd_type, {name: why for name, why in _TYPES.items() if name != plan.odd_type}),
-        "period": Number(plan.period, "1%", wrong={1 / plan.period: "That is how often per second."}),
+        "period": Number(
+            plan.period, "1%", wrong={1 / plan.period: "That is how often it publishes per second."}
+        ),
         "philosopher": Text(plan.philosopher, wrong=_not_the_philosopher(plan)),
         "largest": Number(plan.high, 0.0, wrong=_not_the_largest(plan)),
         "read-only": OneOf(
@@ -96,7 +98,7 @@ def _not_integers(plan: Any) -> dict[str, str]:
         "period": "That one is a double: it has a decimal point.",
         "use_sim_time": "That one is a boolean.",
         "start_type_description_service": "That one is a boolean.",
-        plan.odd: "`ros2 param describe` shows a different type for that one, despite its looks.",
+        plan.odd: "`ros2 param describe` shows a different type for that one than its value suggests.",
     }
 
 

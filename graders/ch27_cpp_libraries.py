@@ -33,6 +33,7 @@ from course.api import (
     places_of,
 )
 from lib.consumers import not_compiled, not_configured, not_loaded
+from lib.native_answers import wrong
 
 PACKAGE = "cpp_package_with_a_library"
 LIBRARY = f"lib{PACKAGE}.so"
@@ -174,14 +175,15 @@ def inside(recording: Recording) -> None:
 def member(recording: Recording) -> None:
     seen = answer(recording, "members", "get_a_private_member()", list[int])
     if seen != list(VALUES):
-        raise Failure(
+        raise wrong(
+            recording,
             Feedback(
                 summary="`get_a_private_member` does not return the value passed to `set_a_private_member`.",
                 expected="-3 and 41",
                 seen=" and ".join(map(str, seen)),
                 where=defined(recording, "set_a_private_member"),
                 advice="Check that one function sets the member and that the other returns the same member.",
-            )
+            ),
         )
 
 
@@ -281,6 +283,7 @@ def logs_text(recording: Recording) -> None:
     lines = with_the_object(recording)
     example = texts_of(recording)[0].replace(str(VALUES[0]), "7")
     if recording.log and not lines:
+        streams(recording)  # a node that logs the object with `<<` logs what `<<` writes
         raise Failure(
             Feedback(
                 summary="The node never logs the text of its object.",

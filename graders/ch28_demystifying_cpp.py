@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +19,9 @@ from course.api import (
     expect_no_warnings,
     expect_sound,
     native_answer,
+    replace,
 )
+from lib.native_answers import wrong
 
 PROBES = Path(__file__).with_name("probes")
 CPP = "ros2_tutorials_preamble/cpp"
@@ -25,9 +29,9 @@ CPP = "ros2_tutorials_preamble/cpp"
 bounds = Grader("28-bounds", builds=None, ros=False, sanitizers=True)
 
 BOUNDS = f"{CPP}/bounds"
-JOINTS = f"{BOUNDS}/joints.cpp"
+SENSORS = f"{BOUNDS}/sensors.cpp"
 MAIN = f"{BOUNDS}/main.cpp"
-ANGLES = (0.0, 1.047198, 1.570796, 3.141593)
+TILTS = (0.0, 1.047198, 1.570796, 3.141593)
 
 
 @bounds.scenario
@@ -38,14 +42,14 @@ def ask_and_run_bounds(arena: Arena) -> None:
         if run:
             run.wait(10)
     asked = arena.cpp.compile("functions", f"{BOUNDS}/*.cpp", ours=PROBES / "ch28_bounds.cpp", without=MAIN)
-    for question in ("positions", "behind", "far", "angles"):
+    for question in ("ranges", "behind", "far", "tilts"):
         arena.cpp.ask(asked, question, name=question, timeout=10)
 
 
 @bounds.check("compiles", "the program compiles")
 def bounds_compiles(recording: Recording) -> None:
     expect_compiled(recording, "bounds")
-    expect_fitting(recording, "functions", JOINTS)
+    expect_fitting(recording, "functions", SENSORS)
 
 
 def expect_fitting(recording: Recording, program: str, file: str) -> None:
@@ -71,52 +75,52 @@ def bounds_warnings(recording: Recording) -> None:
     expect_no_warnings(recording, "bounds")
 
 
-@bounds.check("position", "`position_of` returns the position of a joint", needs="compiles")
-def position(recording: Recording) -> None:
-    wanted = [0.25, -1.5, 3.0]
-    what = "position_of({0.25, -1.5, 3}, ...)"
-    seen = native_answer(recording, "positions", what, "positions", where=Location(JOINTS))
+@bounds.check("range", "`range_of` returns the range of a sensor", needs="compiles")
+def ranges(recording: Recording) -> None:
+    wanted = [0.25, 1.5, 3.0]
+    what = "range_of({0.25, 1.5, 3}, ...)"
+    seen = native_answer(recording, "ranges", what, "ranges", where=Location(SENSORS))
     if seen.value == wanted:
         return
     raise Failure(
         Feedback(
-            summary="`position_of` does not return the positions of joints 0, 1, and 2."
+            summary="`range_of` does not return the ranges of sensors 0, 1, and 2."
             if seen.error is None
-            else f"`position_of` throws for a joint that exists: {seen.error[:60]}",
-            expected="0.25, -1.5 and 3",
+            else f"`range_of` throws for a sensor that exists: {seen.error[:60]}",
+            expected="0.25, 1.5 and 3",
             seen=numbers(seen.value) if seen.error is None else seen.error,
-            where=(Location(JOINTS),),
-            advice="Start counting joints at 0, like the elements of a vector.",
+            where=(Location(SENSORS),),
+            advice="Start counting sensors at 0, like the elements of a vector.",
         )
     )
 
 
-@bounds.check("throws", "`position_of` throws for a joint that does not exist", points=2, needs="position")
+@bounds.check("throws", "`range_of` throws for a sensor that does not exist", points=2, needs="range")
 def throws(recording: Recording) -> None:
-    for question, joint in (("behind", "3"), ("far", "18446744073709551615")):
-        what = f"position_of({{0.25, -1.5, 3}}, {joint})"
+    for question, sensor in (("behind", "3"), ("far", "18446744073709551615")):
+        what = f"range_of({{0.25, 1.5, 3}}, {sensor})"
         expect_thrown(
             recording,
             question,
             what,
             question,
             "out_of_range",
-            "Use `positions.at(joint)`, which throws this exception. `positions[joint]` never does.",
+            "Use `ranges.at(sensor)`, which throws this exception. `ranges[sensor]` never does.",
         )
 
 
-@bounds.check("angle", "`angle_of` throws if there is no such angle", points=2, needs="compiles")
-def angle(recording: Recording) -> None:
-    where, four = Location(JOINTS), tuple[Any, Any, Any, Any]
-    seen = native_answer(recording, "angles", "angle_of(0.5)", "angles", where=where, shape=four)
-    near = seen.error is None and all(map(is_near, seen.value, ANGLES))
+@bounds.check("tilt", "`tilt_of` throws if there is no such angle", points=2, needs="compiles")
+def tilt(recording: Recording) -> None:
+    where, four = Location(SENSORS), tuple[Any, Any, Any, Any]
+    seen = native_answer(recording, "tilts", "tilt_of(0.5)", "tilts", where=where, shape=four)
+    near = seen.error is None and all(map(is_near, seen.value, TILTS))
     if not near:
         raise Failure(
             Feedback(
-                summary="`angle_of` does not return the angles for the cosines 1, 0.5, 0, and -1.",
-                expected=numbers(ANGLES),
+                summary="`tilt_of` does not return the angles for the cosines 1, 0.5, 0, and -1.",
+                expected=numbers(TILTS),
                 seen=seen.error or numbers(seen.value),
-                where=(Location(JOINTS),),
+                where=(Location(SENSORS),),
                 advice="Return what `std::acos` returns: it is in radians. 1 and -1 are valid cosines, too.",
             )
         )
@@ -125,41 +129,46 @@ def angle(recording: Recording) -> None:
         "true for NaN."
     )
     for question, cosine in (("above", "1.1"), ("below", "-1.1")):
-        expect_thrown(recording, question, f"angle_of({cosine})", "angles", "domain_error", advice)
+        expect_thrown(recording, question, f"tilt_of({cosine})", "tilts", "domain_error", advice)
 
 
 def expect_thrown(
     recording: Recording, question: str, what: str, process: str, wanted: str, advice: str
 ) -> None:
-    seen = native_answer(recording, question, what, process, where=Location(JOINTS))
+    seen = native_answer(recording, question, what, process, where=Location(SENSORS))
     if seen.value == wanted:
         return
     returned = str(seen.value).removeprefix("returned ")
-    raise Failure(
+    raise wrong(
+        recording,
         Feedback(
             summary=f"`{what}` throws `{seen.type}`. It should throw `std::{wanted}`."
             if seen.error is not None
             else f"`{what}` does not throw. It returns {returned}.",
             expected=f"std::{wanted}",
             seen=(seen.error or returned)[:120],
-            where=(Location(JOINTS),),
-            advice=f"Throw `std::{wanted}` instead." if seen.error is not None else advice,
-        )
+            where=(Location(SENSORS),),
+            advice=advice
+            if seen.error is None
+            else "Leave out `new`: C++ throws the object itself."
+            if str(seen.type).endswith("*")
+            else f"Throw `std::{wanted}` instead.",
+        ),
     )
 
 
-@bounds.check("prints", "the program prints a position and an angle", needs="compiles")
+@bounds.check("prints", "the program prints a range and a tilt", needs="compiles")
 def bounds_prints(recording: Recording) -> None:
-    expect_lines_of(recording, "inside", ("joint 2: 1", "angle: 1.0472"), "./bounds 2 0.5")
+    expect_lines_of(recording, "inside", ("sensor 2: 1", "tilt: 1.0472"), "./bounds 2 0.5")
 
 
 @bounds.check(
-    "catches", "it catches the exceptions and continues", points=2, needs=("prints", "throws", "angle")
+    "catches", "it catches the exceptions and continues", points=2, needs=("prints", "throws", "tilt")
 )
 def catches(recording: Recording) -> None:
-    outside = ("joint 9: out of range", "angle: not a number")
+    outside = ("sensor 9: no such sensor", "tilt: not a number")
     expect_lines_of(recording, "outside", outside, "./bounds 9 1.1")
-    expect_lines_of(recording, "half", ("joint 5: 2.5", "angle: not a number"), "./bounds 5 -3")
+    expect_lines_of(recording, "half", ("sensor 5: 2.5", "tilt: not a number"), "./bounds 5 -3")
 
 
 def expect_lines_of(recording: Recording, run: str, wanted: tuple[str, ...], command: str) -> None:
@@ -190,7 +199,7 @@ def printing_advice(wanted: str, printed: str) -> str:
             "The program had already started the line when the exception was thrown. Call the "
             "function and store its result before you print anything."
         )
-    if wanted.endswith(("out of range", "not a number")):
+    if wanted.endswith(("no such sensor", "not a number")):
         return f"Print `{wanted}` where you catch the exception, then let the program continue."
     return "Compare your text with the task, letter by letter. They must match exactly."
 
@@ -220,127 +229,149 @@ def numbers(values: object) -> str:
 
 pointers = Grader("28-smart-pointers", builds=None, ros=False, sanitizers=True)
 
-ARM = f"{CPP}/smart_pointers"
-HEADER = f"{ARM}/link.hpp"
-LINK = f"{ARM}/link.cpp"
-ARM_LINES = ("the hand is mounted on the elbow", "the arm has 3 links", "arm on a base")
+ROVER = f"{CPP}/smart_pointers"
+HEADER = f"{ROVER}/hardware.hpp"
+HARDWARE = f"{ROVER}/hardware.cpp"
+ROVER_LINES = ("the sensor is mounted on the mast", "the rover has 3 parts", "mast on a body")
 
 
 @pointers.scenario
-def ask_and_run_arm(arena: Arena) -> None:
-    program = arena.cpp.compile("arm", f"{ARM}/*.cpp", heap=True)
-    arena.cpp.ask(program, name="arm", timeout=10)
-    links = PROBES / "ch28_links.cpp"
-    asked = arena.cpp.compile("links", f"{ARM}/*.cpp", ours=links, without=f"{ARM}/main.cpp")
+def ask_and_run_rover(arena: Arena) -> None:
+    program = arena.cpp.compile("rover", f"{ROVER}/*.cpp", heap=True)
+    arena.cpp.ask(program, name="rover", timeout=10)
+    parts = PROBES / "ch28_parts.cpp"
+    asked = arena.cpp.compile("parts", f"{ROVER}/*.cpp", ours=parts, without=f"{ROVER}/main.cpp")
     for question in ("tree", "kept", "gone"):
         arena.cpp.ask(asked, question, name=question, timeout=10)
 
 
 @pointers.check("compiles", "the program compiles")
-def arm_compiles(recording: Recording) -> None:
-    expect_compiled(recording, "arm")
+def rover_compiles(recording: Recording) -> None:
+    expect_compiled(recording, "rover")
 
 
 @pointers.check("warnings", "there are no compiler warnings", needs="compiles")
-def arm_warnings(recording: Recording) -> None:
-    expect_no_warnings(recording, "arm")
+def rover_warnings(recording: Recording) -> None:
+    expect_no_warnings(recording, "rover")
 
 
 @pointers.check("runs", "it prints its three lines and ends without an error", needs="compiles")
-def arm_runs(recording: Recording) -> None:
-    view = expect_sound(recording, "arm")
+def rover_runs(recording: Recording) -> None:
+    with own_child_named(recording):
+        view = expect_sound(recording, "rover")
     seen = tuple(line.strip() for line in view.text if line.strip())
-    if seen == ARM_LINES:
+    if seen == ROVER_LINES:
         return
-    missing = [line for line in ARM_LINES if line not in seen]
-    raise Failure(
+    missing = [line for line in ROVER_LINES if line not in seen]
+    raise wrong(
+        recording,
         Feedback(
             summary=f"The program no longer prints `{missing[0]}`."
             if missing
             else "The program prints more than its three lines.",
             expected="the three lines that it printed before",
             seen=seen[0][:120] if seen else "nothing",
-            where=(Location(f"{ARM}/main.cpp"),),
-            advice="Change only who owns which link. `main` must print the same lines as before.",
+            where=(Location(f"{ROVER}/main.cpp"),),
+            advice="Change only who owns which part. `main` must print the same lines as before.",
             details=seen[:5],
-        )
+        ),
     )
 
 
-@pointers.check("shared", "the functions take and return `std::shared_ptr<Link>`", needs="compiles")
+@pointers.check("shared", "the functions take and return `std::shared_ptr<Part>`", needs="compiles")
 def shared(recording: Recording) -> None:
-    errors = [line for line in recording.process("compile links").text if " error: " in line]
-    unfit = errors[0] if "Link*" in "".join(errors[:1]) else None
+    errors = [line for line in recording.process("compile parts").text if " error: " in line]
+    unfit = errors[0] if "Part*" in "".join(errors[:1]) else None
     if unfit:
         raise Failure(
             Feedback(
-                summary="The functions still take or return plain pointers, `Link*`.",
-                expected="std::shared_ptr<Link>",
+                summary="The functions still take or return plain pointers, `Part*`.",
+                expected="std::shared_ptr<Part>",
                 seen=unfit.partition("error: ")[2][:120],
                 where=plain_pointers(recording),
                 advice=(
-                    "Replace `Link*` with `std::shared_ptr<Link>` in link.hpp and link.cpp. For "
-                    "arguments, use `const std::shared_ptr<Link>&`."
+                    "Replace `Part*` with `std::shared_ptr<Part>` in hardware.hpp and hardware.cpp. For "
+                    "arguments, use `const std::shared_ptr<Part>&`."
                 ),
             )
         )
-    expect_fitting(recording, "links", LINK)
+    expect_fitting(recording, "parts", HARDWARE)
 
 
 def plain_pointers(recording: Recording) -> tuple[Location, ...]:
     lines = enumerate(recording.home.file(HEADER).lines, 1)
-    found = [Location(HEADER, n) for n, line in lines if "Link*" in line.split("//")[0]]
+    found = [Location(HEADER, n) for n, line in lines if "Part*" in line.split("//")[0]]
     return tuple(found[:2]) or (Location(HEADER),)
 
 
-@pointers.check("tree", "each link has the right parent and children", needs="shared")
+@contextmanager
+def own_child_named(recording: Recording) -> Iterator[None]:
+    """Explains a failure by a part that is stored among its own children, if the code says so."""
+    try:
+        yield
+    except Failure as failure:
+        lines = enumerate(recording.home.file(HARDWARE).lines, 1)
+        own = [n for n, line in lines if re.search(r"\b(\w+)->children\.\w+_back\(\1\)", line)]
+        if not own:
+            raise
+        advice = "This line makes the parent its own child. Store the child in it."
+        raise Failure(replace(failure.feedback, where=(Location(HARDWARE, own[0]),), advice=advice)) from None
+
+
+@pointers.check("tree", "each part has the right parent and children", needs="shared")
 def tree(recording: Recording) -> None:
-    expect_of_links(
+    with own_child_named(recording):
+        expect_tree(recording)
+
+
+def expect_tree(recording: Recording) -> None:
+    expect_of_parts(
         recording,
-        ("parents", ["base", "base", "right"], "the parents of left, right, and tip"),
+        ("parents", ["body", "body", "axle"], "the parents of mast, axle, and wheel"),
         "In `mount`, store the parent in the child. To get a shared_ptr from a weak_ptr, call `.lock()`.",
     )
-    expect_of_links(
+    expect_of_parts(
         recording,
-        ("root", "nothing", "the parent of the base"),
-        "Return an empty pointer for a link that was never mounted.",
+        ("root", "nothing", "the parent of the body"),
+        "Return an empty pointer for a part that was never mounted.",
     )
-    expect_of_links(
+    expect_of_parts(
         recording,
-        ("counts", [4, 1, 2, 1], "the numbers of links from base, left, right, and tip"),
-        "In `mount`, store the child in the parent. In `links_from`, count the link and all links below it.",
+        ("counts", [4, 1, 2, 1], "the numbers of parts from body, mast, axle, and wheel"),
+        "In `mount`, store the child in the parent. In `parts_from`, count the part and all parts below it.",
     )
 
 
-def expect_of_links(recording: Recording, asked: tuple[str, object, str], advice: str) -> None:
+def expect_of_parts(recording: Recording, asked: tuple[str, object, str], advice: str) -> None:
     question, wanted, what = asked
-    answer = native_answer(recording, question, what, "tree", where=Location(LINK))
+    answer = native_answer(recording, question, what, "tree", where=Location(HARDWARE))
     if answer.error is None and answer.value == wanted:
         return
-    raise Failure(
+    raise wrong(
+        recording,
         Feedback(
             summary=f"Your functions return the wrong values for {what}.",
             expected=numbers(wanted),
             seen=(answer.error or numbers(answer.value))[:120],
-            where=(Location(LINK),),
+            where=(Location(HARDWARE),),
             advice=advice,
-        )
+        ),
     )
 
 
-@pointers.check("kept", "a link owns its children", needs="tree")
+@pointers.check("kept", "a part owns its children", needs="tree")
 def kept(recording: Recording) -> None:
-    answer = native_answer(recording, "kept", "links_from(base)", "kept", where=Location(LINK))
+    answer = native_answer(recording, "kept", "parts_from(body)", "kept", where=Location(HARDWARE))
     if answer.value == 3:
         return
     raise Failure(
         Feedback(
             summary="Children are deleted even though their parent still needs them.",
-            expected="3 links",
-            seen=f"{answer.value} link" if answer.value == 1 else str(answer.error or answer.value)[:120],
+            expected="3 parts",
+            seen=f"{answer.value} part" if answer.value == 1 else str(answer.error or answer.value)[:120],
             where=members(recording, "children"),
             advice=(
-                "A parent owns its children, so use `std::vector<std::shared_ptr<Link>>`. A weak_ptr "
+                "A parent owns its children, so use `std::vector<std::shared_ptr<Part>>`. A weak_ptr "
                 "does not own anything."
             ),
         )
@@ -349,7 +380,7 @@ def kept(recording: Recording) -> None:
 
 @pointers.check("gone", "a child does not own its parent", points=2, needs="tree")
 def gone(recording: Recording) -> None:
-    answer = native_answer(recording, "gone", "parent_of(child)", "gone", where=Location(LINK))
+    answer = native_answer(recording, "gone", "parent_of(child)", "gone", where=Location(HARDWARE))
     if answer.value == "nothing":
         return
     raise Failure(
@@ -359,7 +390,7 @@ def gone(recording: Recording) -> None:
             seen=str(answer.error or answer.value)[:120],
             where=members(recording, "parent"),
             advice=(
-                "Make the parent a `std::weak_ptr<Link>`. Two objects that own each other are never deleted."
+                "Make the parent a `std::weak_ptr<Part>`. Two objects that own each other are never deleted."
             ),
         )
     )
@@ -373,14 +404,14 @@ def members(recording: Recording, name: str) -> tuple[Location, ...]:
 
 @pointers.check("leak_free", "the program deletes everything it created", points=3, needs="runs")
 def leak_free(recording: Recording) -> None:
-    where, shape = Location(f"{ARM}/main.cpp"), tuple[int, list[tuple[Any, str | None]]]
-    count, blocks = told_by(recording, "never freed", "./arm", "arm", where, shape)
+    where, shape = Location(f"{ROVER}/main.cpp"), tuple[int, list[tuple[Any, str | None]]]
+    count, blocks = told_by(recording, "never freed", "./rover", "rover", where, shape)
     if not count:
         return
     made = dict.fromkeys(place for _, place in blocks if place)
     found = (re.fullmatch(r"(.+):(\d{1,6})", place) for place in made)
     places = [Location(place[1], int(place[2])) for place in found if place]
-    link = any(place.file == LINK for place in places)
+    part = any(place.file == HARDWARE for place in places)
     raise Failure(
         Feedback(
             summary=f"The program ends, but {plural(count)} that it made {'was' if count == 1 else 'were'} "
@@ -388,8 +419,8 @@ def leak_free(recording: Recording) -> None:
             expected="none",
             seen=f"{plural(count)}, {sum(size for size, _ in blocks)} bytes",
             where=tuple(places[:3]),
-            advice="Check where it was created. Do two links own each other? Is there still a `new`?"
-            if link
+            advice="Check where it was created. Do two parts own each other? Is there still a `new`?"
+            if part
             else (
                 "Check where it was created. A local variable does not need `new`. Put an object that "
                 "lives longer in a smart pointer."
@@ -406,65 +437,70 @@ def plural(count: int) -> str:
 
 forwarding = Grader("28-forwarding", builds=None, ros=False, sanitizers=True)
 
-THINGS_FOLDER = f"{CPP}/forwarding"
-THINGS = f"{THINGS_FOLDER}/things.hpp"
+LOG_FOLDER = f"{CPP}/forwarding"
+LOG = f"{LOG_FOLDER}/trip_log.hpp"
 
 
 @forwarding.scenario
-def count_things(arena: Arena) -> None:
-    program = arena.cpp.compile("things", f"{THINGS_FOLDER}/main.cpp")
-    run = arena.cpp.run(program, name="things")
+def count_entries(arena: Arena) -> None:
+    program = arena.cpp.compile("trip_log", f"{LOG_FOLDER}/main.cpp")
+    run = arena.cpp.run(program, name="trip_log")
     if run:
         run.wait(10)
-    asked = arena.cpp.compile("counts", ours=PROBES / "ch28_things.cpp")
+    asked = arena.cpp.compile("counts", ours=PROBES / "ch28_entries.cpp")
     for question in ("values", "make", "append", "total", "forward"):
         arena.cpp.ask(asked, question, name=question, timeout=10)
 
 
 @forwarding.check("compiles", "the program compiles and runs")
-def things_compile(recording: Recording) -> None:
-    expect_compiled(recording, "things")
-    expect_sound(recording, "things")
-    lines = enumerate(recording.home.file(THINGS).lines, 1)
-    bound = [Location(THINGS, n) for n, line in lines if re.search(r"\bNoisy\b", line.split("//")[0])]
+def entries_compile(recording: Recording) -> None:
+    expect_compiled(recording, "trip_log")
+    expect_sound(recording, "trip_log")
+    lines = enumerate(recording.home.file(LOG).lines, 1)
+    bound = [Location(LOG, n) for n, line in lines if re.search(r"\bTracedEntry\b", line.split("//")[0])]
     ended = recording.process("compile counts").exited
     if bound and ended and ended.code:
         raise Failure(
             Feedback(
-                summary="`things.hpp` works only for `Noisy`, but the check uses a different type.",
-                expected="a template for any `Thing`",
+                summary="`trip_log.hpp` works only for `TracedEntry`, but the check uses a different type.",
+                expected="a template for any `Entry`",
                 where=tuple(bound[:2]),
-                advice="Keep the original `template` line, and write `Thing` instead of `Noisy`.",
+                advice="Keep the original `template` line, and write `Entry` instead of `TracedEntry`.",
             )
         )
     expect_compiled(recording, "counts")
 
 
 @forwarding.check("warnings", "there are no compiler warnings", needs="compiles")
-def things_warnings(recording: Recording) -> None:
-    expect_no_warnings(recording, "things")
+def entries_warnings(recording: Recording) -> None:
+    expect_no_warnings(recording, "trip_log")
 
 
 @forwarding.check("values", "the three functions do what the task asks", needs="compiles")
 def values(recording: Recording) -> None:
     for question, wanted, what in (
-        ("made value", 20.0, "make<Thing>(20.0)->value()"),
+        ("made value", 20.0, "make<Entry>(20.0)->value()"),
         ("appended values", [1.5, -4.0, 8.0], "append with 1.5, -4, and 8"),
         ("total value", 5.5, "total of 1.5, -4, and 8"),
     ):
-        answer = native_answer(recording, question, what, "values", where=Location(THINGS))
+        answer = native_answer(recording, question, what, "values", where=Location(LOG))
         if answer.error is None and answer.value == wanted:
             continue
-        raise Failure(
+        raise wrong(
+            recording,
             Feedback(
                 summary=f"`{what}` returns {numbers(answer.value)}."
                 if answer.error is None
                 else f"`{what}` fails: {answer.error[:60]}",
                 expected=numbers(wanted),
                 seen=(answer.error or numbers(answer.value))[:120],
-                where=(Location(THINGS),),
-                advice="Remove the copies, but keep the same values.",
-            )
+                where=(Location(LOG),),
+                advice="This is only the last value. Add each one to the sum with `+=`."
+                if question == "total value" and answer.value == 8.0
+                else "The caller's vector stays as it is. Take it by reference, with `&`."
+                if answer.value == []
+                else "Remove the copies, but keep the same values.",
+            ),
         )
 
 
@@ -474,10 +510,10 @@ def make_counts(recording: Recording) -> None:
         recording,
         "make",
         made=1,
-        summary="`make<Thing>(20.0)`",
+        summary="`make<Entry>(20.0)`",
         advice=(
-            "Pass `std::make_shared<Thing>(...)` the values that a Thing is made from, here "
-            "20.0, not a finished Thing."
+            "Pass `std::make_shared<Entry>(...)` the values that an Entry is made from, here "
+            "20.0, not a finished Entry."
         ),
     )
 
@@ -489,7 +525,7 @@ def append_counts(recording: Recording) -> None:
         "append",
         made=3,
         summary="`append`, called three times,",
-        advice="Use `emplace_back` instead of `push_back`, and pass the value itself, not a finished Thing.",
+        advice="Use `emplace_back` instead of `push_back`, and pass the value itself, not a finished Entry.",
     )
 
 
@@ -499,20 +535,20 @@ def total_counts(recording: Recording) -> None:
         recording,
         "total",
         made=3,
-        summary="`total` of three things",
+        summary="`total` of three entries",
         advice=(
-            "Use references, which don't copy: `const std::vector<Thing>& things` for the argument, "
+            "Use references, which don't copy: `const std::vector<Entry>& entries` for the argument, "
             "and `const auto&` in the loop."
         ),
     )
 
 
-# How many things were created, copied, and moved.
+# How many entries were created, copied, and moved.
 COUNTS = tuple[int, int, int]
 
 
 def expect_counts(recording: Recording, question: str, *, made: int, summary: str, advice: str) -> None:
-    count, copied, moved = told_by(recording, question, question, question, Location(THINGS), COUNTS)
+    count, copied, moved = told_by(recording, question, question, question, Location(LOG), COUNTS)
     if (count, copied, moved) == (made, 0, 0):
         return
     more = [f"creates {count - made} too many"] if count > made else []
@@ -537,19 +573,19 @@ def times(count: int) -> str:
 
 
 def function_place(recording: Recording, name: str) -> tuple[Location, ...]:
-    lines = enumerate(recording.home.file(THINGS).lines, 1)
-    found = [Location(THINGS, n) for n, line in lines if re.search(rf"\b{name}\s*\(", line.split("//")[0])]
-    return tuple(found[:1]) or (Location(THINGS),)
+    lines = enumerate(recording.home.file(LOG).lines, 1)
+    found = [Location(LOG, n) for n, line in lines if re.search(rf"\b{name}\s*\(", line.split("//")[0])]
+    return tuple(found[:1]) or (Location(LOG),)
 
 
 @forwarding.check("forwards", "`make` forwards its arguments unchanged", points=2, needs="values")
 def forwards(recording: Recording) -> None:
-    what = "make<Whole>(Part(7.0))"
-    _, copied, _ = told_by(recording, "temporary", what, "forward", Location(THINGS), COUNTS)
+    what = "make<RangeEntry>(Reading(7.0))"
+    _, copied, _ = told_by(recording, "temporary", what, "forward", Location(LOG), COUNTS)
     if copied:
         raise Failure(
             Feedback(
-                summary="`make` copies a part that nothing else needs.",
+                summary="`make` copies a reading that nothing else needs.",
                 expected="0 copies",
                 seen=f"{copied} copies" if copied > 1 else "1 copy",
                 where=function_place(recording, "make"),
@@ -558,11 +594,12 @@ def forwards(recording: Recording) -> None:
                 ),
             )
         )
-    ours = native_answer(recording, "ours", "part.value()", "forward").value
+    ours = native_answer(recording, "ours", "reading.value()", "forward").value
     if ours != 5.0:
         raise Failure(
             Feedback(
-                summary="`make<Whole>(part)` takes the part away from its caller, which still needs it.",
+                summary="`make<RangeEntry>(reading)` takes the reading away from its caller, "
+                "which still needs it.",
                 expected="5, as before",
                 seen=numbers(ours),
                 where=function_place(recording, "make"),

@@ -188,7 +188,7 @@ def hear(arena: Arena, robot: Robot, start: Callable[[], Process | None]) -> tup
         arena.until(lambda: states.count, timeout=8, while_running=node)
         if states.count:
             arena.until(lambda: all(one.count for one in limits), timeout=2, while_running=node)
-    for one in limits:  # they are the same in each round
+    for one in limits:  # they are the same in each run
         one.close()
     return states, node
 
@@ -326,9 +326,12 @@ def expect_zeros(recording: Recording, robot: Robot, advice: str, where: Iterabl
 def expect_step_and_wave(
     recording: Recording, robot: Robot, kind: str, advice: str, where: Iterable[Location] = ()
 ) -> None:
-    """kind: "steps" or "wave". A loop receives a target in one round, and publishes it in the next."""
+    """kind: "steps" or "wave". A loop receives a target in one cycle, and publishes it in the next."""
     steps, sine = commands_of(recording, robot)
     states = states_of(recording, robot)
+    if len(states.widths) > 1:
+        remedy = "Replace the old positions by those of the target. `+=` or `append` makes the list longer."
+        expect_width(states, JOINTS, advice=remedy)
     if kind == "steps":
         within = max(0.010, 2.5 * robot.period)
         expect_steps(recording, steps, states, within=within, advice=advice, where=tuple(where))
@@ -410,7 +413,8 @@ def expect_end_by_a_wrong_target(
                 summary="A target of five elements does not end the driver, which has six joints.",
                 expected="the driver ends, with an error in its log",
                 seen="the driver continues to run",
-                where=text_places(recording.sources, "set_target_joint_positions(")[-1:],
+                where=text_places(recording.sources, "::set_target_joint_positions(")[:1]
+                or text_places(recording.sources, "set_target_joint_positions(")[-1:],
                 advice=advice,
             )
         )
@@ -604,9 +608,9 @@ def why_ended(recording: Recording, view: ProcessView) -> Feedback | None:
             "flag only in the handler."
         )
     return Feedback(
-        summary="The driver ends by itself because of an error."
+        summary="The driver ends on its own because of an error."
         if said
-        else "The driver ends by itself, without an error message.",
+        else "The driver ends on its own, without an error message.",
         expected="it runs until Ctrl+C",
         seen=(failed["error"] if failed else said or "no error")[:200],
         where=where,
@@ -769,8 +773,8 @@ def launched_end(recording: Recording) -> None:
 
 # 31-client -------------------------------------------------------------------------------------------
 
-# The sine that the script sends: 10 degrees, and the rounds in a period.
-SWING, ROUNDS = math.radians(10), math.tau * 50 * math.pi
+# The sine that the script sends: 10 degrees, and the cycles of the loop in a period.
+SWING, CYCLES = math.radians(10), math.tau * 50 * math.pi
 ENOUGH = 520
 
 
@@ -861,7 +865,7 @@ def sends(recording: Recording) -> None:
             where=places(sources, "is_enabled"),
             advice="Call `rclcpp_spin_some(node)` in the loop that waits for `is_enabled()`."
             if len(spins) < 2
-            else "Once the client is enabled, call `send_target_joint_positions` in each round.",
+            else "Once the client is enabled, call `send_target_joint_positions` in each cycle.",
         )
     )
 
@@ -876,13 +880,13 @@ def swing(recording: Recording) -> None:
     expect_width(targets, JOINTS, advice="Send one number for each joint.", where=where)
     begin = recording.stream(MYROBOT.topic(STATES), "position").rows[0]
     for joint in range(JOINTS):
-        made = fit_wave(range(len(targets)), targets.column(joint), 1 / ROUNDS)
+        made = fit_wave(range(len(targets)), targets.column(joint), 1 / CYCLES)
         if made is None:
             raise Failure(
                 Feedback(
                     summary=f"The script sends only {len(targets)} targets, too few for a swing.",
                     where=where,
-                    advice="Send a target in each round of the loop.",
+                    advice="Send a target in each cycle of the loop.",
                 )
             )
         around = made.offset - begin[joint]
@@ -903,11 +907,11 @@ def swing(recording: Recording) -> None:
             raise Failure(
                 Feedback(
                     summary="The targets do not follow the sine in the task.",
-                    expected=f"10 degrees ({SWING:.4f} rad), {ROUNDS:.0f} rounds in a period",
+                    expected=f"10 degrees ({SWING:.4f} rad), {CYCLES:.0f} cycles per period",
                     seen=f"joint {joint + 1} from {told([min(targets.column(joint))])} to "
-                    f"{told([max(targets.column(joint))])} in {len(targets)} rounds",
+                    f"{told([max(targets.column(joint))])} in {len(targets)} cycles",
                     where=where,
-                    advice="In round `i`, send `q0 + deg2rad(10 * sin(i / (50 * pi)))`. Read `q0` once, "
+                    advice="In cycle `i`, send `q0 + deg2rad(10 * sin(i / (50 * pi)))`. Read `q0` once, "
                     "before the loop.",
                 )
             )
@@ -924,7 +928,7 @@ def swing(recording: Recording) -> None:
 
 
 def floods(targets: Stream) -> bool:
-    """Whether they come so fast that some may be lost, so that nobody can count the rounds."""
+    """Whether they come so fast that some may be lost, so that nobody can count the cycles."""
     return len(targets) > 2 * 100 * (targets.times[-1] - targets.times[0])
 
 
@@ -944,12 +948,12 @@ def client_rate(recording: Recording) -> None:
     if places(own, "update_and_sleep") and not places(own, "init"):
         raise Failure(
             Feedback(
-                summary="The clock is never started. On a real robot, it would count all rounds since 1970.",
+                summary="The clock is never started. On a real robot, it would count all cycles since 1970.",
                 where=where,
                 advice="Create the clock, then call `clock.init()` just before the loop.",
             )
         )
-    advice = "Use `Clock(0.01)`, then `clock.init()`. Call `clock.update_and_sleep()` once in each round."
+    advice = "Use `Clock(0.01)`, then `clock.init()`. Call `clock.update_and_sleep()` once in each cycle."
     expect_rate(
         recording, recording.stream(MYROBOT.topic(TARGETS), "data"), 100.0, advice=advice, where=where
     )

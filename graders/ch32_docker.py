@@ -599,7 +599,7 @@ def profile(recording: Recording) -> ElementTree.Element:
                 else "The file is empty.",
                 seen=found.lines[number - 1].strip()[:80] if found.lines else None,
                 where=(Location(PROFILE, number),),
-                advice="Close each `<name>` with `</name>`. Close the last one that you opened first.",
+                advice="Close each `<name>` with `</name>`, starting with the innermost one.",
                 details=(str(error),),
             )
         ) from None
@@ -642,6 +642,14 @@ def taken(recording: Recording) -> None:
         summary = f"ROS does not accept this profile: `{strange}` does not belong here."
         summary = summary if strange else "ROS does not accept this profile."
         advice = "Compare the names and the nesting with the lesson's diagram."
+        told = " ".join(said)
+        if found := re.search(r"<(\w+)> getXMLBool", told):
+            strange, advice = found[1], "Its value is `true` or `false`, in lowercase."
+        elif found := re.search(r"Found incorrect tag '(\w+)'", told):
+            strange, advice = (
+                found[1],
+                f"Move `{found[1]}` into the element where the lesson's diagram has it.",
+            )
         where = line_with(recording, f"<{strange}" if strange else "<participant")
     raise Failure(
         Feedback(

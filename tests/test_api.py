@@ -15,22 +15,22 @@ from course.content.layout import STATE
 
 REPO = Path(__file__).parents[1]
 GRADERS = REPO / "graders"
-MOST = 107
+MOST = 110
 
 NAMES = """
 AllOf Arena BASHRC BuiltPackage Call Cause Client Command ContentError CppError Crash Document Failure
 Feedback Grader HomeFile Listener Location LogLine Message Mystery NotApplicable Number OneOf OurFault
 Parameters ProbeAnswer Process ProcessView Recording Server ServiceCall Sources Spoilt Stream Text TooBusy
-TopicView about answered ask_for calls cause_of_silence commands complaints cpp_files crash entry_points
-expect_answer expect_answers expect_build_type expect_clean_end expect_clean_interrupt expect_compiled
-expect_declared expect_dependency expect_endpoint expect_executable expect_file expect_importable
-expect_launch_file expect_launch_interrupt expect_launch_parameter expect_launched expect_launched_node
-expect_lines expect_logged expect_manifest expect_mode expect_no_warnings expect_node
-expect_own_launch_parameter expect_parameter expect_period expect_qos expect_ran expect_running
-expect_service expect_service_type expect_set expect_shell expect_sound expect_text expect_type first_error
-functions launch_file learners_file listed misspelled_group named native_answer nearest not_configured
+TopicView about answered ask_for calls cause_of_silence commands complaints cpp_files crash crash_feedback
+entry_points expect_answer expect_answers expect_build_type expect_clean_end expect_clean_interrupt
+expect_compiled expect_declared expect_dependency expect_endpoint expect_executable expect_file
+expect_importable expect_launch_file expect_launch_interrupt expect_launch_parameter expect_launched
+expect_launched_node expect_lines expect_logged expect_manifest expect_mode expect_no_warnings expect_node
+expect_own_launch_parameter expect_parameter expect_period expect_qos expect_ran expect_running expect_service
+expect_service_type expect_set expect_shell expect_sound expect_text expect_type first_error functions
+launch_file learners_file listed misspelled_group named native_answer nearest never_called not_configured
 not_made packages_place parse_document places_of read_once read_setup_cfg replace seconds slips text_places
-timer_places trees words
+timer_places trees without_effect words
 """.split()
 
 

@@ -343,6 +343,8 @@ class HomePrograms:
             "ROS_PYTHON_CHECK_FIELDS": "1",
             # Otherwise, Python would write bytecode into the build cache.
             "PYTHONDONTWRITEBYTECODE": "1",
+            # Messages import numpy, which would start a thread for each core.
+            "OPENBLAS_NUM_THREADS": "1",
             # Keeps the course's own ros2 command from starting its daemon.
             "ROS2COURSE_ARENA": "1",
         }

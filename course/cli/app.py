@@ -90,7 +90,7 @@ COMMANDS = (
     LazyCommand("api", "Show what a grader can call, and what it gets back.", "api", "api"),
     LazyCommand("schema", "Show the JSON Schema of lesson.yaml and similar files.", "schema", "schema"),
     LazyCommand("validate", "Prove that a course does what it claims.", "validate", "validate"),
-    LazyCommand("doctor", "Look at this machine: ROS 2, compilers, disk, clock.", "doctor", "doctor"),
+    LazyCommand("doctor", "Check this machine: ROS 2, compilers, disk, clock.", "doctor", "doctor"),
     LazyCommand(
         "build-underlay", "Build the ROS packages that come with the course.", "underlay", "build_underlay"
     ),

@@ -52,7 +52,7 @@ def check(
     again: Annotated[
         bool,
         typer.Option(
-            "--again", help="Ask again what you got wrong or left open; if all is right, ask everything."
+            "--again", help="Ask only what you got wrong or left open; if all is right, ask everything."
         ),
     ] = False,
     timeline: Annotated[

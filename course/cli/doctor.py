@@ -182,10 +182,10 @@ EXAMPLES = examples(("doctor", "what this machine has, and what is missing"))
 
 
 def doctor(ctx: typer.Context) -> None:
-    """Look at this machine: ROS 2, compilers, disk, clock.
+    """Check this machine: ROS 2, compilers, disk, clock.
 
     If something is missing, it says exactly what to do. The exit code is 4 if
-    the course needs it.
+    the course needs what is missing.
     """
     findings = find_all(options_of(ctx))
     render_findings(open_console(), findings)

@@ -94,11 +94,11 @@ def show(
     ] = None,
     pager: Pager = False,
 ) -> None:
-    """Draw what happened when an exercise was checked last.
+    """Draw what happened in an exercise's last check.
 
-    Programs, nodes, messages, calls, and logs on one timeline, next to what was
-    expected; numbers in messages and the time between them; who publishes and
-    who listens.
+    Draws programs, nodes, messages, calls, and logs on one timeline, next to
+    what was expected. Also draws the numbers in messages, the time between
+    messages, and who publishes and who listens.
     """
     found, result = _of_file(Path(what)) if what and what.endswith(_FILE) else _of_exercise(ctx, what)
     console = open_console()

@@ -79,7 +79,7 @@ def marks(ctx: typer.Context, folder: Folder) -> None:
 @results.command("fill", epilog=FILL_EXAMPLES)
 def fill_in(
     ctx: typer.Context,
-    sheet: Annotated[Path, typer.Argument(metavar="SHEET", help="As your LMS exported it.")],
+    sheet: Annotated[Path, typer.Argument(metavar="SHEET", help="The sheet, as your LMS exported it.")],
     folder: Folder,
     column: Annotated[
         str, typer.Option("--column", metavar="NAME", help="Which assignment: its name, or its id.")

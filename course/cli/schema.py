@@ -23,7 +23,7 @@ EXAMPLES = examples(
 
 def schema(
     file: Annotated[
-        str, typer.Argument(metavar="[FILE]", help="Of which file: lesson, mistakes, or alternative.")
+        str, typer.Argument(metavar="[FILE]", help="For which file: lesson, mistakes, or alternative.")
     ] = "lesson",
     out: Annotated[
         Path | None,

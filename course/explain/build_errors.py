@@ -289,7 +289,7 @@ HEADERS = tuple(
         ),
         (
             _for_itself_alone,
-            "`PRIVATE` keeps this folder from the targets that link the library: write `PUBLIC`.",
+            "`PRIVATE` hides this folder from targets that link the library: write `PUBLIC`.",
             "talk/talk.hpp: No such file or directory",
             {LISTS: "target_include_directories(talk PRIVATE include)"},
         ),

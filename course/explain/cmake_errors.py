@@ -173,6 +173,12 @@ def _home_of_bash(evidence: Evidence, symptom: Symptom, words: Words) -> Proven 
     return None
 
 
+def _literal_name(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`add_library(PROJECT_NAME ...)`, without `${}`."""
+    line = evidence.line(LISTS, r"^\s*add_(?:library|executable)\s*\(\s*PROJECT_NAME\b")
+    return Proven({"line": str(line)}, (evidence.place(LISTS, line),)) if line else None
+
+
 PROJECTS: tuple[Known[Evidence], ...] = (
     *_SYNTAX,
     Known(pattern=r'package configuration file provided by "(?P<name>\S+?)"|Could not find (?P<library>\w+)',
@@ -220,6 +226,14 @@ PROJECTS: tuple[Known[Evidence], ...] = (
           example='Target "talk" links to:\n\n    door::dor\n\n  but the target was not found.'),
     Known(pattern=r"Cannot find source file: (?P<name>\S+)", cause="There is no source file `{name}`.",
           remedy="Create the file, or correct its name.", example="Cannot find source file:\n\n    main.cpp"),
+    Known(pattern=r"IMPORTED library can only be used with the INTERFACE keyword",
+          cause="`target_link_libraries` gets a library of another package as its first argument.",
+          remedy="The first argument is your own target. What it links to comes after it.",
+          example="IMPORTED library can only be used with the INTERFACE keyword of\n  target_link_libraries"),
+    Known(pattern=r'for target "(?P<name>\S+)" which is not built by this project',
+          cause="This line needs the target `{name}`, which no line above it creates.",
+          remedy="Call `add_executable({name} ...)` above this line.",
+          example='Cannot specify link libraries for target "robot" which is not built by this project.'),
     Known(pattern=r"", cause="CMake cannot configure the project: {sentence}.",
           remedy="Read CMake's message for this line, and compare the line with the lesson.",
           proof=lambda evidence, symptom, words: Proven({"sentence": first_sentence(symptom)[:90]}),
@@ -229,10 +243,15 @@ PROJECTS: tuple[Known[Evidence], ...] = (
 _NO_TARGET = r'links to:? (?:target )?"?(?P<name>\w+::\w+)"? but the target was not found'
 
 _TARGETS: tuple[Known[Build], ...] = (
+    Known(kind="target-missing", pattern=r'for target "\S+" which is not built by this project',
+          cause="The target in line {line} is called `PROJECT_NAME`, like the word itself.",
+          remedy="A variable is written `${PROJECT_NAME}`.", proof=_literal_name,
+          example='Cannot specify include directories for target "talk" which is not built by this project.',
+          given={LISTS: "project(talk)\nadd_library(PROJECT_NAME SHARED talk.cpp)\n"}),
     Known(kind="find-package-missing",
           pattern=r"the passed package name '(?P<name>\S+)' was not found before",
           cause=f"{LISTS} uses the package `{{name}}` without finding it first.",
-          remedy="Compare with line {line}: one of the two names is wrong.", proof=_looked_for_another,
+          remedy="Compare the name with line {line}: one of the two is wrong.", proof=_looked_for_another,
           where=(here,),
           example="ament_target_dependencies() the passed package name 'std_msgs' was not\n  found before",
           given={LISTS: "project(talk)\nfind_package(std_msg REQUIRED)"}),

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
 
 from course.evidence.sources import Sources
+from course.explain.engine import Cause
 from course.model.feedback import Location
 
 ENDINGS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".hxx", ".h")
@@ -73,6 +75,53 @@ def places_of(sources: Sources, pattern: str) -> tuple[Location, ...]:
 def only_code(text: str) -> str:
     """The text with spaces instead of comments and quoted texts; line breaks stay."""
     return _NO_CODE.sub(lambda found: re.sub(r"[^\n\"]", " ", found[0]), text)
+
+
+# These read hostile sources, too, so they must not try the same text again from each of its characters.
+# At the beginning of a line, after the end of a statement or an opening brace.
+_BEGINS = r"(?<=[;{})]\n)[ \t]*"
+_EFFECTLESS = (
+    (
+        rf"{_BEGINS}[\w.:>\[\]-]+\s*==[^;=]*;",
+        "`==` only compares, and changes nothing. A single `=` assigns a value.",
+    ),
+    (
+        rf"{_BEGINS}(?:if\s*\([^;{{}}\n]*\)\s*(?:\{{\s*)?)?std::\w+(?:_error|_argument|_range)\s*[({{][^;]*;",
+        "This line creates an exception, but does not throw it: write `throw` before it.",
+    ),
+    (
+        r"\b(?:while|if)\s*\(\s*(?:!\s*)?rclcpp::ok\s*\)",
+        "`rclcpp::ok` only names the function. Call it: `rclcpp::ok()`.",
+    ),
+    (
+        r"(?<![\w:<>,&*])(?!void\s|explicit\b|else\b|constexpr\b|inline\b)[\w:<>,&*]*[\w>&*]\s+"
+        r"(?!if\b|main\b|(\w+)::\1\b)[\w:]+\s*\([^;{}()]*\)\s*(?:const\s*)?\{(?![^{}]*\b(?:return|throw)\b)[^{}]+\}",
+        "This function has no `return`, so the value that it gives back is arbitrary.",
+    ),
+)
+
+
+_OVERRIDES = re.compile(r"\boverride\b")
+
+
+def without_effect(sources: Sources) -> Cause | None:
+    """A statement of C++ that compiles, but cannot do what it was meant to do."""
+    found = ((text, places_of(sources, pattern)) for pattern, text in _EFFECTLESS)
+    return next((Cause(text, places[:1]) for text, places in found if places), None)
+
+
+def never_called(sources: Sources) -> Cause | None:
+    """A method that is declared and defined, and then never named again."""
+    code = "\n".join(map(only_code, cpp_files(sources).values()))
+    # A declaration that overrides does not count: others call the method.
+    plain = (_OVERRIDES.split(statement)[-1] for statement in re.split(r"[;{}]", code))
+    named = Counter(name for text in plain for name in re.findall(r"\w+", text))
+    for found in re.finditer(r"(?m)^[ \t]*void\s+(\w+::)?(\w+)\s*\([^;{}()]*\)\s*(?:const\s*)?\{", code):
+        if named[found[2]] == (2 if found[1] else 1):
+            text = f"Nothing calls `{found[2]}`, or passes it to something that calls it."
+            takers = places_of(sources, r"\bcreate_(?:subscription|wall_timer|timer|service)\b")
+            return Cause(text, takers[:1] or places_of(sources, rf"\b{found[2]}\b")[-1:])
+    return None
 
 
 def _call(file: str, text: str, code: str, found: re.Match[str]) -> CppCall:

@@ -28,7 +28,7 @@ NO_LINE = "The line is not known."
 # Parts of the name that the sanitizer gives the error, what it means, and what to do.
 _KINDS = (
     (("overflow-on", "stack-overflow"), "A function calls itself forever.",
-     "Find the function that calls itself, and check the condition that should stop it."),
+     "Find the function that calls itself. Nothing stops it, or what it follows leads back to itself."),
     (("heap-buffer", "stack-buffer", "global-buffer", "container-overflow", "dynamic-stack-buffer"),
      "The program reads or writes outside the bounds of an array or a vector.",
      "`[...]` does not check that the element exists. `.at(...)` does, and throws an exception if it does "

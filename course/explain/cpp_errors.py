@@ -105,17 +105,17 @@ COMPILER: tuple[Known[Evidence], ...] = (
     ),
     Known(
         r"invalid operands of types 'const char ?\[\d+\]' and .*operator<<",
-        "`RCLCPP_INFO_STREAM` joins values with `<<`. `RCLCPP_INFO` takes one string with `%d` in it.",
+        "To join values with `<<`, use `RCLCPP_INFO_STREAM`. `RCLCPP_INFO` takes one string with `%d` in it.",
         "invalid operands of types 'const char [9]' and 'int' to binary 'operator<<'",
     ),
     Known(
         r"invalid operands of types '(?:const )?char.*'operator\+'",
-        "C++ cannot join two quoted strings with `+`. `RCLCPP_INFO_STREAM` joins them with `<<`.",
+        "C++ cannot join two quoted strings with `+`. Use `<<` in `RCLCPP_INFO_STREAM` instead.",
         "invalid operands of types 'const char*' and 'const char [8]' to binary 'operator+'",
     ),
     Known(
         r"use of non-static member function|Wrong number of arguments for pointer-to-member",
-        "A member function is called on an object: `std::bind(&Class::function, this)`, or "
+        "A member function needs an object: write `std::bind(&Class::function, this)`, or "
         "`[this]() { function(); }`.",
         "invalid use of non-static member function 'void Talker::talk()'",
     ),
@@ -241,6 +241,11 @@ COMPILER: tuple[Known[Evidence], ...] = (
         "could not convert 'x' from 'int' to 'std::string'",
     ),
     Known(
+        r"SharedPtr.* has no member named '(?P<name>\w+)'",
+        "This is a pointer to the object. Write `->` in place of the dot: `->{name}`.",
+        "'using SharedPtr = class std::shared_ptr<rclcpp::Publisher<T> >' has no member named 'publish'",
+    ),
+    Known(
         r"has no member named",
         "Is the name spelled right, and is it a member of this type?",
         "'class Talker' has no member named 'tolk'",
@@ -265,6 +270,11 @@ COMPILER: tuple[Known[Evidence], ...] = (
         r"is private within|is protected within",
         "Only its own class can use it. Make it `public`, or add a function that returns it.",
         "'int Arm::count_' is private within this context",
+    ),
+    Known(
+        r"expected primary-expression before '\.' token",
+        "A dot belongs between an object and its member. After a namespace or class, write `::`.",
+        "expected primary-expression before '.' token",
     ),
     Known(
         "",

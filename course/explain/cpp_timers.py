@@ -54,10 +54,10 @@ def _lost(timers: tuple[CppCall, ...]) -> Cause | None:
         if len(timer.before) > _LONGEST:
             continue
         if _DECLARED.fullmatch(timer.before):
-            text = "The timer is in a local variable, which ends when the function does. Use a class member:"
+            text = "The timer is in a local variable, which ends with the function. Use a class member:"
             return Cause(f"{text} `timer_ = ...`, without a type before it.", (timer.where,))
         if _NOT_KEPT.fullmatch(timer.before):
-            text = "Nothing keeps the timer, so it ends immediately. Store it in a member of the class:"
+            text = "Nothing stores the timer, so it is deleted immediately. Use a member of the class:"
             return Cause(f"{text} `timer_ = create_wall_timer(...)`.", (timer.where,))
     return None
 
@@ -95,10 +95,21 @@ def integer_division(sources: Sources) -> Cause | None:
     return None
 
 
+def rate_unused(sources: Sources) -> Cause | None:
+    """`rclcpp::Rate rate(2)`, of which no code calls `sleep`."""
+    for code in map(only_code, cpp_files(sources).values()):
+        sleeping = set(re.findall(r"\b(\w+)\s*\.\s*sleep\b", code))
+        for made in re.finditer(r"\b(?:Wall)?Rate\s+(\w+)\s*[({]", code):
+            if made[1] not in sleeping:
+                text = f"Nothing waits: the loop must call `{made[1]}.sleep();` each time."
+                return Cause(text, places_of(sources, r"\bwhile\s*\(")[:1])
+    return None
+
+
 def _slow_rate(sources: Sources) -> Cause | None:
     """`rclcpp::Rate rate(0.5)`, which means once every two seconds."""
     where = places_of(sources, r"Rate\s*\w*\s*[({]\s*0?\.\d+\s*[)}]")
-    text = "A rate is calls per second, not the time between two calls: twice per second is 2.0."
+    text = "A rate is the number of calls per second, not the time between them: twice per second is 2.0."
     return Cause(text, where[:1]) if where else None
 
 

@@ -14,7 +14,7 @@ from course.evidence.process_view import ProcessView
 from course.evidence.recording import Recording
 from course.evidence.sources import Sources
 from course.explain.callbacks import never_spun
-from course.explain.cpp_code import cpp_calls, cpp_files, places_of
+from course.explain.cpp_code import cpp_calls, cpp_files, never_called, places_of, without_effect
 from course.explain.cpp_crashes import C_TEXTS, cpp_crash, texts_without_a_text
 from course.explain.cpp_timers import MAKERS, cpp_timer_cause
 from course.explain.cpp_timers import SPINS as CPP_SPINS
@@ -22,7 +22,10 @@ from course.explain.engine import Cause, Evidence, Symptom, explain
 from course.explain.python_code import called_name, calls, nodes
 from course.explain.python_errors import EXCEPTIONS, SHUT_DOWN_TWICE, Crash, crash, crash_feedback
 from course.explain.python_slips import (
+    defined_twice,
+    destroyed_first,
     first,
+    named_only,
     python_timer_cause,
     shut_down_inside,
     spin_in_a_thread,
@@ -37,9 +40,7 @@ _WITH_LOOP = (
     "Ctrl+C raises KeyboardInterrupt in Python. Put the loop in a `try:` block, and add "
     "`except KeyboardInterrupt:` after it."
 )
-_BRACES = (
-    "The braces were logged as they are. Put an `f` before the string, `f'...'`: then Python fills them in."
-)
+_BRACES = "The braces were logged as is. Put an `f` before the string, `f'...'`: then Python fills them in."
 _DEAF = (
     "Let `main()` end after `except KeyboardInterrupt:`. A loop around the `try:`, or a "
     "`signal.signal(...)` that ignores Ctrl+C, keeps the program running."
@@ -113,7 +114,7 @@ class Python:
             return None
         if once:
             return Cause(
-                "`spin_once` handles one event and returns. `rclpy.spin(node)` runs until Ctrl+C.", once
+                "`spin_once` handles one event. Use `rclpy.spin(node)`, which runs until Ctrl+C.", once
             )
         ends = calls(sources, "spin_until_future_complete") or calls(sources, "init")
         return Cause(
@@ -145,12 +146,13 @@ class Python:
 
     def other_words(self, text: str, sources: Sources) -> Cause | None:
         """Why a logged line has unexpected words, if they show what went wrong."""
-        return Cause(_BRACES) if "{" in text else None
+        return named_only(text, sources) or (Cause(_BRACES) if "{" in text else None)
 
     def silent(self, sources: Sources) -> Cause | None:
         """Why a node logs nothing although it is running, if known."""
         listens = calls(sources, "create_subscription") and not calls(sources, "create_timer")
-        return first(sources, *(() if listens else (python_timer_cause,)), never_spun)
+        timers = () if listens else (python_timer_cause,)
+        return first(sources, defined_twice, destroyed_first, *timers, never_spun)
 
 
 def _raised_by_rclpy(traceback: tuple[str, ...]) -> bool:
@@ -253,7 +255,7 @@ class Cpp:
     spin = "rclcpp::spin"
     log_info = "RCLCPP_INFO_STREAM(get_logger(), ...)"
     at_the_end = "The value that `main` returns is the exit code: `return 0;` means success."
-    comes_to_an_end = "`main` must end: look for an endless loop, or for `std::cin` that waits."
+    comes_to_an_end = "`main` must end: look for an endless loop, or for a `std::cin` that waits for input."
     after_ctrl_c = (
         "The value that `main` returns is the exit code. Let it reach `return 0;` after `rclcpp::spin`."
     )
@@ -286,14 +288,14 @@ class Cpp:
     def to_keep_running(self, recording: Recording) -> Cause | None:
         sources = recording.sources
         if not self.places(sources, "init"):
-            text = "`main` must call `rclcpp::init(argc, argv)`, create the node, and `rclcpp::spin` it."
+            text = "`main` must call `rclcpp::init(argc, argv)`, make a node, and pass it to `rclcpp::spin`."
             return Cause(text, self.entry(sources))
         if self.places(sources, "spin"):
             return None
         where = tuple(place for name in CPP_SPINS for place in self.places(sources, name))[:2]
         if self.places(sources, "spin_some"):
             return Cause(
-                "`spin_some` runs what is ready and returns. `rclcpp::spin(node)` runs until Ctrl+C.", where
+                "`spin_some` runs what is ready. Use `rclcpp::spin(node)`, which runs until Ctrl+C.", where
             )
         return Cause(
             "Nothing keeps the program running: call `rclcpp::spin(...)` with the node, after `init`.",
@@ -301,10 +303,10 @@ class Cpp:
         )
 
     def deaf(self, sources: Sources) -> Cause:
-        return Cause(_CPP_DEAF, places_of(sources, _CPP_ENDLESS)[:2])
+        return without_effect(sources) or Cause(_CPP_DEAF, places_of(sources, _CPP_ENDLESS)[:2])
 
     def to_name_a_node(self, name: str) -> str:
-        return f'Before the braces of the constructor, pass on the name: `: rclcpp::Node("{name}")`.'
+        return f'Pass the name on before the braces of the constructor: `: rclcpp::Node("{name}")`.'
 
     def to_use_a_type(self, maker: str, package: str, name: str) -> str:
         return f"Include its header, and write `{maker}<{package}::msg::{name}>`."
@@ -322,7 +324,7 @@ class Cpp:
         return Cause(advice or C_TEXTS, where) if advice or where else None
 
     def silent(self, sources: Sources) -> Cause | None:
-        cause = _without_node(sources) or cpp_timer_cause(sources)
+        cause = first(sources, without_effect, _without_node, cpp_timer_cause, never_called)
         if cause or any(self.places(sources, name) for name in CPP_SPINS):
             return cause
         return Cause(

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from fnmatch import fnmatch
 from pathlib import PurePosixPath
+from typing import TypeGuard
 
 from course.evidence.packages import BuiltPackages
 from course.evidence.sources import Sources
 from course.explain.cmake import LISTS
 from course.explain.engine import Cause
-from course.explain.python_code import PythonCall, called_name, calls, parsed
+from course.explain.python_code import PythonCall, called_name, calls, nodes, parsed
 from course.model.feedback import Feedback, Location
-from course.spelling import listed, nearest
+from course.spelling import LOOSELY, listed, nearest
 
 _ENDINGS = ("launch.py", "launch.xml", "launch.yaml")
 
@@ -120,13 +122,14 @@ def _text(node: ast.AST) -> str | None:
     return None
 
 
-def launch_file_cause(sources: Sources, packages: BuiltPackages, file: str) -> Cause | None:
-    """What is wrong inside a launch file of this name."""
+def launch_file_cause(sources: Sources, packages: BuiltPackages, file: str, error: str = "") -> Cause | None:
+    """What is wrong inside a launch file of this name, which `ros2 launch` rejects with `error`."""
     path = next((name for name in sources.files if PurePosixPath(name).name == file), None)
     if path is None:
         return None
     own = Sources({path: sources.files[path]})
-    return no_generate(own) or parameters_as_dict(own) or misspelt_target(own, packages)
+    found = no_generate(own) or parameters_as_dict(own) or dict_in_arguments(own)
+    return found or not_a_list(own, error) or unknown_keyword(own, error) or misspelt_target(own, packages)
 
 
 def no_generate(launch_file: Sources) -> Cause | None:
@@ -148,6 +151,9 @@ def no_generate(launch_file: Sources) -> Cause | None:
 
 
 def _returns_nothing(path: str, function: ast.FunctionDef) -> Cause | None:
+    if function.args.args and not function.args.defaults:
+        text = f"`ros2 launch` calls `{function.name}` with no arguments: write `def {function.name}():`."
+        return Cause(text, (Location(path, function.lineno),))
     if any(isinstance(node, ast.Return) and node.value for node in ast.walk(function)):
         return None
     return Cause(
@@ -166,7 +172,81 @@ def parameters_as_dict(launch_file: Sources) -> Cause | None:
                 "`parameters=[{...}]`.",
                 (Location(node.where.file, given.lineno),),
             )
+        for part in ast.walk(given) if given else ():
+            if isinstance(part, ast.Set):
+                text = "Braces without a `:` make a set. Put a colon between each name and its value."
+                return Cause(text, (Location(node.where.file, part.lineno),))
     return None
+
+
+def dict_in_arguments(launch_file: Sources) -> Cause | None:
+    """`arguments=[{'period': 0.25}]`."""
+    for node in calls(launch_file, "Node"):
+        given = node.keywords.get("arguments")
+        for part in ast.walk(given) if given else ():
+            if isinstance(part, ast.Dict):
+                text = "Parameters belong in `parameters=[{...}]`. `arguments` are words of the command line."
+                return Cause(text, (Location(node.where.file, given.lineno if given else None),))
+    return None
+
+
+def not_a_list(launch_file: Sources, error: str) -> Cause | None:
+    """`actions=node`, if the error says that something is not iterable."""
+    for file, node in nodes(launch_file) if "not iterable" in error else ():
+        if isinstance(node, ast.keyword) and node.arg == "actions" and not isinstance(node.value, ast.List):
+            text = f"`actions` takes a list, even for one action: `actions=[{ast.unparse(node.value)}]`."
+            return Cause(text, (Location(file, node.value.lineno),))
+    return None
+
+
+_KEYWORDS = ("package", "executable", "name", "namespace", "parameters", "remappings", "arguments", "output")
+
+
+def unknown_keyword(launch_file: Sources, error: str) -> Cause | None:
+    """`Node(node_name='talker')`, which the error names."""
+    wrong = re.search(r"unexpected keyword argument '(\w+)'", error)
+    for call in calls(launch_file, "Node") if wrong else ():
+        if wrong and wrong[1] in call.keywords and wrong[1] not in _KEYWORDS:
+            right = nearest(wrong[1].removeprefix("node_"), _KEYWORDS, LOOSELY)
+            text = f"`Node` has no argument `{wrong[1]}`. " + (
+                f"Write `{right}` instead." if right else f"It has {listed(_KEYWORDS)}."
+            )
+            return Cause(text, (Location(call.where.file, call.keywords[wrong[1]].lineno),))
+    return None
+
+
+def started_twice(launch_file: Sources) -> Cause | None:
+    """Two `Node(...)` with the same executable, where a node is missing."""
+    seen: dict[str, Location] = {}
+    for call in calls(launch_file, "Node"):
+        executable = _constant(call, "executable")
+        if executable is None:
+            continue
+        if executable in seen:
+            text = f"Two of the nodes start `{executable}`. One of them should start another program."
+            return Cause(text, (call.where, seen[executable]))
+        seen[executable] = call.where
+    return None
+
+
+def of_another_node(launch_file: Sources, node: str, parameter: str) -> Cause | None:
+    """A parameter of `node` that the launch file gives to another `Node(...)`."""
+    every = calls(launch_file, "Node")
+    own = [
+        call for call in every if any(node in (_constant(call, key) or "") for key in ("executable", "name"))
+    ]
+    for call in every:
+        given = [
+            part for part in ast.walk(call.keywords.get("parameters", ast.Pass())) if _is(part, parameter)
+        ]
+        if own and given and call not in own:
+            text = f"`{parameter}` belongs to `{node}`, but this `Node(...)` starts something else. Move it."
+            return Cause(text, (Location(call.where.file, given[0].lineno),))
+    return None
+
+
+def _is(node: ast.AST, text: str) -> TypeGuard[ast.Constant]:
+    return isinstance(node, ast.Constant) and node.value == text
 
 
 def misspelt_target(launch_file: Sources, packages: BuiltPackages) -> Cause | None:

@@ -19,7 +19,7 @@ from course.model.events import Observed
 from course.model.feedback import Location
 
 # Begins advice on what to look at if no cause is proven. Such advice triggers the second run.
-UNKNOWN = "The cause is not known. Here is what to look at:"
+UNKNOWN = "The cause is not known. Things to check:"
 # Not errors, but ways for a program to end silently.
 _HARMLESS = re.compile(r"^[\w.]*\b(KeyboardInterrupt|ExternalShutdownException|SystemExit|RCLError)\b")
 # Errors that even a correct line may raise, so a program may catch them, if it catches no others.

@@ -10,10 +10,11 @@ from statistics import median
 from course.evidence.sources import Sources
 from course.explain.callbacks import callbacks, in_callbacks
 from course.explain.cpp_code import cpp_files
-from course.explain.cpp_timers import cpp_periods, integer_division
+from course.explain.cpp_timers import cpp_periods, integer_division, rate_unused
 from course.explain.engine import Cause
 from course.explain.python_code import called_name, calls, nodes, number, number_where
 from course.explain.python_slips import (
+    first,
     long_sleep,
     loop_without_sleep,
     never_again,
@@ -36,9 +37,10 @@ def pace_cause(times: Sequence[float], period: float, sources: Sources, *, writt
     if not gaps:
         return waits_for_input(sources) or (never_again(sources) if calls(sources, "spin") else None)
     if cpp_files(sources):
-        found = integer_division(sources) if median(gaps) < period / 10 else None
+        fast = median(gaps) < period / 10
+        found = first(sources, integer_division, rate_unused) if fast else None
     else:
-        causes = (_looped, _rushed, _several_at_once)
+        causes = (_looped, _rushed, _several_at_once, _inverted)
         found = next((one for cause in causes if (one := cause(gaps, period, sources))), None)
         found = found or _slept(gaps, sources)
     return found or (_written(gaps, period, sources) if written else None)
@@ -68,17 +70,17 @@ def _several_at_once(gaps: Sequence[float], period: float, sources: Sources) -> 
     if count < 2:
         return None
     if timers:
-        return Cause(f"{count} come together every {period:g} s. {timers.text}", timers.where)
+        return Cause(f"{count} come at once, every {period:g} s. {timers.text}", timers.where)
     for name in ("publish", "info", "call_async"):
         inside = in_callbacks(sources, name)
         if len(inside) >= count:
-            what = f"{count} come together every {period:g} s: the callback does it {count} times."
+            what = f"{count} come at once, every {period:g} s. Call `{name}` only once in the callback."
             return Cause(what, inside[:2])
     return _prints(sources, count, period)
 
 
 def _prints(sources: Sources, count: int, period: float) -> Cause | None:
-    """A loop that prints `count` times in each round."""
+    """A loop that prints `count` times in each pass."""
     for file, loop in nodes(sources):
         inside = list(ast.walk(loop)) if isinstance(loop, ast.While) else []
         lines = [
@@ -86,7 +88,8 @@ def _prints(sources: Sources, count: int, period: float) -> Cause | None:
         ]
         if len(lines) == count:
             where = tuple(Location(file, line) for line in lines[:2])
-            return Cause(f"{count} come together every {period:g} s: each round prints {count} times.", where)
+            what = f"{count} come at once, every {period:g} s. Print only once per pass through the loop."
+            return Cause(what, where)
     return None
 
 
@@ -106,6 +109,16 @@ def _looped(gaps: Sequence[float], period: float, sources: Sources) -> Cause | N
 
 def _rushed(gaps: Sequence[float], period: float, sources: Sources) -> Cause | None:
     return loop_without_sleep(sources) if median(gaps) < period / 10 else None
+
+
+def _inverted(gaps: Sequence[float], period: float, sources: Sources) -> Cause | None:
+    """`create_timer(1 / period, ...)`, where the times are those of the quotient."""
+    for timer in calls(sources, "create_timer"):
+        given = timer.argument(0, "timer_period_sec")
+        if isinstance(given, ast.BinOp) and isinstance(given.op, ast.Div) and _near(median(gaps), 1 / period):
+            text = f"`{ast.unparse(given)}` is {1 / period:g} here. A timer takes the period itself."
+            return Cause(text, (timer.where,))
+    return None
 
 
 def _slept(gaps: Sequence[float], sources: Sources) -> Cause | None:

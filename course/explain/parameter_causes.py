@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from course.evidence.sources import Sources
 from course.explain.callbacks import in_callbacks
 from course.explain.engine import Cause
-from course.explain.python_code import PythonCall, called_name, calls, text_places, trees
+from course.explain.python_code import PythonCall, called_name, calls, last_name, text_places, trees
 from course.model.feedback import Location
 from course.spelling import nearest
 
@@ -36,13 +36,16 @@ def undeclared(error: str, sources: Sources) -> Cause | None:
         return Cause(f"The node declares `{close}` but reads `{name}`: spell both the same way.", places[:2])
     for call in calls(sources, "declare_parameters"):
         prefix, given = call.argument(0, "namespace"), call.argument(1, "parameters")
+        if isinstance(given, ast.Constant):
+            text = f"One parameter is declared by `declare_parameter('{name}', ...)`. The plural, "
+            return Cause(f"{text}`declare_parameters`, takes a list of several.", (call.where,))
         before = str(prefix.value) if isinstance(prefix, ast.Constant) else ""
         rows = (node for _, tree in trees(sources) for node in tree.body if isinstance(node, ast.Assign))
-        rows = (node for node in rows if given and _name(node.targets[0]) == _name(given))
+        rows = (node for node in rows if given and last_name(node.targets[0]) == last_name(given))
         listed = {getattr(part, "value", None) for node in rows for part in ast.walk(node.value)}
         if before and name in declared(sources) | listed:
-            text = f"`{name}` is declared as `{before}.{name}`: the first argument of "
-            return Cause(f"{text}`declare_parameters` comes before each name. Make it `''`.", (call.where,))
+            text = f"`{name}` is declared as `{before}.{name}`: `declare_parameters` puts its "
+            return Cause(f"{text}first argument before each name. Pass `''` instead.", (call.where,))
     return Cause(
         f"A parameter must be declared before it is read: `self.declare_parameter('{name}', ...)` in "
         "`__init__`, with its default value."
@@ -73,7 +76,7 @@ def value_forgotten(error: str, sources: Sources) -> Cause | None:
 def _whole_of_several(tree: ast.Module) -> Iterator[ast.Name]:
     """`topic` in `topic, period = node.get_parameters(...)`, if its `.value` is never read."""
     nodes = list(ast.walk(tree))
-    taken = {_name(node.value) for node in nodes if isinstance(node, ast.Attribute)}
+    taken = {last_name(node.value) for node in nodes if isinstance(node, ast.Attribute)}
     for node in nodes:
         value = node.value if isinstance(node, ast.Assign) else None
         if isinstance(node, ast.Assign) and isinstance(value, ast.Call):
@@ -87,15 +90,10 @@ def _used_whole(tree: ast.Module, getter: str) -> Iterator[ast.Call]:
     """Calls of `getter` with no attribute read from the result, neither directly nor through a variable."""
     nodes = list(ast.walk(tree))
     taken = [node.value for node in nodes if isinstance(node, ast.Attribute)]
-    names = {_name(node) for node in taken}
-    given = {node.value: _name(node.targets[0]) for node in nodes if isinstance(node, ast.Assign)}
+    names = {last_name(node) for node in taken}
+    given = {node.value: last_name(node.targets[0]) for node in nodes if isinstance(node, ast.Assign)}
     reads = (node for node in nodes if isinstance(node, ast.Call) and called_name(node) == getter)
     return (read for read in reads if read not in taken and given.get(read) not in names)
-
-
-def _name(node: ast.expr) -> str:
-    """`period` for both `period` and `self.period`."""
-    return ast.unparse(node).rpartition(".")[2]
 
 
 def declared(sources: Sources) -> set[str]:

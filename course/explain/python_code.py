@@ -71,6 +71,22 @@ def functions(sources: Sources, name: str) -> tuple[ast.FunctionDef | ast.AsyncF
     )
 
 
+def function_around(sources: Sources, place: Location | None) -> ast.FunctionDef | None:
+    """The innermost function with this line."""
+    found = [
+        node
+        for file, node in nodes(sources)
+        if isinstance(node, ast.FunctionDef) and place and place.line and file == place.file
+        if node.lineno <= place.line <= (node.end_lineno or 0)
+    ]
+    return max(found, key=lambda node: node.lineno, default=None)
+
+
+def last_name(node: ast.AST) -> str:
+    """`period` for both `period` and `self.period`."""
+    return ast.unparse(node).rpartition(".")[2]
+
+
 def takes_self(function: ast.FunctionDef) -> bool:
     return [one.arg for one in function.args.args[:1]] == ["self"]
 
@@ -98,11 +114,12 @@ def number(sources: Sources, node: ast.expr | None) -> float | None:
     """The value of a literal number, a product, a quotient, or a variable that is assigned one somewhere."""
     if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
         return float(node.value) if abs(node.value) < _HUGE else None
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div | ast.Mult):
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div | ast.FloorDiv | ast.Mult):
         left, right = number(sources, node.left), number(sources, node.right)
         if left is None or not right:
             return None
-        return left / right if isinstance(node.op, ast.Div) else left * right
+        whole = left // right if isinstance(node.op, ast.FloorDiv) else left / right
+        return left * right if isinstance(node.op, ast.Mult) else whole
     name = _plain_name(node)
     values = (number(sources, value) for value in assigned(sources, name)) if name else ()
     return next((value for value in values if value is not None), None)

@@ -27,7 +27,16 @@ from course.explain.engine import (
     here,
 )
 from course.explain.parameter_causes import undeclared, value_forgotten
-from course.explain.python_code import assigned, called_name, calls, nodes, number, parsed, takes_self
+from course.explain.python_code import (
+    assigned,
+    called_name,
+    calls,
+    last_name,
+    nodes,
+    number,
+    parsed,
+    takes_self,
+)
 from course.explain.python_mixups import MIXUPS
 from course.explain.python_slips import (
     accidental_tuple,
@@ -465,11 +474,23 @@ def _whole_row(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | N
     for file, node in nodes(evidence.sources):
         value = node.value if isinstance(node, ast.Assign) else None
         if isinstance(value, ast.Subscript) and Location(file, value.lineno) == symptom.where:
-            rows = assigned(evidence.sources, ast.unparse(value.value).rpartition(".")[2])
+            rows = assigned(evidence.sources, last_name(value.value))
             for row in (row for one in rows if isinstance(one, ast.List | ast.Tuple) for row in one.elts):
                 if isinstance(row, ast.Tuple | ast.List | ast.Dict):
                     of = type(row).__name__.lower()
                     return Proven({"value": ast.unparse(value), "of": of})
+    return None
+
+
+def _text_assigned(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`response.success = 'True'`, on this line."""
+    for file, node in nodes(evidence.sources):
+        if (
+            isinstance(node, ast.Assign)
+            and _is_text(node.value)
+            and Location(file, node.lineno) == symptom.where
+        ):
+            return Proven({"text": ast.unparse(node.value)})
     return None
 
 
@@ -547,6 +568,22 @@ def _of_another_type(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
 def _in_the_file(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     found = [name for name in evidence.sources.names if PurePosixPath(name).name == words["base"]]
     return Proven(where=(Location(found[0], int(words["line"])),)) if len(found) == 1 else None
+
+
+def _colon_in_text(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`quote: A raft: two`, in a YAML file."""
+    for file, text in evidence.sources.files.items():
+        lines = text.splitlines() if PurePosixPath(file).name == words["base"] else ()
+        for place, line in enumerate(lines, 1):
+            if re.match(r"\s*\w+:\s+[^\s'\"\[{#|>&*][^#]*:(?:\s|$)", line):
+                return Proven(where=(Location(file, place),))
+    return None
+
+
+def _plus_plus(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    """`count++`, on this line."""
+    shown = evidence.shown(symptom.where) if symptom.where else ()
+    return Proven() if any("++" in line for line in shown) else None
 
 
 def _near_module(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
@@ -638,7 +675,7 @@ _NO_NAME = (
     r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'",
     r"module '(?P<module>[\w.]+)' has no attribute '(?P<name>\w+)'",
 )
-_NO_FUNCTION = "The entry point names the function `{name}`; `{module}` has {functions}."
+_NO_FUNCTION = "The entry point names the function `{name}`, but `{module}` has {functions}. Correct it."
 _IN_A_CLASS = (
     "`{name}` is inside the class `{owner}`. Move its `def` to the left margin, with all of its lines."
 )
@@ -663,8 +700,8 @@ _ROS_1 = "This might be a ROS 1 message type but it should be a ROS 2 message ty
 
 SHUT_DOWN_TWICE = Known[Evidence](
     r"rcl_shutdown already called|Context must be initialized before it can be shutdown",
-    "ROS is shut down already: Ctrl+C does that, or an earlier `rclpy.shutdown()`. Call "
-    "`rclpy.try_shutdown()`, once, instead.",
+    "ROS was already shut down, by Ctrl+C or an earlier `rclpy.shutdown()`. Call "
+    "`rclpy.try_shutdown()` instead.",
     "RCLError: failed to shutdown: rcl_shutdown already called on the given context",
 )
 
@@ -682,10 +719,11 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "A message is not a dict: write `{right}` instead of `{wrong}`.",
           "TypeError: 'Quote' object is not subscriptable", proof=_by_key,
           given={"talk/talker.py": "def heard(message):\n    print(message['id'])\n"}),
-    Known(r"\btuple\b", "{cause}", "TypeError: unsupported operand: 'tuple' and 'float'",
-          proof=because(accidental_tuple), given={"talk/talker.py": "period = 0.5,\n"}),
+    Known(r"\btuple\b|The '\w+' field must be", "{cause}",
+          "TypeError: unsupported operand: 'tuple' and 'float'", proof=because(accidental_tuple),
+          given={"talk/talker.py": "period = 0.5,\n"}),
     Known(r"module 'rclpy' has no attribute '(?P<name>Node|Parameter|QoSProfile)'",
-          "`{name}` is in its own module: write `{line}` above, and `{name}` without `rclpy.`.",
+          "`{name}` is in its own module: write `{line}` at the top, and use `{name}` without `rclpy.`.",
           "AttributeError: module 'rclpy' has no attribute 'Node'", proof=_in_its_module),
     SHUT_DOWN_TWICE,
     Known(r"property|'self'|attribute", "{cause}",
@@ -716,8 +754,8 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "AttributeError: 'Talker' object has no attribute 'tick'", proof=_misplaced, where=(here,),
           given={"talk/talker.py": "class Talker(Node):\n    pass\n\ndef tick(self):\n    pass\n"}),
     Known(r"object has no attribute|object is not callable|(?:access|referenced).* variable",
-          "Line {line} gives the name `{hidden}` to something else, which hides what is called "
-          "`{hidden}` otherwise. Choose another name on line {line}.",
+          "Line {line} gives the name `{hidden}` to something else, which hides the original "
+          "`{hidden}`. Choose a different name on line {line}.",
           "AttributeError: 'float' object has no attribute 'sleep'", proof=_hidden_name, where=(here,),
           given={"talk/talker.py": "import time; time = 0.5; time.sleep(time)\n"}),
     Known(r"float\(\) argument must be|_TYPE_SUPPORT|incompatible function arguments|is not valid|msg_type",
@@ -725,7 +763,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "TypeError: float() argument must be a string or a real number, not 'function'", proof=_swapped,
           given={"talk/talker.py": "timer = node.create_timer(tick, 0.5)\n"}),
     Known(r"Expected QoSProfile or int",
-          "The function comes before the number of messages: `{right}`.",
+          "The callback comes before the queue depth: `{right}`.",
           "TypeError: Expected QoSProfile or int, but received <class 'method'>", proof=_callback_last,
           given={"talk/talker.py": "node.create_subscription(Quote, 'quotes', 10, node.heard)\n"}),
     Known(r"__init__\(\) takes \d+ positional arguments? but \d+ were given",
@@ -742,10 +780,14 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "RCLError: Couldn't parse params file: '--params-file /x/talk.yaml'. Error: Cannot have a value "
           "before ros__parameters at line 2", proof=_in_the_file, given={"talk.yaml": "a:\nb: 1\n"}),
     Known(r"InvalidParameterValueException",
-          "A callback of `add_on_set_parameters_callback` refuses the value, because this "
-          "`SetParametersResult` does not say otherwise: `SetParametersResult(successful=True)`.",
+          "A callback of `add_on_set_parameters_callback` refuses the value, because a "
+          "`SetParametersResult` reports failure by default. Write `SetParametersResult(successful=True)`.",
           "rclpy.exceptions.InvalidParameterValueException: Invalid parameter value (0.5) for parameter.",
           proof=_refused, given={"talk/talker.py": "def check(new):\n    return SetParametersResult()\n"}),
+    Known(r"Couldn't parse params file: '--params-file (?:\S*/)?(?P<base>[^/']+)'.*? near line (?P<line>\d+)",
+          "ROS cannot read `{base}`: this text has a `:` in it, so it needs quotation marks around it.",
+          "RCLError: Couldn't parse params file: '--params-file /x/talk.yaml'. Error: Error parsing a event "
+          "near line 1", proof=_colon_in_text, given={"talk.yaml": "quote: A raft: two\n"}),
     Known(r"could not convert string to float: ''|invalid literal for int\(\) with base 10: ''",
           "`string_value` is empty, because the parameter is a number: read its `double_value` or "
           "`integer_value`.", "ValueError: could not convert string to float: ''", proof=_of_another_type,
@@ -756,7 +798,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(_NO_MODULE, "Include its package in the name: `{neighbor}` instead of `{name}`.",
           "ModuleNotFoundError: No module named 'helper'", proof=_of_a_package,
           given={"talk/helper.py": ""}),
-    Known(_NO_MODULE, "The entry point names a module that does not exist. The package has {modules}.",
+    Known(_NO_MODULE, "The entry point names a missing module. Correct it: the package has {modules}.",
           "ModuleNotFoundError: No module named 'talk.tolker'", proof=_entry_of_module, where=(here,),
           given={"setup.py": _ENTRY.format("talk.tolker:main"), "talk/talker.py": ""}),
     Known(_NO_MODULE, "There is no module `{name}`, but there is `{near}`: correct the import.",
@@ -795,9 +837,9 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           given={"talk/talker.py": "node.create_timer(1, tick())\ndef tick(): pass"}),
     Known(r"ParameterNotDeclaredException", "{cause}",
           "rclpy.exceptions.ParameterNotDeclaredException: ('Invalid access to undeclared parameter(s): x',)",
-          proof=_said(undeclared), where=(here,)),
+          proof=_said(undeclared)),
     Known("", "{cause}", "TypeError: unsupported operand: 'int' and not 'Parameter'",
-          proof=_said(value_forgotten), where=(here,),
+          proof=_said(value_forgotten),
           given={"talk/talker.py": "print(1 + node.get_parameter('x'))"}),
     Known(r"^TypeError$", "{cause}", "TypeError", proof=because(no_response), where=(here,),
           given={"talk/talker.py": _SERVER.format("pass")}),
@@ -842,7 +884,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "It takes a name and a value: `declare_parameter('name', 0.5)`.",
           "TypeError: First element 1 at index 0 in parameters list is not a str."),
     Known(r"'(?:function|method)' object has no attribute",
-          "A function is named but not called: `get_logger()` needs its parentheses.",
+          "A function is named but not called: its parentheses are missing.",
           "AttributeError: 'method' object has no attribute 'info'"),
     Known(r"InvalidNodeName",
           "A node's name may contain only letters, digits and `_`, and must not begin with a digit.",
@@ -857,14 +899,14 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"circular import", "Two files import each other. Move the code that both need to a third file.",
           "ImportError: cannot import (most likely due to a circular import)"),
     Known(r"'property' object (?:has no attribute|is not iterable)",
-          "This uses a class, not an object. Create an object with `()`, as in `Some.Request()`.",
+          "This uses a class instead of an object. Create an object with `()`, as in `Some.Request()`.",
           "AttributeError: 'property' object has no attribute 'quote'"),
     Known(r"'await' outside async function",
           "Write `async` before the `def` of the function that contains this line.",
           "SyntaxError: 'await' outside async function"),
     Known(r"cannot access local variable|local variable '\w+' referenced before",
-          "The function with this line assigns to this name, which makes it a local variable. If you mean "
-          "the one outside, write `nonlocal` and its name first. An attribute needs `self.` before it.",
+          "The function assigns to this name, so the name is local. For one of the module, begin with "
+          "`global` and the name; for one of an outer function, `nonlocal`; for an attribute, `self.`",
           "UnboundLocalError: cannot access local variable 'count' where it is not associated with a value"),
     Known(r"(?P<of>\w+) index out of range",
           "The {of} has no element with this index: the last one is `len(...) - 1`. `index % len(...)` "
@@ -873,6 +915,10 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "`{value}` is a whole {of}, but the field `{field}` takes one value: choose one of them, as in "
           "`{value}[0]`.", "AssertionError: The 'quote' field must be of type 'str'", proof=_whole_row,
           given={"talk/talker.py": "ROWS = [('a', 'b')]; message.quote = ROWS[0]\n"}),
+    Known(r"The '\w+' field must be of type '(?:int|float|bool)'",
+          "`{text}` is a string because of its quotation marks. Leave them out.",
+          "AssertionError: The 'success' field must be of type 'bool'", proof=_text_assigned,
+          given={"talk/talker.py": "response.success = 'True'\n"}),
     Known(r"The '(?P<field>\w+)' field must be of type '(?P<type>int|float|str|bool)'",
           "The field `{field}` takes only the type `{type}`: check what this line assigns to it. Convert a "
           "number or a string with `{type}(...)`. From a list or message, pass only the part that you need.",
@@ -904,10 +950,13 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "TypeError: 'int' object is not callable", proof=_no_callback, where=(here,),
           given={"talk/talker.py": "self.create_service(Trigger, 'tell', 10)"}),
     Known(r"'(?P<of>int|float|str|bool|list|dict|tuple)' object is not callable",
-          "The parentheses try to call a value of type `{of}`. A property or an attribute is read "
-          "without parentheses.", "TypeError: 'int' object is not callable"),
+          "The parentheses try to call a value of type `{of}`. If it is a property or an attribute, "
+          "remove them.", "TypeError: 'int' object is not callable"),
+    Known(r"unsupported format string passed to (?:builtin_function_or_method|method|function)",
+          "The value to format is a function that is named, but not called: its parentheses are missing.",
+          "TypeError: unsupported format string passed to builtin_function_or_method.__format__"),
     Known(r"argument of type '(?:builtin_function_or_method|method|function)'",
-          "A function is named after `in`, but not called: its parentheses are missing, as in `.lower()`.",
+          "The function after `in` is named, but not called: add its parentheses, as in `.lower()`.",
           "TypeError: argument of type 'builtin_function_or_method' is not iterable"),
     Known(r"argument of type '(?P<of>\w+)' is not (?:iterable|a container)",
           "`in` cannot search a `{of}` object. Search one of its fields: a string or a list.",
@@ -921,11 +970,11 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "The function called here has no argument `{name}`: compare the call with its definition.",
           "TypeError: say() got an unexpected keyword argument 'nam'"),
     Known(r"RecursionError|maximum recursion depth",
-          "The function or property with this line calls itself forever. Use the attribute or "
-          "function that has the value.", "RecursionError: maximum recursion depth exceeded"),
+          "The function or property that contains this line calls itself forever. Use the "
+          "attribute or function that has the value.", "RecursionError: maximum recursion depth exceeded"),
     Known(r"'(?P<of>\w+)' object is not an iterator",
-          "`next` needs an iterator, such as `itertools.count()`, and this is only a `{of}`: keep the "
-          "iterator, not what `next` took from it.", "TypeError: 'int' object is not an iterator"),
+          "`next` needs an iterator, such as `itertools.count()`, but this is of type `{of}`. Store the "
+          "iterator itself, not a value from it.", "TypeError: 'int' object is not an iterator"),
     Known(r"missing \d+ required positional arguments?: 'self'",
           "The method is called on the class. Call it on an object of the class.",
           "TypeError: Sample.get_name() missing 1 required positional argument: 'self'"),
@@ -955,7 +1004,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "find out why it has this type.",
           "TypeError: unsupported operand type(s) for +: 'int' and 'str'"),
     Known(r"not supported between instances of '(?P<left>\w+)' and '(?P<right>\w+)'",
-          "A `{left}` cannot be compared with a `{right}`: convert one of them first.",
+          "Python cannot compare the types `{left}` and `{right}`: convert one of the values first.",
           "TypeError: '<' not supported between instances of 'str' and 'int'"),
     Known(r"cannot unpack non-iterable (?P<of>\w+)|'(?P<it>\w+)' object is not iterable",
           ("This needs several values, such as a list or a tuple, but it gets a single `{of}`.",
@@ -970,6 +1019,8 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "A quote in the braces ends this f-string too early: it must differ from the quotes around the "
           "string. A field of a message needs no quotes: `message.field`.",
           "SyntaxError: f-string: unmatched '['"),
+    Known(r"SyntaxError", "Python has no `++`. Add one with `+= 1`.", "SyntaxError: invalid syntax",
+          proof=_plus_plus, given={"talk/talker.py": "count++\n"}),
     Known(r"SyntaxError",
           "Python cannot read the file. Check this line and the end of the line before it.",
           "SyntaxError: invalid syntax"),
@@ -979,7 +1030,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "This line begins with a tab, other lines with spaces. Use four spaces for each level.",
           "TabError: inconsistent use of tabs and spaces in indentation"),
     Known(r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given",
-          "ROS calls `{name}`, and passes more than it takes: write `{right}`.",
+          "ROS passes more arguments to `{name}` than it takes: write `{right}`.",
           "TypeError: Talker.hear() takes 1 positional argument but 2 were given", proof=_ros_passes_more,
           given={"talk/talker.py": "create_subscription(Text, 'a', self.hear)\ndef hear(self):\n    pass\n"}),
     Known(r"\b(?P<name>\w+)\(\) takes .*positional arguments? but \d+ (?:was|were) given",
@@ -1016,7 +1067,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           proof=_function_for_module, where=(here,),
           given={"talk/talker.py": "from time import time\ntime.sleep(1)\n"}),
     Known(r"name '(?P<name>\w+)' is not defined",
-          "`{name}` gets its value where this line cannot see it, or only after this line runs.",
+          "`{name}` gets its value elsewhere, or only later. Set it earlier, or pass it as an argument.",
           "NameError: name 'count' is not defined", proof=_given_elsewhere, where=(here,),
           given={"talk/talker.py": "print(count)\n\ndef main():\n    count = 0\n"}),
     Known(r"'(?P<of>\w+)' object has no attribute '(?P<name>\w+)'",
@@ -1030,12 +1081,12 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
     Known(r"(?:'(?P<of>\w+)' object )?has no attribute '(?P<name>\w+)'|name '(?P<plain>\w+)' is not defined",
           ("You probably mean `{near}`.",
            "The object before `.{name}` is of type `{foreign}`, which has no `{name}`. Is it the "
-           "object that you mean, and is the name right?",
+           "object that you mean, and is the name spelled right?",
            "Nothing in `{own}` sets `self.{name}`. Set it in `__init__`, or correct the name.",
            "Check the spelling of `{name}`, or import it: nothing with that name exists here."),
           "AttributeError: 'Talker' object has no attribute 'cuont'", proof=_misspelled,
           given={"talk/talker.py": "self.count = 0\n"}),
-    Known("", "The error came from this line of your code.",
+    Known("", "The program failed while it ran this line. The mistake may be elsewhere: read the message.",
           "ValueError: something of the program's own"),
 )  # fmt: skip
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable, Iterable
 from itertools import pairwise
 
 from course.evidence.sources import Sources
 from course.explain.callbacks import TAKERS, callbacks, called_callback, in_callbacks, long_period
 from course.explain.engine import Cause
-from course.explain.python_code import called_name, calls, nodes, number, trees
+from course.explain.python_code import called_name, calls, nodes, number, text_places, trees
 from course.explain.service_causes import blocking_call, spin_in_callback
 from course.model.feedback import Location
 
@@ -27,6 +28,8 @@ _METHODS = {
     "cancel",
     "is_alive",
     "is_enabled",
+    "wait_for_service",
+    "service_is_ready",
 }
 _SELDOM = ("once", "skip_first", "throttle_duration_sec")
 _LOGS = ("debug", "info", "warn", "warning", "error", "fatal")
@@ -100,11 +103,12 @@ def shadowed_import(sources: Sources) -> Cause | None:
     return None
 
 
-def uncalled(sources: Sources) -> Cause | None:
-    """`node.is_ready` or `rclpy.spin` without the parentheses that call it."""
+def uncalled(sources: Sources, only: str = "") -> Cause | None:
+    """`node.is_ready` or `rclpy.spin` without the parentheses that call it. only: a name to look for."""
     stored = {n.attr for _, n in nodes(sources) if isinstance(n, ast.Attribute) and _is_stored(n)}
     plain = {node.name for _, node in nodes(sources) if isinstance(node, _Def) and not node.decorator_list}
     names = (plain | _METHODS) - stored
+    names = names & {only} if only else names
     for file, node in nodes(sources):
         for part in _asked(node):
             if isinstance(part, ast.Attribute) and part.attr in names:
@@ -153,8 +157,8 @@ def rate_in_callback(sources: Sources) -> Cause | None:
     found = [place for place in in_callbacks(sources, "sleep") if place in waits]
     return _in(
         found,
-        "`sleep()` of a rate never returns inside a callback: the node must spin for the rate to go on, but "
-        "it is busy with this callback. Remove it, and let a timer call the function again and again.",
+        "Inside a callback, a rate's `sleep()` never returns: it needs a node that spins, but this node is "
+        "busy with the callback. Remove it, and let a timer call the function again and again.",
     )
 
 
@@ -209,7 +213,7 @@ def _added_to(line: ast.stmt) -> ast.expr | None:
 def waits_for_input(sources: Sources) -> Cause | None:
     """A program that waits for input, although nobody is there to type."""
     found = calls(sources, "input")
-    text = "`input` waits until someone types a line, but nobody does here: remove it."
+    text = "`input` waits until someone types a line, but nobody does during a check: remove it."
     return Cause(text, (found[0].where,)) if found else None
 
 
@@ -248,7 +252,7 @@ def broken_loop(sources: Sources) -> Cause | None:
         tries = [part for line in body if isinstance(line, ast.Try) for part in line.body]
         for line in (*body, *tries):
             if isinstance(line, ast.Break):
-                text = f"The `break` on line {line.lineno} ends the loop in its first round: remove it."
+                text = f"The `break` on line {line.lineno} ends the loop on its first pass: remove it."
                 return Cause(text, (Location(file, line.lineno),))
     return None
 
@@ -275,8 +279,8 @@ def asked_at_once(sources: Sources) -> Cause | None:
             called = isinstance(line, ast.Assign) and _calls(line.value, "call_async")
             if called and isinstance(after, ast.If) and _calls(after.test, "done"):
                 return Cause(
-                    "This line asks once, right after the call, when the answer cannot be there yet. Let "
-                    "`add_done_callback` call your function when it arrives.",
+                    "This line asks once, right after the call, before the answer can arrive. Let "
+                    "`add_done_callback` call your function when it does.",
                     (Location(file, after.lineno),),
                 )
     return None
@@ -291,6 +295,61 @@ def _in(places: Iterable[Location], text: str) -> Cause | None:
     return Cause(text, where[:2]) if where else None
 
 
+def named_only(text: str, sources: Sources) -> Cause | None:
+    """A text such as `<bound method Future.result of ...>`, which the program printed or logged."""
+    found = re.search(r"<(?:bound method|built-in method|function) (?:\w+\.)*(\w+)", text)
+    if found is None:
+        return None
+    text = f"`{found[1]}` is named, but not called: write `{found[1]}()`, with parentheses."
+    return Cause(text, text_places(sources, f".{found[1]}")[:1])
+
+
+def defined_twice(sources: Sources) -> Cause | None:
+    """Two methods of one class, or two functions of one file, with the same name."""
+    for file, owner in nodes(sources):
+        body = owner.body if isinstance(owner, ast.ClassDef | ast.Module) else []
+        plain = [part for part in body if isinstance(part, _Def) and not part.decorator_list]
+        before: dict[str, int] = {}
+        for part in plain:
+            line = before.setdefault(part.name, part.lineno)
+            if line != part.lineno:
+                text = f"This second `{part.name}` replaces the one on line {line}. Remove one of the two."
+                return Cause(text, (Location(file, part.lineno),))
+    return None
+
+
+def destroyed_first(sources: Sources) -> Cause | None:
+    """`node.destroy_node()` in a line before `rclpy.spin(node)`, in the same lines of code."""
+    for file, block in nodes(sources):
+        body = block.body if isinstance(block, _Def | ast.Try) else []
+        spins = (number for number, line in enumerate(body) if "spin(" in ast.unparse(line))
+        for line in body[: next(spins, 0)]:
+            if isinstance(line, ast.Expr) and _calls(line.value, "destroy_node"):
+                text = "The node is destroyed before it is spun. Move this line to the end of `main()`."
+                return Cause(text, (Location(file, line.lineno),))
+    return None
+
+
+def one_thread(sources: Sources) -> Cause | None:
+    """`MultiThreadedExecutor(num_threads=1)` in a program that waits for an answer in a callback."""
+    for call in calls(sources, "MultiThreadedExecutor"):
+        if number(sources, call.argument(0, "num_threads")) == 1 and in_callbacks(sources, "call"):
+            text = (
+                "With one thread, no answer can arrive while a callback waits for it. Leave out the number."
+            )
+            return Cause(text, (call.where,))
+    return None
+
+
+def never_above_zero(sources: Sources) -> Cause | None:
+    """`min(0.0, distance)`."""
+    for call in calls(sources, "min"):
+        if any(isinstance(one, ast.Constant) and one.value == 0 for one in call.args):
+            text = "`min(0.0, ...)` is never above zero. `max(0.0, ...)` is never below it."
+            return Cause(text, (call.where,))
+    return None
+
+
 def long_sleep(sources: Sources, at_least: float = 0.0) -> Cause | None:
     """A sleep of at least `at_least` seconds in a callback."""
     inside = in_callbacks(sources, "sleep")
@@ -298,8 +357,8 @@ def long_sleep(sources: Sources, at_least: float = 0.0) -> Cause | None:
         value = number(sources, call.argument(0, "secs"))
         if call.where in inside and value is not None and value >= at_least:
             return Cause(
-                f"The callback sleeps for {value:g} s, and until then, the node does nothing else. Remove "
-                "the `sleep`: the timer alone sets the pace.",
+                f"The callback sleeps for {value:g} s, and the node does nothing else in the meantime. "
+                "Remove the `sleep`: the timer alone sets the pace.",
                 (call.where,),
             )
     return None
@@ -474,7 +533,7 @@ def inverted_wait(sources: Sources) -> Cause | None:
             written = ast.unparse(node.test)
             word = type(node).__name__.lower()
             return Cause(
-                f"`{written}` is true when the service is available, and then this line waits. Write "
+                f"`{written}` is true once the service is available, so you mean the opposite. Write "
                 f"`{word} not {written}:`.",
                 (Location(file, node.lineno),),
             )

@@ -40,7 +40,7 @@ def fields_of_the_request(sources: Sources) -> Cause | None:
     for callback in callbacks(sources, "create_service"):
         request = callback.parameters[:1]
         if callback.parameters[:2] == ("response", "request"):
-            text = "ROS gives the request first, and then the response: swap the two names in this `def`."
+            text = "ROS passes the request first, and then the response: swap the two names in this `def`."
             return Cause(text, (callback.where,))
         for node in ast.walk(callback.node):
             if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and request:

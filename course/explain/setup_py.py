@@ -327,8 +327,8 @@ OF_FILES: tuple[Known[Build], ...] = (
 # What setup.py itself prints when run alone.
 OF_SETUP: tuple[Known[Build], ...] = (
     Known(kind="build-type", pattern=f"^{_NO_SETUP_PY}",
-          cause="package.xml of `{package}` says ament_python, but there is a CMakeLists.txt and no "
-                "setup.py.",
+          cause="package.xml of `{package}` has the build type ament_python, but there is a CMakeLists.txt "
+                "and no setup.py.",
           remedy="If it is a CMake package, write `<build_type>ament_cmake</build_type>`.",
           proof=_cmake_package, example=_NO_SETUP_PY, given={"CMakeLists.txt": "project(talk)"}),
     Known(kind="setup-py", pattern=f"^{_NO_SETUP_PY}",
@@ -397,7 +397,7 @@ OF_SETUP: tuple[Known[Build], ...] = (
           example="ValueError: odd"),
     Known(kind="entry-point", pattern=_REFUSED,
           cause="A comma is missing in setup.py of `{package}`, after the entry point on line {line}.",
-          remedy=("Add one at the end of line {line}: without it, Python joins the strings of lines "
+          remedy=("Add one at the end of line {line}: without it, Python joins the strings on lines "
                  "{line} and {second} into one."), proof=_joined_entry,
           example="error in talk setup command: ('Invalid entry point', 'a = m:fb = m:g')",
           given={"setup.py": _JOINED}),

@@ -79,8 +79,8 @@ def name_of(side: Side) -> str:
 
 
 def share_of(side: Side) -> str:
-    """`83 %, 34 lines`."""
-    return f"{side.share:.0%}".replace("%", " %") + f", {counted(side.lines, 'line')}"
+    """`83%, 34 lines`."""
+    return f"{side.share:.0%}, {counted(side.lines, 'line')}"
 
 
 def place_of(passage: Passage) -> str:
@@ -95,7 +95,7 @@ def code_of(passage: Passage) -> list[tuple[int, str]]:
 
 def headline(comparison: Comparison) -> str:
     found = len(comparison.pairs) + comparison.more
-    share = f"{comparison.threshold:.0%}".replace("%", " %")
+    share = f"{comparison.threshold:.0%}"
     pairs = "No pair is" if not found else "1 pair is" if found == 1 else f"{found} pairs are"
     compared = counted(comparison.compared, "submission")
     return f"{compared} compared. {pairs} alike: {share} or more of one's own code is in the other, too."

@@ -30,6 +30,9 @@ Texts = Callable[[ServiceCall], Mapping[str, str]]
 
 def expect_waiting(recording: Recording, process: str, until: float) -> None:
     """Expect that the node logged something before the service appeared, at the time `until`."""
+    if unasked := slips.uncalled(recording.sources, "wait_for_service"):
+        summary = "The node does not wait for the service: it calls a service that may not exist."
+        raise Failure(Feedback(summary=summary, where=unasked.where, advice=unasked.text))
     if any(line.t < until for line in recording.log):
         return
     printed = [line.text for line in recording.process(process).lines if line.t < until]
@@ -144,8 +147,8 @@ def _not_logged(
     return Feedback(
         summary="The node prints the answers with `print`, so they are not in its log."
         if printed
-        else f"{len(lost)} of {every} answers are not in the log, or only in part: "
-        f"it lacks {listed(names)} of the first one.",
+        else f"{len(lost)} of {every} answers are not completely in the log: "
+        f"{listed(names)} of the first one {'is' if len(names) == 1 else 'are'} missing.",
         expected=", ".join(f"{name}={part}" for name, part in wanted.items()),
         seen=shown[0][:120] if shown else "no message",
         where=cause.where if cause else tuple(call.where for call in made)[:2],
@@ -157,7 +160,7 @@ def _advice(names: list[str], wanted: Mapping[str, str], after: list[str], print
     if printed:
         return "Use the node's logger instead of `print`: `self.get_logger().info(...)`."
     if any("{" in text for text in after):
-        return "The braces were logged as they are. Put an `f` before the string: `f'...'`."
+        return "The braces were logged as is. Put an `f` before the string: `f'...'`."
     if len(names) < len(wanted):
         return f"Log all of {', '.join(f'`{name}`' for name in wanted)}; `{names[0]}` is missing."
     return "Read `future.result()` once the future is `done()`, and log each field of the answer."
@@ -166,7 +169,7 @@ def _advice(names: list[str], wanted: Mapping[str, str], after: list[str], print
 def _unanswered(sources: Sources) -> Cause | None:
     grouped = any("callback_group" in text for text in sources.files.values())
     alone = not grouped or not calls(sources, "MultiThreadedExecutor")
-    found = future_lost(sources) or slips.asked_at_once(sources)
+    found = slips.first(sources, future_lost, slips.asked_at_once, slips.one_thread)
     return found or (slips.standstill(sources) if alone else None)
 
 

@@ -146,7 +146,7 @@ def _wrong(recording: Recording, reached: int, total: int, what: str) -> Feedbac
         )
     advice = "Keep the count in the node: set it to 0 in `__init__`, add 1 in each callback, then log it."
     if any("{" in text for text in lines):
-        advice = "The braces were logged as they are. Put an `f` before the string: `f'...'`."
+        advice = "The braces were logged as is. Put an `f` before the string: `f'...'`."
     logged = tuple(call.where for call in calls(recording.sources, "info"))
     cause = slips.compared(recording.sources) or Cause(advice, logged[:1])
     return Feedback(

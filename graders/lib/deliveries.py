@@ -6,6 +6,7 @@ node logs between two messages belongs to the first of them, however many lines 
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Iterable
 from math import inf
 
@@ -13,6 +14,7 @@ from course.api import (
     Cause,
     Failure,
     Feedback,
+    Location,
     Message,
     OurFault,
     Recording,
@@ -20,6 +22,7 @@ from course.api import (
     cause_of_silence,
     slips,
     text_places,
+    trees,
 )
 
 # The file of rclpy through which every callback is called.
@@ -68,7 +71,7 @@ def expect_contents(recording: Recording, topic: str, fields: tuple[str, ...], *
 
 def _some_missing(recording: Recording, sent: int, silent: int) -> Feedback:
     sleeps = calls(recording.sources, "sleep")
-    lost = slips.taken_away(recording.sources)
+    lost = slips.taken_away(recording.sources) or logged_sometimes(recording)
     return Feedback(
         summary=f"The node does not log each message: {silent} of {sent} are not in its log.",
         expected=f"{sent} messages logged",
@@ -81,6 +84,16 @@ def _some_missing(recording: Recording, sent: int, silent: int) -> Feedback:
         if sleeps
         else "Log each time the callback is called: no `if` around it, and no `return` before it.",
     )
+
+
+def logged_sometimes(recording: Recording) -> Cause | None:
+    """An `if` around the line that logs."""
+    for file, tree in trees(recording.sources):
+        for branch in (node for node in ast.walk(tree) if isinstance(node, ast.If)):
+            if any(isinstance(part, ast.Attribute) and part.attr in LOGS for part in ast.walk(branch)):
+                text = f"The node only logs if `{ast.unparse(branch.test)}`. Log each message that arrives."
+                return Cause(text, (Location(file, branch.lineno),))
+    return None
 
 
 def _printed(recording: Recording, printed: list[str]) -> Feedback:
@@ -114,7 +127,7 @@ def _field_missing(
     value = getattr(message.data, field)
     shown = text.splitlines()[0][:120] if text else "nothing"
     if "{" in text:
-        advice = "The braces were logged as they are. Put an `f` before the string: `f'...'`."
+        advice = "The braces were logged as is. Put an `f` before the string: `f'...'`."
     elif message is not sent[0] and str(getattr(sent[0].data, field)) in text:
         advice = "The first message is logged again: use the one that the callback gets this time."
     else:

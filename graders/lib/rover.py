@@ -7,7 +7,19 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from course.api import Arena, Cause, Failure, Feedback, OurFault, Process, Recording, slips, text_places
+from course.api import (
+    Arena,
+    Cause,
+    Failure,
+    Feedback,
+    OurFault,
+    Process,
+    Recording,
+    never_called,
+    slips,
+    text_places,
+    without_effect,
+)
 
 if TYPE_CHECKING:
     from course.api import Listener
@@ -66,7 +78,10 @@ def expect_speed(
         return
     if speed is None:
         advice = "Publish a `Twist` in `range_callback`, once for each measurement."
-    cause = slips.compared(recording.sources) or Cause(advice, text_places(recording.sources, "linear.x")[:1])
+    cause = slips.first(
+        recording.sources, slips.compared, without_effect, *([never_called] if speed is None else [])
+    )
+    cause = cause or Cause(advice, text_places(recording.sources, "linear.x")[:1])
     raise Failure(
         Feedback(
             summary=f"At a distance of {distance:.2f} m, the speed is wrong."

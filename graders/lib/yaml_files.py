@@ -34,7 +34,7 @@ _NOT_YAML = (
 _NO_SPACE = re.compile(r"\s*(?:- )?[\w.-]+:[^\s/]")
 _INDENT = (
     "Count the spaces at the beginning of this line and the line before. Entries of the same "
-    "level have the same indentation."
+    "level must have the same indentation."
 )
 
 
@@ -151,5 +151,5 @@ def _too_much(node: yaml.Node, path: str, what: str) -> Feedback:
     return Feedback(
         summary=f"The part that begins at line {node.start_mark.line + 1} {what}.",
         where=(Location(path, node.start_mark.line + 1),),
-        advice="Write it out once, without `*`.",
+        advice="Write it out in full, without `*`.",
     )

@@ -1,7 +1,7 @@
 // Calls the two functions of 28-bounds with our own numbers. The argument selects the question, because a read
 // outside the vector may end the program.
 #include "ask.hpp"
-#include "ros2_tutorials_preamble/cpp/bounds/joints.hpp"
+#include "ros2_tutorials_preamble/cpp/bounds/sensors.hpp"
 
 #include <limits>
 #include <stdexcept>
@@ -20,31 +20,31 @@ std::string what_becomes_of(const std::string& name, Function&& function) {
   }
 }
 
-std::string out_of_range(std::size_t joint) {
-  const std::vector<double> positions{0.25, -1.5, 3.0};
-  return what_becomes_of<std::out_of_range>("out_of_range", [&] { return position_of(positions, joint); });
+std::string out_of_range(std::size_t sensor) {
+  const std::vector<double> ranges{0.25, 1.5, 3.0};
+  return what_becomes_of<std::out_of_range>("out_of_range", [&] { return range_of(ranges, sensor); });
 }
 
 std::string domain_error(double cosine) {
-  return what_becomes_of<std::domain_error>("domain_error", [&] { return angle_of(cosine); });
+  return what_becomes_of<std::domain_error>("domain_error", [&] { return tilt_of(cosine); });
 }
 
 }  // namespace
 
 int main(int, char** arguments) {
   const std::string asked = arguments[1];
-  if (asked == "positions") {
-    const std::vector<double> positions{0.25, -1.5, 3.0};
-    ask("positions", [&] {
-      return std::vector<double>{position_of(positions, 0), position_of(positions, 1), position_of(positions, 2)};
+  if (asked == "ranges") {
+    const std::vector<double> ranges{0.25, 1.5, 3.0};
+    ask("ranges", [&] {
+      return std::vector<double>{range_of(ranges, 0), range_of(ranges, 1), range_of(ranges, 2)};
     });
   } else if (asked == "behind") {
     ask("behind", [] { return out_of_range(3); });
   } else if (asked == "far") {
     ask("far", [] { return out_of_range(std::numeric_limits<std::size_t>::max()); });
   } else {
-    ask("angles", [] {
-      return std::vector<double>{angle_of(1.0), angle_of(0.5), angle_of(0.0), angle_of(-1.0)};
+    ask("tilts", [] {
+      return std::vector<double>{tilt_of(1.0), tilt_of(0.5), tilt_of(0.0), tilt_of(-1.0)};
     });
     ask("above", [] { return domain_error(1.1); });
     ask("below", [] { return domain_error(-1.1); });

@@ -28,7 +28,7 @@ MESSAGES = f"{WORKSPACE}/src/python_package_that_uses_the_messages/python_packag
 # Other exercises of the same chapters.
 OTHERS = (f"{MESSAGES}/amazing_quote_subscriber_node.py", f"{WORKSPACE}/src/rover")
 # How many mistakes of which exercise.
-MISTAKES = {"07-simplest-package": 13, "14-library": 12, "04-layout": 5, "18-publisher": 8}
+MISTAKES = {"07-simplest-package": 13, "14-library": 12, "04-layout": 4, "18-publisher": 8}
 ATTACKS: Mapping[str, Mapping[str, object]] = {
     "fork_bomb": {"MOST": 40},
     "memory_hog": {"PROCESSES": 0},

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from course.evidence.sources import Sources
-from course.explain.cpp_code import cpp_calls, cpp_files, only_code, places_of
+from course.explain.cpp_code import cpp_calls, cpp_files, never_called, only_code, places_of, without_effect
 
 FILE = "src/talk/src/talker.cpp"
 
@@ -83,3 +83,54 @@ def test_places_of_a_pattern() -> None:
 def test_a_file_without_end_takes_no_time() -> None:
     text = "{ f(" * 6_000
     assert len(cpp_calls(sources(text), "f")) == 50
+
+
+@pytest.mark.parametrize(
+    ("text", "says", "line"),
+    [
+        ("void f() {\n  count == 1;\n}", "only compares", 2),
+        ("void f() {\n  if (x) std::domain_error(1);\n}", "does not throw", 2),
+        ("void f() {\n  if (x) {\n    std::domain_error(1);\n  }\n}", "does not throw", 2),
+        ("void f() {\n  while (!rclcpp::ok) g();\n}", "rclcpp::ok()", 2),
+        ("\nstd::vector<int> f() { g(); }", "no `return`", 2),
+        ("\nvoid * f() { return 0; }\nvoid* g() { h(); }", "no `return`", 3),
+    ],
+)
+def test_statements_without_effect(text: str, says: str, line: int) -> None:
+    cause = without_effect(sources(text))
+    assert cause is not None
+    assert says in cause.text
+    assert [place.line for place in cause.where] == [line]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "void f() {\n  count = 1;\n  if (a == b) g();\n}",
+        "void f() {\n  throw std::domain_error(1);\n}",
+        "while (rclcpp::ok()) g();",
+        "int f() { return 1; }\nvoid g() { h(); }\nTalker::Talker() { g(); }\nint main() { f(); }",
+    ],
+)
+def test_statements_with_an_effect(text: str) -> None:
+    assert without_effect(sources(text)) is None
+
+
+def test_a_method_that_nothing_calls() -> None:
+    text = "struct T { void tick(); };\nvoid T::tick() { }\nauto timer = create_wall_timer(1s, f);\n"
+    cause = never_called(sources(text))
+    assert cause is not None
+    assert "`tick`" in cause.text
+    assert [place.line for place in cause.where] == [3]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "void tick() { }\nint main() { tick(); }",
+        "struct T { void tick() override; };\nvoid T::tick() { }",
+        "struct T { void tick(); };\nvoid T::tick() { }\nauto call = &T::tick;",
+    ],
+)
+def test_a_method_that_something_calls(text: str) -> None:
+    assert never_called(sources(text)) is None

@@ -52,9 +52,9 @@ def test_a_member_that_is_made_before_the_braces() -> None:
         ("rclcpp::TimerBase::SharedPtr timer_ = this->create_wall_timer(500ms, tick);", "local variable"),
         ("const auto & timer{create_wall_timer(500ms, tick)};", "local variable"),
         ("std::shared_ptr<rclcpp::TimerBase> t(create_wall_timer(500ms, tick));", "local variable"),
-        ("create_wall_timer(500ms, tick);", "Nothing keeps the timer"),
-        ("this->create_wall_timer(500ms, tick);", "Nothing keeps the timer"),
-        ("rclcpp::create_timer(this, get_clock(), 500ms, tick);", "Nothing keeps the timer"),
+        ("create_wall_timer(500ms, tick);", "Nothing stores the timer"),
+        ("this->create_wall_timer(500ms, tick);", "Nothing stores the timer"),
+        ("rclcpp::create_timer(this, get_clock(), 500ms, tick);", "Nothing stores the timer"),
         ("timer_ = create_wall_timer(500s, tick);", "500 s before each call: `500s`"),
         ("timer_ = create_wall_timer(30min, tick);", "1800 s before each call"),
         ("timer_ = create_wall_timer(std::chrono::seconds(500), tick);", "500 s before each call"),
@@ -83,7 +83,7 @@ def test_a_plain_node_in_place_of_the_class() -> None:
 def test_a_rate_is_not_a_period(hertz: str, is_told: bool) -> None:
     found = cause(f"int main()\n{{\n  rclcpp::Rate rate({hertz});\n}}\n")
     assert found == (
-        "[3] A rate is calls per second, not the time between two calls: twice per second is 2.0."
+        "[3] A rate is the number of calls per second, not the time between them: twice per second is 2.0."
         if is_told
         else None
     )

@@ -139,7 +139,7 @@ def main():
             "Add `import time` at",
         ),
         ("NameError: name 'string' is not defined", "You probably mean `strings`"),
-        ("NameError: name 'size' is not defined", "`size` gets its value where this line cannot see it"),
+        ("NameError: name 'size' is not defined", "`size` gets its value elsewhere, or only later"),
         ("NameError: name 'nothing' is not defined", "Check the spelling of `nothing`"),
         ("AttributeError: 'Talker' object has no attribute 'count'", "`count` gets its value only after"),
         (

@@ -7,7 +7,7 @@ import pytest
 from course.evidence.packages import BuiltPackage, BuiltPackages
 from course.evidence.sources import Sources
 from course.explain.engine import Cause
-from course.explain.launch_files import launch_file_cause, not_installed
+from course.explain.launch_files import launch_file_cause, not_installed, started_twice
 from tests.golden import golden
 
 FOLDER = "src/talk"
@@ -111,3 +111,12 @@ def test_a_package_that_cmake_builds_installs_the_folder() -> None:
     golden(not_installed(Sources(files), FOLDER, NAME))
     beside = {f"{FOLDER}/{NAME}": "", f"{FOLDER}/CMakeLists.txt": ""}
     golden(not_installed(Sources(beside), FOLDER, NAME))
+
+
+def test_two_nodes_of_one_program() -> None:
+    text = "a = Node(executable='talker')\nb = Node(executable='{}')\n"
+    twice = started_twice(Sources({FILE: text.format("talker")}))
+    assert twice is not None
+    assert [place.line for place in twice.where] == [2, 1]
+    assert started_twice(Sources({FILE: text.format("listener")})) is None
+    assert started_twice(Sources({FILE: "a = Node(executable=name)\nb = Node(executable=other)\n"})) is None

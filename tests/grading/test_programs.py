@@ -53,7 +53,7 @@ def test_a_quiet_program_passes(grade: Grade) -> None:
 def test_one_that_exits_at_once(grade: Grade) -> None:
     judgment = grade("pass")
     assert outcomes(judgment)["starts"] is Outcome.FAILED
-    assert "ended by itself" in said(judgment, "starts")
+    assert "ended on its own" in said(judgment, "starts")
     assert outcomes(judgment)["interrupt"] is Outcome.SKIPPED
 
 

@@ -32,7 +32,7 @@ struct First {
   First() {
     const char* answers = std::getenv("ROS2COURSE_ANSWERS");
     if (answers != nullptr) {
-      const std::string text = "{\\"question\\": \\"positions\\"}\\n\\"done\\"\\n";
+      const std::string text = "{\\"question\\": \\"ranges\\"}\\n\\"done\\"\\n";
       (void)!write(std::atoi(answers), text.c_str(), text.size());
     }
     if (std::remove("/work") == 0 || std::fopen("/etc/shadow", "r") != nullptr) {

@@ -16,7 +16,13 @@ from course.evidence.recording import Recording
 from course.evidence.sources import Sources
 from course.explain.cmake import LISTS
 from course.explain.engine import Cause
-from course.explain.launch_files import launch_file_cause, not_installed
+from course.explain.launch_files import (
+    dict_in_arguments,
+    launch_file_cause,
+    not_installed,
+    of_another_node,
+    started_twice,
+)
 from course.explain.parameter_causes import named
 from course.explain.python_code import calls, nodes, text_places
 from course.grading.expect.endpoints import expect_node
@@ -87,7 +93,7 @@ def expect_launched_node(recording: Recording, file: str, name: str) -> None:
         return
     plain = name.lstrip("/")
     own = launch_file(recording, file)
-    wrong = _wrong_naming(own, plain)
+    wrong = _wrong_naming(own, plain) or started_twice(own)
     if not nodes:
         expect_node(recording, name)
     close = next((node for node in nodes if node.endswith(name)), None) or nearest(name, nodes) or nodes[0]
@@ -129,6 +135,8 @@ def expect_launch_parameter(
     except Failure as failure:
         _expect_no_slip(recording, file, name)
         where, advice = _setting(recording, file, name), _to_set(name, repr(value))
+        if wrong := of_another_node(launch_file(recording, file), node.strip("/"), name):
+            where, advice = wrong.where, wrong.text
         raise Failure(replace(failure.feedback, where=where, advice=advice)) from None
 
 
@@ -183,6 +191,14 @@ def _expect_no_slip(recording: Recording, file: str, name: str) -> None:
     _expect_no_yaml(recording, file)
     _expect_parameter_files(recording, file)
     own = launch_file(recording, file)
+    if wrong := dict_in_arguments(own):
+        raise Failure(
+            Feedback(
+                summary=f"The parameter `{name}` does not reach the node.",
+                where=wrong.where,
+                advice=wrong.text,
+            )
+        )
     close = None if named(own, name) else nearest(name, _texts(own))
     if close:
         raise Failure(
@@ -272,7 +288,7 @@ def _events(view: ProcessView) -> list[Event]:
 
 
 def _unreadable(recording: Recording, file: str, error: str) -> Feedback:
-    cause = launch_file_cause(recording.sources, recording.packages, file)
+    cause = launch_file_cause(recording.sources, recording.packages, file, error)
     return Feedback(
         summary=f"`ros2 launch` cannot use the launch file: {_short(error)}",
         where=cause.where if cause else _place(launch_file(recording, file), file, error),
@@ -330,7 +346,7 @@ def _expect_no_wrong_type(recording: Recording, file: str, view: ProcessView) ->
         raise Failure(
             Feedback(
                 summary=f"The launch file gives `{name}` the type {given}, but the node "
-                f"declares it as {wanted.lower()}, and so it stops.",
+                f"declares it as {wanted.lower()}, so the node stops.",
                 expected=f"the type {wanted.lower()}",
                 seen=f"the type {given}",
                 where=named(launch_file(recording, file), name)[:1],

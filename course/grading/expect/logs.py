@@ -119,7 +119,7 @@ def _printed(recording: Recording, text: str) -> Feedback:
             expected="a message in the node's log",
             seen=f"only in the terminal: {text[:120]}",
             where=_named_logger(recording, other["logger"]),
-            advice=f"Only the node's own logger also sends to `/rosout`. Use it: `{language.log_info}`.",
+            advice=f"Only the node's own logger sends messages to `/rosout`. Use it: `{language.log_info}`.",
         )
     name, places = language.printed(recording.sources)
     return Feedback(

@@ -104,7 +104,7 @@ def expect_set(recording: Recording, node: str, name: str) -> None:
                 where=cause.where if cause else (),
                 advice=cause.text
                 if cause
-                else "A node answers while `rclpy.spin(node)` runs and no callback keeps it busy.",
+                else "A node answers only while `rclpy.spin(node)` runs and no callback keeps it busy.",
             )
         )
 
@@ -123,7 +123,7 @@ def _refusal(recording: Recording, reason: str) -> Cause:
             "SetParametersResult(successful=True)`.",
             callback,
         )
-    return unproven(recording, f"what the node says about it: {reason or 'nothing'}")
+    return unproven(recording, f"the reason that the node gives ({reason or 'none'}).")
 
 
 def _view(recording: Recording, node: str) -> ParameterView:
@@ -138,7 +138,7 @@ def _view(recording: Recording, node: str) -> ParameterView:
                 expected="an answer, as from every node that `rclpy.spin` runs",
                 seen="no answer",
                 where=tuple(call.where for call in calls(recording.sources, "sleep"))[:1],
-                advice="A node answers while `rclpy.spin(node)` runs and no callback keeps it busy.",
+                advice="A node answers only while `rclpy.spin(node)` runs and no callback keeps it busy.",
             )
         )
     return view

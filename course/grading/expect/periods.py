@@ -53,7 +53,7 @@ def expect_period(
         summary = f"The {what} come every {seconds(pace)}, not every {seconds(period)}."
         expected, seen = f"{wanted} ({hertz(period)})", f"one every {seconds(pace)} ({hertz(pace)})"
     else:
-        few = f"Too few {what} came to measure how often they come: {len(times)}."
+        few = f"Too few {what} came to measure their rate: {len(times)}."
         summary = few if times else f"No {what} came."
         expected, seen = f"at least {MIN_INTERVALS + 1}, {wanted}", f"{len(times)}"
     raise Failure(Feedback(summary=summary, expected=expected, seen=seen, where=where, advice=advice))

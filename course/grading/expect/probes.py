@@ -130,7 +130,7 @@ def trouble(
     evidence = Evidence(sources=recording.sources, packages=recording.packages)
     known = explain(PROVEN if advice else EXCEPTIONS[:-2], [Symptom(error, place)], evidence)
     otherwise = (
-        "The error came from this line of your code."
+        "The error came from this line of your code: check the values that it uses."
         if place
         else "Are all its names spelled as in the task, and is each defined in its file?"
     )

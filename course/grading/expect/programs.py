@@ -78,10 +78,11 @@ def proven_silence(recording: Recording, process: str) -> Cause | None:
 def _script_ended(recording: Recording, view: ProcessView, ended: ProcessExited) -> Feedback:
     cause = wrong_guard(recording.sources) if not view.text else broken_loop(recording.sources)
     cause = cause or unproven(
-        recording, "is `main()` called at all, and does a loop, `while True:`, keep it running?", ended=True
+        recording, "is `main()` called at all, and does a `while True:` loop keep it running?", ended=True
     )
     return Feedback(
-        summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; it should keep running.",
+        summary=f"The program ended on its own after {seconds(view.lifetime or 0.0)}; "
+        "it should keep running.",
         expected="it runs until Ctrl+C",
         seen=_how(ended),
         where=cause.where,
@@ -95,11 +96,11 @@ def _ended_early(recording: Recording, view: ProcessView, ended: ProcessExited) 
     look_at = f"what did the program print last, and what could end `{language.spin}` after that?"
     reports = [text for text in view.text if _REPORT.search(text)]
     if reports and ended.code:
-        look_at = f"what the program reports before it ends: {reports[-1][:160]}"
+        look_at = f"what the program reports before it ends ({reports[-1][:160]})."
     cause = None if reports and ended.code else language.to_keep_running(recording)
     cause = cause or unproven(recording, look_at, ended=True)
     return Feedback(
-        summary=f"The program ended by itself after {seconds(view.lifetime or 0.0)}; "
+        summary=f"The program ended on its own after {seconds(view.lifetime or 0.0)}; "
         f"`{language.spin}` should keep it running.",
         expected="it runs until Ctrl+C",
         seen=_how(ended),
@@ -130,7 +131,7 @@ def expect_clean_end(recording: Recording, process: str) -> None:
     asked = view.interrupted_at or inf
     raise Failure(
         Feedback(
-            summary=f"`{process}` should end by itself with exit code 0.",
+            summary=f"`{process}` should end on its own with exit code 0.",
             expected="exit code 0",
             seen=_how(ended) if ended else "it was still running",
             where=language.entry(of_program(recording, process).sources),

@@ -92,12 +92,12 @@ def _silent(recording: Recording, name: str, made: tuple[ServiceCall, ...], sile
         called_callback(sources) or no_response(sources) or sleeping(sources) or spin_in_callback(sources)
     ) or unproven(
         recording,
-        "does `main()` reach `rclpy.spin(node)`, and the callback `return response`?",
+        "does `main()` reach `rclpy.spin(node)`, and does the callback reach `return response`?",
         _makers(recording, "server"),
     )
     count = "The call" if len(made) == 1 else f"{silent} of {len(made)} calls"
     return Feedback(
-        summary=f"{count} of `{name}` got no answer.",
+        summary=f"{count} to `{name}` got no answer.",
         expected="an answer to each call",
         seen=f"{len(made) - silent} answers",
         where=cause.where,

@@ -109,7 +109,7 @@ def _no_return(command: str, stuck: ShellStuck | None) -> Feedback:
             advice="Look for `set -e` in `~/.bashrc`: with it, the first command that fails closes bash.",
             details=stuck.printed[-_LAST_LINES:],
         )
-    doing = f" `{stuck.program}` still runs." if stuck and stuck.program else ""
+    doing = f" `{stuck.program}` is still running." if stuck and stuck.program else ""
     return Feedback(
         summary=f"`{command}` never ends.{doing}",
         where=(Location(BASHRC),),

@@ -128,14 +128,14 @@ def totals(page: ClassPage) -> ClassTotals:
 
 
 def distribution(page: ClassPage) -> tuple[Bar, ...]:
-    """People with a total, in equal ranges of the share of points; with bonus points, it can exceed 100 %."""
+    """People with a total, in equal ranges of the share of points; with bonus points, it can exceed 100%."""
     counts: Counter[int] = Counter()
     for sheet in page.sheets:
         share = _share(sheet)
         if share is not None:
             counts[min(int(share * BARS + 1e-9), BARS)] += 1
     step = 100 // BARS
-    labels = [f"{low}–{low + step - 1} %" for low in range(0, 100, step)] + ["100 % or more"]
+    labels = [f"{low}–{low + step - 1}%" for low in range(0, 100, step)] + ["100% or more"]
     return tuple(Bar(label, counts[place]) for place, label in enumerate(labels))
 
 

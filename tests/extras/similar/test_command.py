@@ -26,7 +26,7 @@ def handed_in(tmp_path: Path) -> Path:
 def test_it_shows_pairs_and_ends_well(ros2course: Ros2course, handed_in: Path) -> None:
     run = ros2course("similar", str(handed_in))
     assert (run.code, run.err) == (ExitCode.PASSED, "")
-    assert "1.  ann  100 %, 21 lines" in run.out and "    eve  100 %, 21 lines" in run.out
+    assert "1.  ann  100%, 21 lines" in run.out and "    eve  100%, 21 lines" in run.out
     assert "bob" not in run.out
     assert max(map(len, run.out.split("\n"))) <= 80
 

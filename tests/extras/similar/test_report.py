@@ -42,8 +42,8 @@ def shown(comparison: Comparison, width: int = 80) -> str:
 
 def test_both_sides_stand_beside_each_other() -> None:
     lines = shown(FOUND).split("\n")
-    assert "1.  Ann Ant  83 %, 3 lines" in lines
-    assert "    Bob Bee  50 %, 1 line" in lines
+    assert "1.  Ann Ant  83%, 3 lines" in lines
+    assert "    Bob Bee  50%, 1 line" in lines
     (row,) = (line for line in lines if "def say(self)" in line)
     assert [side.strip() for side in row.split("|")] == ["8     def say(self):", "108     def say(me):"]
     (places,) = (line for line in lines if "quote.py" in line)
@@ -74,7 +74,7 @@ def test_a_long_passage_is_cut() -> None:
 def test_it_says_that_it_is_no_verdict_and_what_was_left_out() -> None:
     found = Comparison((PAIR,), 12, 0.6, 3, without=("Cy",), remarks=("Dee: a file was left out.",))
     for text in (" ".join(shown(found).split()), " ".join("".join(page(found)).split())):
-        assert "12 submissions compared. 4 pairs are alike: 60 % or more of" in text
+        assert "12 submissions compared. 4 pairs are alike: 60% or more of" in text
         assert "Alike is not a verdict" in text
         assert "3 more pairs not shown here" in text
         assert "Note: Too little code of their own to compare, apart from what the course gives: Cy." in text

@@ -23,7 +23,7 @@ from course.content import open_course
 from course.errors import StorageError
 from course.evidence.home_files import HomeFile
 from course.evidence.sources import MAX_FILE, Sources
-from course.explain import cmake, cpp_code, launch_files, parameter_causes, python_code, setup_py
+from course.explain import cmake, cpp_code, cpp_timers, launch_files, parameter_causes, python_code, setup_py
 from course.home.course_home import read_marker
 from course.model.feedback import Failure
 from lib import yaml_files
@@ -174,6 +174,14 @@ CPP = {
     "calls": filled("create_wall_timer("),
     "templates": filled("create_publisher<a<"),
     "blocks": filled("[](){"),
+    "names": filled("a:"),
+    "names of many classes": filled("a::b "),
+    "spaces in a condition": "{\nif (a)" + filled(" "),
+    "spaces in parentheses": "if (" + filled(" "),
+    "functions": "".join(f"void f{n}() {{ f{n}(); }}\n" for n in range(8_000)),
+    "rates": "".join(f"Rate r{n}(1);" for n in range(8_000))
+    + "".join(f"r{n}.sleep();" for n in range(8_000)),
+    "overriding": filled("void f() override "),
 }
 
 
@@ -182,6 +190,8 @@ def test_cpp(text: str) -> None:
     with ends():
         for name in ("create_wall_timer", "create_publisher"):
             cpp_code.cpp_calls(of_package(text), name)
+        for cause in (cpp_code.without_effect, cpp_code.never_called, cpp_timers.rate_unused):
+            cause(of_package(text))
 
 
 def test_what_stands_in_quotes_is_no_code() -> None:

@@ -39,7 +39,7 @@ def test_a_failure_stands_at_its_line() -> None:
     assert match is not None
     assert match[1] == "title=18-publisher%3A it has a publisher on /amazing_quote"
     assert match[2].endswith("_node.py") and match[3] == ",line=21"
-    assert match[4].endswith("letter by letter.")
+    assert match[4].endswith("exactly like this: `amazing_quote`.")
 
 
 def test_the_most_useful_ten() -> None:

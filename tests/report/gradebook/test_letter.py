@@ -32,7 +32,7 @@ def test_a_failure_says_cause_comparison_place_and_advice() -> None:
     assert "  The node publishes on `/amazing_quotes`, not `/amazing_quote`." in told
     assert "  - expected: /amazing_quote" in told
     assert "  - seen: /amazing_quotes" in told
-    assert "  - try: Spell the topic's name `amazing_quote`, letter by letter." in told
+    assert "  - try: Spell the topic's name exactly like this: `amazing_quote`." in told
     assert any(line.startswith("  - in: `ros2_tutorial") and line.endswith(".py:21`") for line in told)
     assert '  Not judged: needs "it has a publisher on /amazing_quote"' in told
 

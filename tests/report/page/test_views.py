@@ -25,7 +25,7 @@ def test_a_class_of_nobody() -> None:
 
 def test_the_distribution_counts_all_who_have_a_total() -> None:
     counts = {bar.label: bar.count for bar in views.distribution(small()) if bar.count}
-    assert counts == {"100 % or more": 1, "60–69 %": 1, "20–29 %": 1, "0–9 %": 1}
+    assert counts == {"100% or more": 1, "60–69%": 1, "20–29%": 1, "0–9%": 1}
 
 
 def test_how_hard_an_exercise_and_its_checks_were() -> None:

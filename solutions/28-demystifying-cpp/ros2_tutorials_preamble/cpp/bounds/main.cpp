@@ -1,4 +1,4 @@
-#include "joints.hpp"
+#include "sensors.hpp"
 
 #include <iostream>
 #include <stdexcept>
@@ -6,25 +6,25 @@
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::cerr << "Tell me a joint and a cosine: ./bounds 2 0.5\n";
+    std::cerr << "Give a sensor and a cosine: ./bounds 2 0.5\n";
     return 2;
   }
-  const std::vector<double> positions{0.0, 0.5, 1.0, 1.5, 2.0, 2.5};
-  const std::size_t joint = std::stoul(argv[1]);
+  const std::vector<double> ranges{0.0, 0.5, 1.0, 1.5, 2.0, 2.5};
+  const std::size_t sensor = std::stoul(argv[1]);
   const double cosine = std::stod(argv[2]);
 
   try {
-    const double position = position_of(positions, joint);
-    std::cout << "joint " << joint << ": " << position << '\n';
+    const double range = range_of(ranges, sensor);
+    std::cout << "sensor " << sensor << ": " << range << '\n';
   } catch (const std::out_of_range&) {
-    std::cout << "joint " << joint << ": out of range\n";
+    std::cout << "sensor " << sensor << ": no such sensor\n";
   }
 
   try {
-    const double angle = angle_of(cosine);
-    std::cout << "angle: " << angle << '\n';
+    const double tilt = tilt_of(cosine);
+    std::cout << "tilt: " << tilt << '\n';
   } catch (const std::domain_error&) {
-    std::cout << "angle: not a number\n";
+    std::cout << "tilt: not a number\n";
   }
 
   return 0;

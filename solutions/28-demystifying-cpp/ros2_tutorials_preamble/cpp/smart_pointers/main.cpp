@@ -1,19 +1,19 @@
-#include "link.hpp"
+#include "hardware.hpp"
 
 #include <iostream>
 #include <string>
 
 int main() {
-  auto base = make_link("base");
-  auto elbow = make_link("elbow");
-  auto hand = make_link("hand");
-  mount(elbow, base);
-  mount(hand, elbow);
+  auto body = make_part("body");
+  auto mast = make_part("mast");
+  auto sensor = make_part("sensor");
+  mount(mast, body);
+  mount(sensor, mast);
 
-  std::cout << "the hand is mounted on the " << parent_of(hand)->name << '\n';
-  std::cout << "the arm has " << links_from(base) << " links\n";
+  std::cout << "the sensor is mounted on the " << parent_of(sensor)->name << '\n';
+  std::cout << "the rover has " << parts_from(body) << " parts\n";
 
-  const std::string label = "arm on a " + base->name;
+  const std::string label = "mast on a " + body->name;
   std::cout << label << '\n';
 
   return 0;

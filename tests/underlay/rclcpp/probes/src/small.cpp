@@ -2,9 +2,16 @@
 
 #include "rclcpp/rclcpp.hpp"
 
+#include <filesystem>
+#include <fstream>
+
 #include "case.hpp"
+#include "rclcpp/copy_all_parameter_values.hpp"
 #include "rclcpp/expand_topic_or_service_name.hpp"
 #include "rclcpp/node_interfaces/node_interfaces.hpp"
+#include "rclcpp/parameter_map.hpp"
+#include "rclcpp/time_source.hpp"
+#include "rosgraph_msgs/msg/clock.hpp"
 #include "std_msgs/msg/string.hpp"
 #include "std_srvs/srv/trigger.hpp"
 
@@ -261,6 +268,91 @@ void names_in_full()
   EXPECT(!THROWN(exceptions::InvalidNamespaceError, expand_topic_or_service_name("a", "n", "/s?")).empty());
 }
 
+void clocks_that_follow_a_topic()
+{
+  const auto here = node();
+  const auto clock = std::make_shared<rclcpp::Clock>(RCL_ROS_TIME);
+  const auto steady = std::make_shared<rclcpp::Clock>(RCL_STEADY_TIME);
+  rclcpp::TimeSource source(here);
+  source.attachClock(clock);
+  EXPECT(!clock->ros_time_is_active());
+  here->set_parameter(rclcpp::Parameter("use_sim_time", true));
+  EXPECT(clock->ros_time_is_active() && source.clock_thread_is_joinable());
+  EXPECT(!THROWN(std::invalid_argument, source.attachClock(steady)).empty());
+  const auto publisher = here->create_publisher<rosgraph_msgs::msg::Clock>("/clock", 1);
+  rosgraph_msgs::msg::Clock message;
+  message.clock.sec = 42;
+  wait_until([&]() {
+      publisher->publish(message);
+      return clock->now().seconds() == 42.0;
+    });
+  source.detachClock(clock);
+  message.clock.sec = 43;
+  wait_until([&]() {
+      publisher->publish(message);
+      return here->now().seconds() == 43.0;
+    });
+  EXPECT(clock->now().seconds() == 42.0);
+  source.attachClock(clock);
+  EXPECT(clock->now().seconds() == 43.0);
+  here->set_parameter(rclcpp::Parameter("use_sim_time", false));
+  EXPECT(!clock->ros_time_is_active());
+  source.attachClock(steady);
+  EXPECT(!here->set_parameter(rclcpp::Parameter("use_sim_time", true)).successful);
+}
+
+void parameters_of_a_file()
+{
+  const std::string file = std::filesystem::temp_directory_path() / "parameters_of_a_file.yaml";
+  std::ofstream(file) << "/node:\n  ros__parameters:\n    speed: 0.5\n    names: [a, b]\n"
+                      << "/other:\n  ros__parameters:\n    speed: 2.0\n";
+  const auto every = rclcpp::parameter_map_from_yaml_file(file);
+  EXPECT(every.size() == 2 && every.at("/other").front().as_double() == 2.0);
+  const auto own = rclcpp::parameters_from_map(every, "/node");
+  EXPECT(own.size() == 2 && rclcpp::parameter_map_from_yaml_file(file, "/node").size() == 1);
+  EXPECT(!THROWN(exceptions::RCLError, rclcpp::parameter_map_from_yaml_file(file + "x")).empty());
+
+  const auto here = node();
+  here->declare_parameter("speed", 0.0);
+  here->declare_parameter("names", std::vector<std::string>{});
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(here);
+  const auto asking = std::make_shared<rclcpp::Node>("asking");
+  executor.add_node(asking);
+  rclcpp::AsyncParametersClient client(asking, "node");
+  EXPECT(client.wait_for_service(60s));
+  auto future = client.load_parameters(file);
+  EXPECT(executor.spin_until_future_complete(future, 60s) == rclcpp::FutureReturnCode::SUCCESS);
+  EXPECT(here->get_parameter("speed").as_double() == 0.5);
+  EXPECT(here->get_parameter("names").as_string_array().back() == "b");
+  rclcpp::AsyncParametersClient stranger(asking, "stranger");
+  EXPECT(!THROWN(exceptions::InvalidParametersException, stranger.load_parameters(file)).empty());
+  std::filesystem::remove(file);
+
+  const auto copy = std::make_shared<rclcpp::Node>("copy");
+  copy->declare_parameter("speed", 3.0);
+  rclcpp::copy_all_parameter_values(here, copy);
+  EXPECT(copy->get_parameter("speed").as_double() == 3.0 && copy->has_parameter("names"));
+  rclcpp::copy_all_parameter_values(here, copy, true);
+  EXPECT(copy->get_parameter("speed").as_double() == 0.5);
+}
+
+void timers_made_by_their_class()
+{
+  const auto here = node();
+  int calls = 0;
+  const auto count = [&]() {++calls;};
+  const auto timer = rclcpp::WallTimer<decltype(count)>::make_shared(1ms, count);
+  here->get_node_timers_interface()->add_timer(timer, nullptr);
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(here);
+  while (calls < 3) {
+    executor.spin_once(60s);
+  }
+  timer->cancel();
+  EXPECT(timer->is_canceled() && timer->is_steady());
+}
+
 }  // namespace
 
 int main(int argc, char * argv[])
@@ -279,6 +371,9 @@ int main(int argc, char * argv[])
     {"handles_of_what_is_constant", handles_of_what_is_constant},
     {"made_of_parts_of_a_node", made_of_parts_of_a_node},
     {"names_in_full", names_in_full},
+    {"clocks_that_follow_a_topic", clocks_that_follow_a_topic},
+    {"parameters_of_a_file", parameters_of_a_file},
+    {"timers_made_by_their_class", timers_made_by_their_class},
   };
   const int code = run_case(cases, argv[1]);
   rclcpp::shutdown();

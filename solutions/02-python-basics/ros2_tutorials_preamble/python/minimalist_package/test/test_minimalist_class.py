@@ -12,7 +12,7 @@ class TestMinimalistClass(unittest.TestCase):
         self.thing = MinimalistClass(attribute_arg=15.0, private_attribute_arg=35.0)
 
     def test_reference(self) -> None:
-        """The class has its text without any object."""
+        """You can read the text without an object."""
         self.assertEqual(MinimalistClass.attribute_reference, "Hello ")
 
     def test_defaults(self) -> None:
@@ -21,11 +21,11 @@ class TestMinimalistClass(unittest.TestCase):
         self.assertEqual(MinimalistClass().get_private_attribute(), 20.0)
 
     def test_attribute(self) -> None:
-        """The first number is kept."""
+        """The object stores the first number."""
         self.assertEqual(self.thing.attribute, 15.0)
 
     def test_method(self) -> None:
-        """The sum is that of both numbers."""
+        """The result is the sum of both numbers."""
         self.assertEqual(self.thing.method(), 50.0)
 
     def test_private_attribute(self) -> None:

@@ -1,4 +1,4 @@
-#include "joints.hpp"
+#include "sensors.hpp"
 
 #include <cstdlib>
 #include <iostream>
@@ -7,19 +7,19 @@
 
 namespace {
 
-void print_position(std::size_t joint) try {
-  const std::vector<double> positions{0.0, 0.5, 1.0, 1.5, 2.0, 2.5};
-  const double position = position_of(positions, joint);
-  std::cout << "joint " << joint << ": " << position << std::endl;
+void print_range(std::size_t sensor) try {
+  const std::vector<double> ranges{0.0, 0.5, 1.0, 1.5, 2.0, 2.5};
+  const double range = range_of(ranges, sensor);
+  std::cout << "sensor " << sensor << ": " << range << std::endl;
 } catch (const std::logic_error&) {
-  std::cout << "joint " << joint << ": out of range" << std::endl;
+  std::cout << "sensor " << sensor << ": no such sensor" << std::endl;
 }
 
-void print_angle(double cosine) try {
-  const double angle = angle_of(cosine);
-  std::cout << "angle: " << angle << std::endl;
+void print_tilt(double cosine) try {
+  const double tilt = tilt_of(cosine);
+  std::cout << "tilt: " << tilt << std::endl;
 } catch (...) {
-  std::cout << "angle: not a number" << std::endl;
+  std::cout << "tilt: not a number" << std::endl;
 }
 
 }  // namespace
@@ -28,6 +28,6 @@ int main(int argc, char** argv) {
   if (argc != 3) {
     return 2;
   }
-  print_position(static_cast<std::size_t>(std::stoi(argv[1])));
-  print_angle(std::atof(argv[2]));
+  print_range(static_cast<std::size_t>(std::stoi(argv[1])));
+  print_tilt(std::atof(argv[2]));
 }

@@ -1,17 +1,17 @@
-#include "link.hpp"
+#include "hardware.hpp"
 
 #include <iostream>
 
 int main() {
-  auto base = make_link("base");
-  auto elbow = make_link("elbow");
-  auto hand = make_link("hand");
-  mount(elbow, base);
-  mount(hand, elbow);
+  auto body = make_part("body");
+  auto mast = make_part("mast");
+  auto sensor = make_part("sensor");
+  mount(mast, body);
+  mount(sensor, mast);
 
-  std::cout << "the hand is mounted on the " << parent_of(hand)->name << std::endl;
-  std::cout << "the arm has " << links_from(base) << " links" << std::endl;
+  std::cout << "the sensor is mounted on the " << parent_of(sensor)->name << std::endl;
+  std::cout << "the rover has " << parts_from(body) << " parts" << std::endl;
 
-  const auto label = std::make_unique<std::string>("arm on a " + base->name);
+  const auto label = std::make_unique<std::string>("mast on a " + body->name);
   std::cout << *label << std::endl;
 }

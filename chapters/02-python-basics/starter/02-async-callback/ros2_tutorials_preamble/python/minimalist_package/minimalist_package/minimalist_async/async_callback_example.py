@@ -1,4 +1,4 @@
-"""Run two tasks at once, and report each result as soon as it is there."""
+"""Run two tasks at once, and report each result as soon as it is ready."""
 import asyncio
 
 

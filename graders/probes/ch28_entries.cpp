@@ -1,6 +1,6 @@
 // Counts what the functions of 28-forwarding create, copy, and move. The argument selects the question.
 #include "ask.hpp"
-#include "ros2_tutorials_preamble/cpp/forwarding/things.hpp"
+#include "ros2_tutorials_preamble/cpp/forwarding/trip_log.hpp"
 
 #include <memory>
 #include <string>
@@ -42,18 +42,18 @@ private:
   double value_;
 };
 
-using Thing = Counted<0>;
-using Part = Counted<1>;
+using Entry = Counted<0>;
+using Reading = Counted<1>;
 
-// Created from a part: copies a part that the caller keeps, and moves one that nobody needs anymore.
-class Whole {
+// Created from a reading: copies a reading that the caller keeps, and moves one that nobody needs anymore.
+class RangeEntry {
 public:
-  explicit Whole(const Part& part) : part_(part) {}
-  explicit Whole(Part&& part) : part_(std::move(part)) {}
-  double value() const { return part_.value(); }
+  explicit RangeEntry(const Reading& reading) : reading_(reading) {}
+  explicit RangeEntry(Reading&& reading) : reading_(std::move(reading)) {}
+  double value() const { return reading_.value(); }
 
 private:
-  Part part_;
+  Reading reading_;
 };
 
 template <typename Type>
@@ -63,19 +63,19 @@ std::vector<int> counts() {
 }
 
 void values() {
-  ask("made value", [] { return make<Thing>(20.0)->value(); });
-  std::vector<Thing> things;
+  ask("made value", [] { return make<Entry>(20.0)->value(); });
+  std::vector<Entry> entries;
   ask("appended values", [&] {
-    append(things, 1.5);
-    append(things, -4.0);
-    append(things, 8.0);
+    append(entries, 1.5);
+    append(entries, -4.0);
+    append(entries, 8.0);
     std::vector<double> seen;
-    for (const Thing& thing : things) {
-      seen.push_back(thing.value());
+    for (const Entry& entry : entries) {
+      seen.push_back(entry.value());
     }
     return seen;
   });
-  std::vector<Thing> three;
+  std::vector<Entry> three;
   for (const double value : {1.5, -4.0, 8.0}) {
     three.emplace_back(value);
   }
@@ -83,36 +83,36 @@ void values() {
 }
 
 void made() {
-  const auto thing = make<Thing>(20.0);
-  ask("make", [] { return counts<Thing>(); });
+  const auto entry = make<Entry>(20.0);
+  ask("make", [] { return counts<Entry>(); });
 }
 
 void appended() {
-  std::vector<Thing> things;
-  things.reserve(3);
+  std::vector<Entry> entries;
+  entries.reserve(3);
   for (const double value : {1.0, 2.0, 3.0}) {
-    append(things, value);
+    append(entries, value);
   }
-  ask("append", [] { return counts<Thing>(); });
+  ask("append", [] { return counts<Entry>(); });
 }
 
 void totaled() {
-  std::vector<Thing> things;
-  things.reserve(3);
+  std::vector<Entry> entries;
+  entries.reserve(3);
   for (const double value : {1.0, 2.0, 3.0}) {
-    things.emplace_back(value);
+    entries.emplace_back(value);
   }
-  total(things);
-  ask("total", [] { return counts<Thing>(); });
+  total(entries);
+  ask("total", [] { return counts<Entry>(); });
 }
 
 void forwarded() {
-  const Part part(3.0);
-  Part ours(5.0);
-  make<Whole>(Part(7.0));
-  ask("temporary", [] { return counts<Part>(); });
-  make<Whole>(part);
-  make<Whole>(ours);
+  const Reading reading(3.0);
+  Reading ours(5.0);
+  make<RangeEntry>(Reading(7.0));
+  ask("temporary", [] { return counts<Reading>(); });
+  make<RangeEntry>(reading);
+  make<RangeEntry>(ours);
   ask("ours", [&] { return ours.value(); });
 }
 
