@@ -111,7 +111,8 @@ const char * NodeBaseInterface::get_fully_qualified_name() const
 CallbackGroup::SharedPtr NodeBaseInterface::create_callback_group(
   CallbackGroupType group_type, bool automatically_add_to_executor_with_node)
 {
-  auto group = std::make_shared<CallbackGroup>(group_type, automatically_add_to_executor_with_node);
+  auto group = std::make_shared<CallbackGroup>(
+    group_type, context_, automatically_add_to_executor_with_node);
   const std::lock_guard lock(mutex_);
   groups_.push_back(group);
   return group;

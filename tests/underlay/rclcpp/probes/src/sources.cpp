@@ -10,11 +10,13 @@
 #include "rclcpp/rclcpp.hpp"
 
 #include "case.hpp"
+#include "rclcpp/any_service_callback.hpp"
 #include "rclcpp/node_interfaces/node_interfaces.hpp"
 #include "rclcpp/parameter_events_filter.hpp"
 #include "rclcpp/strategies/allocator_memory_strategy.hpp"
 #include "rclcpp/strategies/message_pool_memory_strategy.hpp"
 #include "rclcpp/time_source.hpp"
+#include "rclcpp/type_support_decl.hpp"
 #include "std_msgs/msg/int32.hpp"
 #include "std_msgs/msg/string.hpp"
 #include "std_srvs/srv/set_bool.hpp"
@@ -360,6 +362,83 @@ void classes_by_name()
   EXPECT(!THROWN(class_loader::LibraryLoadException, class_loader::ClassLoader("libnothing.so")).empty());
 }
 
+void callbacks_of_any_form()
+{
+  using Any = rclcpp::AnySubscriptionCallback<std_msgs::msg::Int32>;
+  const auto shared = std::make_shared<std_msgs::msg::Int32>();
+  const rclcpp::MessageInfo info;
+  EXPECT(!THROWN(std::runtime_error, (Any().dispatch(shared, info), 0)).empty());
+  const void * seen = nullptr;
+  auto reads = Any().set([&](const std_msgs::msg::Int32 & message) {seen = &message;});
+  reads.dispatch_intra_process(shared, info);
+  EXPECT(seen == shared.get() && reads.use_take_shared_method());
+  auto keeps = Any().set([&](std::unique_ptr<std_msgs::msg::Int32> message) {seen = message.get();});
+  keeps.dispatch_intra_process(shared, info);
+  EXPECT(seen != shared.get() && !keeps.use_take_shared_method());
+  auto only = std::make_unique<std_msgs::msg::Int32>();
+  const void * const given = only.get();
+  keeps.dispatch_intra_process(std::move(only), info);
+  EXPECT(seen == given && !keeps.is_serialized_message_callback());
+  const auto bytes = Any().set([](const rclcpp::SerializedMessage &) {});
+  EXPECT(bytes.is_serialized_message_callback());
+}
+
+void services_made_by_rcl()
+{
+  const auto node = std::make_shared<rclcpp::Node>("node");
+  const auto handle = node->get_node_base_interface()->get_shared_rcl_node_handle();
+  rcl_service_t made = rcl_get_zero_initialized_service();
+  rclcpp::AnyServiceCallback<SetBool> callback;
+  callback.set(
+    [](std::shared_ptr<SetBool::Request> request, std::shared_ptr<SetBool::Response> response) {
+      response->success = request->data;
+    });
+  EXPECT(
+    THROWN(std::runtime_error, rclcpp::Service<SetBool>(handle, &made, callback)) ==
+    "rcl_service_t in constructor argument must be initialized beforehand.");
+  const auto options = rcl_service_get_default_options();
+  const auto * const type = rosidl_typesupport_cpp::get_service_type_support_handle<SetBool>();
+  EXPECT(rcl_service_init(&made, handle.get(), type, "made", &options) == RCL_RET_OK);
+  {
+    const auto service = std::make_shared<rclcpp::Service<SetBool>>(handle, &made, callback);
+    node->get_node_services_interface()->add_service(service, nullptr);
+    const auto client = node->create_client<SetBool>("made");
+    EXPECT(client->wait_for_service(60s));
+    const auto request = std::make_shared<SetBool::Request>();
+    request->data = true;
+    auto answer = client->async_send_request(request);
+    EXPECT(rclcpp::spin_until_future_complete(node, answer, 60s) == rclcpp::FutureReturnCode::SUCCESS);
+    EXPECT(answer.get()->success);
+  }
+  EXPECT(rcl_service_fini(&made, handle.get()) == RCL_RET_OK);
+}
+
+void groups_tell_of_what_is_added()
+{
+  const auto node = std::make_shared<rclcpp::Node>("node");
+  const auto group = node->create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+  std::size_t told = 0;
+  group->get_notify_guard_condition()->set_on_trigger_callback([&](std::size_t count) {told += count;});
+  const auto timer = node->create_wall_timer(1h, []() {}, group);
+  EXPECT(told == 1);
+  EXPECT(!rclcpp::CallbackGroup(rclcpp::CallbackGroupType::Reentrant).get_notify_guard_condition());
+}
+
+/// A publisher of a type that is known by its support alone.
+void publishers_by_options_of_rcl()
+{
+  const auto node = std::make_shared<rclcpp::Node>("node");
+  const rclcpp::PublisherOptions options;
+  const rclcpp::PublisherBase publisher(
+    node->get_node_base_interface().get(), "results",
+    *rclcpp::type_support::get_set_parameters_result_msg_type_support(),
+    options.to_rcl_publisher_options<std_msgs::msg::Int32>(rclcpp::QoS(3)), options.event_callbacks, true);
+  EXPECT(publisher.get_actual_qos().depth() == 3);
+  EXPECT(
+    node->get_topic_names_and_types().at("/results") ==
+    std::vector<std::string>{"rcl_interfaces/msg/SetParametersResult"});
+}
+
 }  // namespace
 
 int main(int argc, char * argv[])
@@ -382,6 +461,10 @@ int main(int argc, char * argv[])
     {"messages_of_an_allocator", messages_of_an_allocator},
     {"a_pool_of_messages", a_pool_of_messages},
     {"classes_by_name", classes_by_name},
+    {"callbacks_of_any_form", callbacks_of_any_form},
+    {"services_made_by_rcl", services_made_by_rcl},
+    {"groups_tell_of_what_is_added", groups_tell_of_what_is_added},
+    {"publishers_by_options_of_rcl", publishers_by_options_of_rcl},
   };
   const int code = run_case(cases, argv[1]);
   rclcpp::shutdown();

@@ -187,7 +187,7 @@ void changes_during_a_wait()
       set.remove_guard_condition(first);
       set.remove_guard_condition(second);
     });
-  EXPECT(set.wait(60s).kind() == WaitResultKind::Empty);
+  EXPECT(set.wait(1s).kind() == WaitResultKind::Timeout);  // others may add something again
   emptying.join();
 }
 

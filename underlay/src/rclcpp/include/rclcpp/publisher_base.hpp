@@ -41,6 +41,11 @@ public:
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
     const rosidl_message_type_support_t & type_support, const QoS & qos,
     const PublisherOptionsBase & options, detail::CloneMessage clone = nullptr);
+  /// The same, of options of rcl.
+  PublisherBase(
+    node_interfaces::NodeBaseInterface * node_base, const std::string & topic,
+    const rosidl_message_type_support_t & type_support, const rcl_publisher_options_t & publisher_options,
+    const PublisherEventCallbacks & event_callbacks, bool use_default_callbacks);
   virtual ~PublisherBase();
 
   const char * get_topic_name() const;

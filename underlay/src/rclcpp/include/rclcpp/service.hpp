@@ -32,6 +32,10 @@ public:
   ServiceBase(
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & service_name,
     const rosidl_service_type_support_t & type_support, const QoS & qos);
+  /// Of one that somebody else made. Throws std::runtime_error if it is not initialized.
+  ServiceBase(
+    std::shared_ptr<rcl_node_t> node_handle, std::shared_ptr<rcl_service_t> service_handle,
+    const rosidl_service_type_support_t & type_support);
   ~ServiceBase() override;
 
   const char * get_service_name();
@@ -73,6 +77,9 @@ private:
 };
 
 template<typename ServiceT>
+class AnyServiceCallback;
+
+template<typename ServiceT>
 class Service : public ServiceBase, public std::enable_shared_from_this<Service<ServiceT>>
 {
 public:
@@ -90,6 +97,29 @@ public:
   : ServiceBase(
       node, service_name, *rosidl_typesupport_cpp::get_service_type_support_handle<ServiceT>(), qos),
     handler_(std::move(handler))
+  {
+  }
+
+  /// Of one that somebody else made.
+  Service(
+    std::shared_ptr<rcl_node_t> node_handle, std::shared_ptr<rcl_service_t> service_handle,
+    AnyServiceCallback<ServiceT> any_callback)
+  : ServiceBase(
+      std::move(node_handle), std::move(service_handle),
+      *rosidl_typesupport_cpp::get_service_type_support_handle<ServiceT>()),
+    handler_(
+      [any_callback](Service * self, const Header & header, const std::shared_ptr<Request> & request) mutable {
+        return any_callback.dispatch(self->shared_from_this(), header, request);
+      })
+  {
+  }
+  /// The same. It must outlive this service, and stays to be finalized.
+  Service(
+    std::shared_ptr<rcl_node_t> node_handle, rcl_service_t * service_handle,
+    AnyServiceCallback<ServiceT> any_callback)
+  : Service(
+      std::move(node_handle), std::shared_ptr<rcl_service_t>(service_handle, [](rcl_service_t *) {}),
+      std::move(any_callback))
   {
   }
 
