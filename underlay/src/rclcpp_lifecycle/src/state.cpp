@@ -34,7 +34,7 @@ State::State(std::uint8_t id, const std::string & label)
 }
 
 State::State(const rcl_lifecycle_state_t * rcl_lifecycle_state_handle)
-: State(present(rcl_lifecycle_state_handle).id, rcl_lifecycle_state_handle->label)
+: State(present(rcl_lifecycle_state_handle).id, present(rcl_lifecycle_state_handle).label)
 {
 }
 

@@ -207,6 +207,8 @@ struct Timed : LifecycleNode
 
 void what_others_derive()
 {
+  const rcl_lifecycle_state_t * const nothing = nullptr;
+  EXPECT(THROWN(std::runtime_error, State(nothing)) == "rcl_lifecycle_state_handle is null");
   const Released state;
   EXPECT(THROWN(std::runtime_error, state.id()) == THROWN(std::runtime_error, state.label()));
   const auto node = std::make_shared<Timed>();
