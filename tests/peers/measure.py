@@ -4,8 +4,8 @@
 
 CHECKOUTS holds checkouts, branch jazzy, of these repositories of https://github.com/ros2, each in a folder
 of its name: rclcpp, examples, demos, rcl_interfaces, test_interface_files. They are built as shipped, against
-ROS from pip and our packages. rclcpp's own tests need GoogleTest (libgtest-dev, libgmock-dev). Those that
-inject faults into rcl use no public API, and are left out.
+ROS from pip and our packages. rclcpp's own tests, those of its four packages, need GoogleTest (libgtest-dev,
+libgmock-dev). Those that inject faults into rcl use no public API, and are left out.
 
 What is in `passing.txt`, but works no longer, is printed; then the exit code is 1. `--write` writes the list.
 CI has no such checkouts, so it does not run this.
@@ -33,21 +33,45 @@ _EXECUTABLE = re.compile(r"^\s*add_executable\s*\(|\bEXECUTABLE\s+\w+", re.MULTI
 _CASES = re.compile(r"^TYPED_TEST\(|^TEST(?:_[FP])?\s*\(", re.MULTILINE)
 _RAN, _PASSED = (re.compile(rf"^\[ *{word} *\] (\d+) test", re.MULTILINE) for word in ("=+", "PASSED"))
 _RUN_TIME = 120.0
+# The tests want messages of a package that is called as rclcpp itself.
 _TESTS = """\
 cmake_minimum_required(VERSION 3.8)
-project(rclcpp_tests LANGUAGES C CXX)
+project(rclcpp LANGUAGES C CXX)
 set(CMAKE_CXX_STANDARD 17)
 find_package(ament_cmake REQUIRED)
 find_package(rclcpp REQUIRED)
+find_package(rclcpp_action REQUIRED)
+find_package(rclcpp_components REQUIRED)
+find_package(rclcpp_lifecycle REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+find_package(statistics_msgs REQUIRED)
 find_package(test_msgs REQUIRED)
 find_package(GTest REQUIRED)
+file(GLOB messages RELATIVE ${TESTS}/.. ${TESTS}/../msg/*.msg)
+list(TRANSFORM messages PREPEND "${TESTS}/..:")
+rosidl_generate_interfaces(rclcpp_test_msgs ${messages}
+  DEPENDENCIES builtin_interfaces LIBRARY_NAME rclcpp SKIP_INSTALL)
+rosidl_get_typesupport_target(own_messages rclcpp_test_msgs rosidl_typesupport_cpp)
+# Other tests use what is in this one.
+add_library(helpers STATIC ${TESTS}/executors/test_waitable.cpp)
+target_link_libraries(helpers rclcpp::rclcpp)
 foreach(source ${SOURCES})
   get_filename_component(name ${source} NAME_WE)
   add_executable(${name} ${source})
   target_include_directories(${name} PRIVATE ${TESTS} ${TESTS}/..)
   target_compile_definitions(${name} PRIVATE TEST_RESOURCES_DIRECTORY="${RESOURCES}")
-  target_link_libraries(${name} rclcpp::rclcpp ${test_msgs_TARGETS} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name}
+    helpers rclcpp::rclcpp rclcpp_action::rclcpp_action rclcpp_components::component_manager
+    rclcpp_lifecycle::rclcpp_lifecycle ${own_messages} ${statistics_msgs_TARGETS} ${test_msgs_TARGETS}
+    GTest::gmock GTest::gtest_main)
 endforeach()
+"""
+_PACKAGE = """\
+<package format="3">
+  <name>rclcpp</name><version>0.0.0</version><description>Tests</description>
+  <maintainer email="nobody@example.com">nobody</maintainer><license>none</license>
+  <member_of_group>rosidl_interface_packages</member_of_group>
+</package>
 """
 
 
@@ -113,18 +137,19 @@ def main() -> int:
 
 def rclcpp_tests(builder: Builder) -> Iterator[Row]:
     """Those with public API only: which files compile, and which of their cases pass."""
-    needed = ("test_interface_files", "rcl_interfaces/test_msgs")
-    messages = builder.colcon("messages", *(builder.checkouts / name for name in needed)) / "test_msgs"
+    needed = ("test_interface_files", "rcl_interfaces/test_msgs", "rcl_interfaces/statistics_msgs")
+    messages = builder.colcon("messages", *(builder.checkouts / name for name in needed))
     tests = builder.checkouts / "rclcpp/rclcpp/test/rclcpp"
     public = [
-        file for file in sorted(tests.rglob("test_*.cpp"))
+        file for file in sorted((builder.checkouts / "rclcpp").glob("*/test/**/test_*.cpp"))
         if not any(word in file.read_text(encoding="utf-8") for word in _PRIVATE)
     ]  # fmt: skip
     project, build = builder.folder / "tests", builder.folder / "tests/build"
     project.mkdir(exist_ok=True)
     (project / "CMakeLists.txt").write_text(_TESTS, encoding="utf-8")
+    (project / "package.xml").write_text(_PACKAGE, encoding="utf-8")
     paths = {"TESTS": tests, "RESOURCES": tests.parent / "resources", "Python3_EXECUTABLE": sys.executable}
-    lists = {"SOURCES": public, "CMAKE_PREFIX_PATH": [messages, messages.with_name("test_interface_files")]}
+    lists = {"SOURCES": public, "CMAKE_PREFIX_PATH": [messages / Path(name).name for name in needed]}
     told = {**paths, **{name: ";".join(map(str, paths)) for name, paths in lists.items()}}
     options = (f"-D{name}={value}" for name, value in told.items())
     builder.run("cmake", "-S", project, "-B", build, *options, log="configure.log")
@@ -140,7 +165,8 @@ def rclcpp_tests(builder: Builder) -> Iterator[Row]:
 
 def cases(builder: Builder, program: Path, messages: Path) -> tuple[int, int]:
     """How many pass, and how many run."""
-    libraries = f"{messages}/lib:{builder.environment.get('LD_LIBRARY_PATH', '')}"
+    own = (program.parent, *messages.glob("*/lib"), builder.environment.get("LD_LIBRARY_PATH", ""))
+    libraries = ":".join(map(str, own))
     try:
         done = subprocess.run(
             ["nice", program], cwd=builder.folder, env={**builder.environment, "LD_LIBRARY_PATH": libraries},

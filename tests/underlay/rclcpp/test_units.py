@@ -15,7 +15,8 @@ def cases(program: str) -> list[str]:
 
 
 PROGRAMS = (
-    "units", "executors", "further", "local", "wait_sets", "adapters", "small", "lifecycle", "actions",
+    "units", "executors", "further", "local", "wait_sets", "adapters", "small", "sources", "lifecycle",
+    "actions",
 )  # fmt: skip
 
 

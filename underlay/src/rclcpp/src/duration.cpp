@@ -38,7 +38,7 @@ Duration & Duration::operator=(const builtin_interfaces::msg::Duration & duratio
 
 Duration Duration::operator+(const Duration & rhs) const
 {
-  return from_nanoseconds(detail::sum(nanoseconds_, rhs.nanoseconds_, "duration"));
+  return from_nanoseconds(detail::sum(nanoseconds_, rhs.nanoseconds_));
 }
 
 Duration & Duration::operator+=(const Duration & rhs)
@@ -130,7 +130,7 @@ std::int64_t nanoseconds_of(const builtin_interfaces::msg::Time & time)
 
 builtin_interfaces::msg::Time operator+(const builtin_interfaces::msg::Time & lhs, const Duration & rhs)
 {
-  return convert_rcl_time_to_sec_nanos(detail::sum(nanoseconds_of(lhs), rhs.nanoseconds(), "time"));
+  return convert_rcl_time_to_sec_nanos(detail::sum(nanoseconds_of(lhs), rhs.nanoseconds()));
 }
 
 builtin_interfaces::msg::Time operator-(const builtin_interfaces::msg::Time & lhs, const Duration & rhs)

@@ -1,79 +1,56 @@
 #include <dlfcn.h>
 
-#include <array>
-#include <cstdlib>
 #include <memory>
-#include <sstream>
+#include <new>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "rclcpp/detail/check.hpp"
-#include "rclcpp/detail/loaded_type.hpp"
+#include "rclcpp/generic_client.hpp"
 #include "rclcpp/generic_publisher.hpp"
 #include "rclcpp/generic_subscription.hpp"
+#include "rclcpp/serialization.hpp"
+#include "rclcpp/typesupport_helpers.hpp"
+#include "rosidl_typesupport_introspection_cpp/message_introspection.hpp"
+#include "rosidl_typesupport_introspection_cpp/service_introspection.hpp"
 
 namespace rclcpp
 {
 
+namespace introspection = rosidl_typesupport_introspection_cpp;
+
 namespace
 {
 
-/// The package, the kind and the name of a type: {std_msgs, msg, String}, also for std_msgs/String.
-std::array<std::string, 3> parts_of(const std::string & name)
+/// The same, with a library that stays loaded: the middleware remembers types.
+template<typename HandleT>
+const HandleT & pinned(rcpputils::SharedLibrary & library, const HandleT & handle)
 {
-  const auto first = name.find('/'), last = name.rfind('/');
-  if (first == std::string::npos || first == 0 || last + 1 == name.size()) {
-    throw std::runtime_error("Message type is not of the form package/type and cannot be processed");
-  }
-  const bool has_kind = first != last;
-  return {
-    name.substr(0, first), has_kind ? name.substr(first + 1, last - first - 1) : "msg",
-    name.substr(last + 1)};
+  dlopen(library.get_library_path().c_str(), RTLD_LAZY | RTLD_NODELETE);
+  return handle;
 }
 
-/// A symbol of a library, which stays loaded; nothing when either is not there.
-void * find_symbol(const std::string & library, const std::string & symbol)
+const rosidl_message_type_support_t & load_type(const std::string & name)
 {
-  const std::unique_ptr<void, int (*)(void *)> loaded(
-    dlopen(library.c_str(), RTLD_LAZY | RTLD_NODELETE), dlclose);
-  return loaded ? dlsym(loaded.get(), symbol.c_str()) : nullptr;
-}
-
-/// Where the library of a package may be; the name alone leaves it to the loader.
-std::vector<std::string> places_of(const std::string & library)
-{
-  std::vector<std::string> places;
-  const char * prefixes = std::getenv("AMENT_PREFIX_PATH");
-  std::istringstream rest(prefixes ? prefixes : "");
-  for (std::string prefix; std::getline(rest, prefix, ':'); ) {
-    places.push_back(prefix + "/lib/" + library);
-  }
-  places.push_back(library);
-  return places;
+  const std::string identifier = "rosidl_typesupport_cpp";
+  const auto library = get_typesupport_library(name, identifier);
+  return pinned(*library, *get_message_typesupport_handle(name, identifier, *library));
 }
 
 }  // namespace
 
-const rosidl_message_type_support_t & detail::load_type(const std::string & name)
+GenericPublisher::GenericPublisher(
+  const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
+  const std::string & topic_type, const QoS & qos, const PublisherOptionsBase & options)
+: GenericPublisher(node, topic, load_type(topic_type), qos, options)
 {
-  const auto [package, kind, type] = parts_of(name);
-  const std::string symbol =
-    "rosidl_typesupport_cpp__get_message_type_support_handle__" + package + "__" + kind + "__" + type;
-  for (const auto & place : places_of("lib" + package + "__rosidl_typesupport_cpp.so")) {
-    if (void * found = find_symbol(place, symbol)) {
-      return *reinterpret_cast<const rosidl_message_type_support_t * (*)()>(found)();
-    }
-  }
-  throw std::runtime_error(
-          "Something went wrong loading the typesupport library for message type " + name +
-          ". Is the package '" + package + "' installed and sourced, and does it have this type?");
 }
 
 GenericPublisher::GenericPublisher(
   const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
-  const std::string & topic_type, const QoS & qos, const PublisherOptionsBase & options)
-: PublisherBase(node, topic, detail::load_type(topic_type), qos, options)
+  const rosidl_message_type_support_t & type_support, const QoS & qos,
+  const PublisherOptionsBase & options)
+: PublisherBase(node, topic, type_support, qos, options), type_support_(type_support)
 {
 }
 
@@ -82,11 +59,28 @@ void GenericPublisher::publish(const SerializedMessage & message)
   publish_serialized(message.get_rcl_serialized_message());
 }
 
+void GenericPublisher::publish_as_loaned_msg(const SerializedMessage & message)
+{
+  void * loaned = nullptr;
+  auto & handle = *get_publisher_handle();
+  detail::check(
+    rcl_borrow_loaned_message(&handle, &type_support_, &loaned), "failed to borrow loaned msg");
+  try {
+    SerializationBase(&type_support_).deserialize_message(&message, loaned);
+  } catch (...) {
+    if (rcl_return_loaned_message_from_publisher(&handle, loaned) != RCL_RET_OK) {
+      rcl_reset_error();
+    }
+    throw;
+  }
+  detail::check(rcl_publish_loaned_message(&handle, loaned, nullptr), "failed to publish message");
+}
+
 GenericSubscription::GenericSubscription(
   const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
   const std::string & topic_type, const QoS & qos, detail::MessageHandler<SerializedMessage> handler,
   const SubscriptionOptionsBase & options)
-: SubscriptionBase(node, topic, detail::load_type(topic_type), qos, options, Form::bytes),
+: SubscriptionBase(node, topic, load_type(topic_type), qos, options, Form::bytes),
   handler_(std::move(handler))
 {
 }
@@ -105,6 +99,60 @@ void GenericSubscription::handle_serialized_message(
   const std::shared_ptr<SerializedMessage> & message, const MessageInfo & message_info)
 {
   handler_(std::shared_ptr<SerializedMessage>(message), message_info);
+}
+
+/// What is known about responses, so that they can be made.
+struct GenericClient::Type
+{
+  explicit Type(const std::string & name)
+  : library(get_typesupport_library(name, service_typesupport)),
+    introspection(get_typesupport_library(name, introspection_typesupport)),
+    service(*get_service_typesupport_handle(name, service_typesupport, *library))
+  {
+    const auto * handle =
+      get_service_typesupport_handle(name, introspection_typesupport, *introspection);
+    response = static_cast<const introspection::ServiceMembers *>(handle->data)->response_members_;
+  }
+
+  static constexpr auto service_typesupport = "rosidl_typesupport_cpp";
+  static constexpr auto introspection_typesupport = "rosidl_typesupport_introspection_cpp";
+  std::shared_ptr<rcpputils::SharedLibrary> library, introspection;
+  const rosidl_service_type_support_t & service;
+  const introspection::MessageMembers * response;
+};
+
+GenericClient::GenericClient(
+  const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & service_name,
+  const std::string & service_type, const QoS & qos)
+: GenericClient(node, service_name, std::make_shared<const Type>(service_type), qos)
+{
+}
+
+GenericClient::GenericClient(
+  const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & service_name,
+  std::shared_ptr<const Type> type, const QoS & qos)
+: ClientBase(node, service_name, pinned(*type->library, type->service), qos), type_(std::move(type))
+{
+}
+
+std::shared_ptr<void> GenericClient::create_response()
+{
+  const auto * members = type_->response;
+  void * const response = ::operator new(members->size_of_);
+  members->init_function(response, rosidl_runtime_cpp::MessageInitialization::ZERO);
+  return {response, [type = type_](void * gone) {
+      type->response->fini_function(gone);
+      ::operator delete(gone);
+    }};
+}
+
+GenericClient::FutureAndRequestId GenericClient::async_send_request(const Request request)
+{
+  const auto promise = std::make_shared<Promise>();
+  auto future = promise->get_future();
+  const auto id = send_untyped(
+    request, [promise](std::shared_ptr<void> response) {promise->set_value(std::move(response));});
+  return FutureAndRequestId(std::move(future), id);
 }
 
 }  // namespace rclcpp

@@ -1,6 +1,7 @@
 #include "rclcpp/guard_condition.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "rclcpp/detail/check.hpp"
 
@@ -30,6 +31,34 @@ GuardCondition::~GuardCondition()
 void GuardCondition::trigger()
 {
   detail::check(rcl_trigger_guard_condition(&guard_condition_), "failed to trigger guard condition");
+  const std::lock_guard lock(mutex_);
+  if (on_trigger_) {
+    on_trigger_(1);
+  } else {
+    ++unread_;
+  }
+}
+
+void GuardCondition::add_to_wait_set(rcl_wait_set_t & wait_set)
+{
+  const std::lock_guard lock(mutex_);
+  if (exchange_in_use_by_wait_set_state(true) && &wait_set != wait_set_) {
+    throw std::runtime_error("guard condition has already been added to a wait set.");
+  }
+  wait_set_ = &wait_set;
+  detail::check(
+    rcl_wait_set_add_guard_condition(&wait_set, &guard_condition_, nullptr),
+    "failed to add guard condition to wait set");
+}
+
+void GuardCondition::set_on_trigger_callback(std::function<void(std::size_t)> callback)
+{
+  const std::lock_guard lock(mutex_);
+  on_trigger_ = std::move(callback);
+  if (on_trigger_ && unread_ > 0) {
+    on_trigger_(unread_);
+    unread_ = 0;
+  }
 }
 
 }  // namespace rclcpp

@@ -132,14 +132,14 @@ bool detail::is_due(std::atomic<std::int64_t> & last, std::int64_t now, double m
   return due && last.compare_exchange_strong(before, now);
 }
 
-std::filesystem::path get_logging_directory()
+rcpputils::fs::path get_logging_directory()
 {
   char * found = nullptr;
   detail::check(
     rcl_logging_get_logging_directory(rcl_get_default_allocator(), &found),
     "failed to get the logging directory");
   const std::unique_ptr<char, detail::Deallocate> directory(found);
-  return directory.get();
+  return rcpputils::fs::path(directory.get());
 }
 
 }  // namespace rclcpp

@@ -111,7 +111,8 @@ const char * NodeBaseInterface::get_fully_qualified_name() const
 CallbackGroup::SharedPtr NodeBaseInterface::create_callback_group(
   CallbackGroupType group_type, bool automatically_add_to_executor_with_node)
 {
-  auto group = std::make_shared<CallbackGroup>(group_type, automatically_add_to_executor_with_node);
+  auto group = std::make_shared<CallbackGroup>(
+    group_type, context_, automatically_add_to_executor_with_node);
   const std::lock_guard lock(mutex_);
   groups_.push_back(group);
   return group;
@@ -153,6 +154,12 @@ void NodeBaseInterface::add(
   if (waker) {
     waker->trigger();
   }
+}
+
+void NodeBaseInterface::remove(
+  const std::shared_ptr<detail::Entity> & entity, const CallbackGroup::SharedPtr & group)
+{
+  (group ? group : default_group_)->remove(entity);
 }
 
 void NodeBaseInterface::set_waker(const std::shared_ptr<GuardCondition> & waker)

@@ -270,6 +270,13 @@ std::vector<SyncParametersClient::Result> SyncParametersClient::delete_parameter
   return wait(future, timeout) ? future.get() : std::vector<Result>();
 }
 
+std::vector<SyncParametersClient::Result> SyncParametersClient::load_parameters(
+  const std::string & yaml_filename, std::chrono::nanoseconds timeout)
+{
+  const auto future = async_->load_parameters(yaml_filename);
+  return wait(future, timeout) ? future.get() : std::vector<Result>();
+}
+
 SyncParametersClient::Result SyncParametersClient::set_parameters_atomically(
   const std::vector<Parameter> & parameters, std::chrono::nanoseconds timeout)
 {

@@ -41,7 +41,34 @@ std::shared_ptr<rcl_publisher_t> make_publisher(
     }};
 }
 
+QoS qos_of(const rcl_publisher_options_t & options)
+{
+  return QoS(QoSInitialization::from_rmw(options.qos), options.qos);
+}
+
+PublisherOptionsBase options_of(
+  const rcl_publisher_options_t & rcl_options, const PublisherEventCallbacks & event_callbacks,
+  bool use_default_callbacks)
+{
+  PublisherOptionsBase options;
+  options.event_callbacks = event_callbacks;
+  options.use_default_callbacks = use_default_callbacks;
+  options.require_unique_network_flow_endpoints =
+    rcl_options.rmw_publisher_options.require_unique_network_flow_endpoints;
+  return options;
+}
+
 }  // namespace
+
+PublisherBase::PublisherBase(
+  node_interfaces::NodeBaseInterface * node_base, const std::string & topic,
+  const rosidl_message_type_support_t & type_support, const rcl_publisher_options_t & publisher_options,
+  const PublisherEventCallbacks & event_callbacks, bool use_default_callbacks)
+: PublisherBase(
+    node_base->shared_from_this(), topic, type_support, qos_of(publisher_options),
+    options_of(publisher_options, event_callbacks, use_default_callbacks))
+{
+}
 
 PublisherBase::PublisherBase(
   const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
@@ -62,7 +89,7 @@ PublisherBase::PublisherBase(
       detail::LocalOutbox{gid_, get_actual_qos(), clone, {}});
     local_->add(outbox_);
   }
-  for (const auto & event : events_) {
+  for (const auto & [type, event] : events_) {
     node->add(event, options.callback_group);
   }
 }

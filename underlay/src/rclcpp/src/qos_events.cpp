@@ -62,13 +62,13 @@ rcl_ret_t begin(
   return rcl_subscription_event_init(&event, &subscription, type);
 }
 
-template<typename Parent>
+template<typename Parent, typename Type>
 class Events
 {
 public:
   explicit Events(std::shared_ptr<Parent> parent) : parent_(std::move(parent)) {}
 
-  template<typename Info, typename Type>
+  template<typename Info>
   void add(const std::function<void(Info &)> & callback, Type type, bool is_asked_for = true)
   {
     if (!callback) {
@@ -77,7 +77,7 @@ public:
     auto event = std::make_shared<Event<Info, Parent>>(parent_, callback);
     const rcl_ret_t ret = begin(event->get(), *parent_, type);
     if (ret == RCL_RET_OK) {
-      found_.push_back(std::move(event));
+      found_[type] = std::move(event);
     } else if (!is_asked_for) {
       rcl_reset_error();
     } else if (ret == RCL_RET_UNSUPPORTED) {
@@ -90,11 +90,11 @@ public:
     }
   }
 
-  std::vector<std::shared_ptr<Entity>> take() {return std::move(found_);}
+  std::unordered_map<Type, std::shared_ptr<Entity>> take() {return std::move(found_);}
 
 private:
   std::shared_ptr<Parent> parent_;
-  std::vector<std::shared_ptr<Entity>> found_;
+  std::unordered_map<Type, std::shared_ptr<Entity>> found_;
 };
 
 QOSOfferedIncompatibleQoSCallbackType warn_of_subscriptions(Logger logger, std::string topic)
@@ -121,12 +121,12 @@ QOSRequestedIncompatibleQoSCallbackType warn_of_publishers(Logger logger, std::s
 
 }  // namespace
 
-std::vector<std::shared_ptr<Entity>> publisher_events(
+std::unordered_map<rcl_publisher_event_type_t, std::shared_ptr<Entity>> publisher_events(
   const std::shared_ptr<rcl_publisher_t> & publisher, const rcl_node_t & node,
   const PublisherOptionsBase & options)
 {
   const auto & callbacks = options.event_callbacks;
-  Events events(publisher);
+  Events<rcl_publisher_t, rcl_publisher_event_type_t> events(publisher);
   events.add(callbacks.deadline_callback, RCL_PUBLISHER_OFFERED_DEADLINE_MISSED);
   events.add(callbacks.liveliness_callback, RCL_PUBLISHER_LIVELINESS_LOST);
   events.add(callbacks.incompatible_type_callback, RCL_PUBLISHER_INCOMPATIBLE_TYPE);
@@ -141,12 +141,12 @@ std::vector<std::shared_ptr<Entity>> publisher_events(
   return events.take();
 }
 
-std::vector<std::shared_ptr<Entity>> subscription_events(
+std::unordered_map<rcl_subscription_event_type_t, std::shared_ptr<Entity>> subscription_events(
   const std::shared_ptr<rcl_subscription_t> & subscription, const rcl_node_t & node,
   const SubscriptionOptionsBase & options)
 {
   const auto & callbacks = options.event_callbacks;
-  Events events(subscription);
+  Events<rcl_subscription_t, rcl_subscription_event_type_t> events(subscription);
   events.add(callbacks.deadline_callback, RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED);
   events.add(callbacks.liveliness_callback, RCL_SUBSCRIPTION_LIVELINESS_CHANGED);
   events.add(callbacks.message_lost_callback, RCL_SUBSCRIPTION_MESSAGE_LOST);

@@ -16,10 +16,7 @@ namespace
 
 ParameterValue text(const char * name, QosPolicyKind kind)
 {
-  if (!name) {
-    refuse(kind);
-  }
-  return ParameterValue(name);
+  return ParameterValue(check_if_stringified_policy_is_null(name, kind));
 }
 
 template<typename Policy>
@@ -32,6 +29,15 @@ Policy known(Policy policy, Policy unknown, QosPolicyKind kind)
 }
 
 }  // namespace
+
+const char * check_if_stringified_policy_is_null(const char * policy_value_stringified, QosPolicyKind kind)
+{
+  if (!policy_value_stringified) {
+    throw std::invalid_argument(
+            std::string("unknown value for policy kind {") + qos_policy_kind_to_cstr(kind) + "}");
+  }
+  return policy_value_stringified;
+}
 
 ParameterValue get_default_qos_param_value(QosPolicyKind kind, const QoS & qos)
 {

@@ -1,5 +1,6 @@
 #include "rclcpp/service.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "names.hpp"
@@ -41,6 +42,17 @@ ServiceBase::ServiceBase(
 : type_support_(type_support), node_handle_(node->get_shared_rcl_node_handle()),
   handle_(make_service(node_handle_, service_name, type_support, qos))
 {
+}
+
+ServiceBase::ServiceBase(
+  std::shared_ptr<rcl_node_t> node_handle, std::shared_ptr<rcl_service_t> service_handle,
+  const rosidl_service_type_support_t & type_support)
+: type_support_(type_support), node_handle_(std::move(node_handle)), handle_(std::move(service_handle))
+{
+  if (!rcl_service_is_valid(handle_.get())) {
+    rcl_reset_error();
+    throw std::runtime_error("rcl_service_t in constructor argument must be initialized beforehand.");
+  }
 }
 
 ServiceBase::~ServiceBase()

@@ -109,7 +109,7 @@ SubscriptionBase::SubscriptionBase(
     detail::check_local_qos(get_actual_qos(), get_topic_name());
     local_ = detail::LocalTopic::get(context_->get_rcl_context(), get_topic_name(), type_support);
   }
-  for (const auto & event : events_) {
+  for (const auto & [type, event] : events_) {
     node->add(event, options.callback_group);
   }
 }

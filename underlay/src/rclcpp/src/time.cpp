@@ -96,7 +96,7 @@ bool Time::operator>(const Time & rhs) const
 
 Time Time::operator+(const Duration & rhs) const
 {
-  return Time(detail::sum(time_.nanoseconds, rhs.nanoseconds(), "time"), time_.clock_type);
+  return Time(detail::sum(time_.nanoseconds, rhs.nanoseconds()), time_.clock_type);
 }
 
 Duration Time::operator-(const Time & rhs) const

@@ -41,16 +41,16 @@ inline bool is_too_low(std::int64_t result, std::int64_t left, std::int64_t righ
   return result == std::numeric_limits<std::int64_t>::min() && left < 0 && right != 0;
 }
 
-inline std::int64_t sum(std::int64_t left, std::int64_t right, const std::string & of)
+inline std::int64_t sum(std::int64_t left, std::int64_t right)
 {
   std::int64_t result = 0;
   if (!__builtin_add_overflow(left, right, &result) && !is_too_low(result, left, right)) {
     return result;
   }
   if (right > 0) {
-    throw std::overflow_error("addition leads to int64_t overflow of a " + of);
+    throw std::overflow_error("addition leads to int64_t overflow");
   }
-  throw std::underflow_error("addition leads to int64_t underflow of a " + of);
+  throw std::underflow_error("addition leads to int64_t underflow");
 }
 
 inline std::int64_t difference(std::int64_t left, std::int64_t right, const std::string & of)
@@ -60,9 +60,9 @@ inline std::int64_t difference(std::int64_t left, std::int64_t right, const std:
     return result;
   }
   if (right < 0) {
-    throw std::overflow_error("subtraction leads to int64_t overflow of a " + of);
+    throw std::overflow_error(of + " subtraction leads to int64_t overflow");
   }
-  throw std::underflow_error("subtraction leads to int64_t underflow of a " + of);
+  throw std::underflow_error(of + " subtraction leads to int64_t underflow");
 }
 
 }  // namespace rclcpp::detail

@@ -14,7 +14,6 @@
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node.hpp"
 #include "rclcpp/node_interfaces/node_time_source_interface.hpp"
-#include "rosgraph_msgs/msg/clock.hpp"
 
 namespace rclcpp
 {
@@ -51,6 +50,11 @@ void set_clock(Clock & clock, bool active, const builtin_interfaces::msg::Time &
   detail::check(rcl_set_ros_time_override(handle, time), "Failed to set ROS time");
 }
 
+}  // namespace
+
+namespace detail
+{
+
 /// What calls back for /clock alone.
 class ClockThread
 {
@@ -84,7 +88,7 @@ private:
   std::thread thread_;
 };
 
-}  // namespace
+}  // namespace detail
 
 /// Callbacks refer to it weakly.
 struct TimeSource::Impl : std::enable_shared_from_this<Impl>
@@ -116,7 +120,7 @@ struct TimeSource::Impl : std::enable_shared_from_this<Impl>
   node_interfaces::PostSetParametersCallbackHandle::SharedPtr post_set;
   CallbackGroup::SharedPtr group;
   Subscription<ClockMessage>::SharedPtr subscription;
-  std::unique_ptr<ClockThread> thread;
+  std::unique_ptr<detail::ClockThread> thread;
 };
 
 void TimeSource::Impl::attach(
@@ -259,7 +263,7 @@ void TimeSource::Impl::listen()
     node, "/clock", profile, detail::message_handler<ClockMessage>(callback), SubscriptionOptions());
   node->add(subscription, group);
   if (group && !thread) {
-    thread = std::make_unique<ClockThread>(node, group);
+    thread = std::make_unique<detail::ClockThread>(node, group);
   }
 }
 

@@ -1,8 +1,7 @@
 #include "wait_set.hpp"
 
-#include <array>
-
 #include "rclcpp/detail/check.hpp"
+#include "rclcpp/waitable.hpp"
 
 namespace rclcpp::detail
 {
@@ -14,6 +13,11 @@ template<typename T>
 const T * as(const Entity & entity)
 {
   return static_cast<const T *>(entity.rcl_entity());
+}
+
+Waitable & waitable_of(const Entity & entity)
+{
+  return static_cast<const WaitableEntity &>(entity).waitable();
 }
 
 }  // namespace
@@ -31,9 +35,56 @@ rcl_ret_t add_to_wait_set(rcl_wait_set_t & set, const Entity & entity, std::size
       return rcl_wait_set_add_client(&set, as<rcl_client_t>(entity), &index);
     case EntityKind::event:
       return rcl_wait_set_add_event(&set, as<rcl_event_t>(entity), &index);
+    case EntityKind::waitable:
+      waitable_of(entity).add_to_wait_set(set);
+      return RCL_RET_OK;
     default:
       return rcl_wait_set_add_guard_condition(&set, as<rcl_guard_condition_t>(entity), &index);
   }
+}
+
+void WaitSetRoom::add(const Entity & entity)
+{
+  switch (entity.kind()) {
+    case EntityKind::timer:
+      ++timers;
+      break;
+    case EntityKind::subscription:
+      ++subscriptions;
+      break;
+    case EntityKind::service:
+      ++services;
+      break;
+    case EntityKind::client:
+      ++clients;
+      break;
+    case EntityKind::event:
+      ++events;
+      break;
+    case EntityKind::guard_condition:
+      ++guard_conditions;
+      break;
+    case EntityKind::waitable:
+      auto & waitable = waitable_of(entity);
+      subscriptions += waitable.get_number_of_ready_subscriptions();
+      guard_conditions += waitable.get_number_of_ready_guard_conditions();
+      timers += waitable.get_number_of_ready_timers();
+      clients += waitable.get_number_of_ready_clients();
+      services += waitable.get_number_of_ready_services();
+      events += waitable.get_number_of_ready_events();
+  }
+}
+
+bool WaitSetRoom::fits(const rcl_wait_set_t & set) const
+{
+  return set.size_of_subscriptions == subscriptions && set.size_of_guard_conditions == guard_conditions &&
+         set.size_of_timers == timers && set.size_of_clients == clients &&
+         set.size_of_services == services && set.size_of_events == events;
+}
+
+rcl_ret_t WaitSetRoom::resize(rcl_wait_set_t & set) const
+{
+  return rcl_wait_set_resize(&set, subscriptions, guard_conditions, timers, clients, services, events);
 }
 
 WaitSet::WaitSet(const Context::SharedPtr & context)
@@ -69,7 +120,7 @@ bool WaitSet::wait(
 bool WaitSet::is_ready(std::size_t index) const
 {
   const auto & place = places_[index];
-  switch (place.kind) {
+  switch (place.entity->kind()) {
     case EntityKind::timer:
       return set_.timers[place.index] != nullptr;
     case EntityKind::subscription:
@@ -80,6 +131,8 @@ bool WaitSet::is_ready(std::size_t index) const
       return set_.clients[place.index] != nullptr;
     case EntityKind::event:
       return set_.events[place.index] != nullptr;
+    case EntityKind::waitable:
+      return waitable_of(*place.entity).is_ready(set_);
     default:
       return set_.guard_conditions[place.index] != nullptr;
   }
@@ -94,7 +147,7 @@ void WaitSet::fill(
     "failed to add a guard condition to the wait set");
   places_.resize(entities.size());
   for (std::size_t i = 0; i < entities.size(); ++i) {
-    places_[i].kind = entities[i]->kind();
+    places_[i].entity = entities[i].get();
     entities[i]->before_wait();
     check(add_to_wait_set(set_, *entities[i], places_[i].index), "failed to add to the wait set");
   }
@@ -102,27 +155,15 @@ void WaitSet::fill(
 
 void WaitSet::make_room(const std::vector<std::shared_ptr<Entity>> & entities)
 {
-  std::array<std::size_t, 6> counts{};
+  WaitSetRoom room;
+  room.guard_conditions = 1;  // the interrupt
   for (const auto & entity : entities) {
-    ++counts[static_cast<std::size_t>(entity->kind())];
+    room.add(*entity);
   }
-  const auto of = [&](EntityKind kind) {return counts[static_cast<std::size_t>(kind)];};
-  const bool fits =
-    set_.size_of_timers == of(EntityKind::timer) &&
-    set_.size_of_subscriptions == of(EntityKind::subscription) &&
-    set_.size_of_services == of(EntityKind::service) &&
-    set_.size_of_clients == of(EntityKind::client) &&
-    set_.size_of_events == of(EntityKind::event) &&
-    set_.size_of_guard_conditions == of(EntityKind::guard_condition) + 1;
-  if (fits) {
+  if (room.fits(set_)) {
     check(rcl_wait_set_clear(&set_), "failed to clear the wait set");
   } else {
-    check(
-      rcl_wait_set_resize(
-        &set_, of(EntityKind::subscription), of(EntityKind::guard_condition) + 1,
-        of(EntityKind::timer), of(EntityKind::client), of(EntityKind::service),
-        of(EntityKind::event)),
-      "failed to resize the wait set");
+    check(room.resize(set_), "failed to resize the wait set");
   }
 }
 

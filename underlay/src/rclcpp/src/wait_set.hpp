@@ -13,8 +13,18 @@
 namespace rclcpp::detail
 {
 
-/// `index` becomes its place among those of its kind.
+/// Adds what a waitable consists of. Otherwise `index` becomes the entity's place among those of its kind.
 rcl_ret_t add_to_wait_set(rcl_wait_set_t & set, const Entity & entity, std::size_t & index);
+
+/// How many of each kind a wait set has room for.
+struct WaitSetRoom
+{
+  std::size_t subscriptions = 0, guard_conditions = 0, timers = 0, clients = 0, services = 0, events = 0;
+
+  void add(const Entity & entity);
+  bool fits(const rcl_wait_set_t & set) const;
+  rcl_ret_t resize(rcl_wait_set_t & set) const;
+};
 
 /// rcl's wait set. All of it is for one thread at a time.
 class WaitSet
@@ -31,7 +41,7 @@ public:
     const std::vector<std::shared_ptr<Entity>> & entities, const GuardCondition & interrupt,
     std::chrono::nanoseconds timeout);
 
-  /// Whether the entity with this index was ready at the last wait.
+  /// Whether the entity with this index was ready at the last wait; it must still be there.
   bool is_ready(std::size_t index) const;
 
 private:
@@ -40,7 +50,7 @@ private:
 
   struct Place
   {
-    EntityKind kind;
+    const Entity * entity;
     std::size_t index;
   };
 

@@ -32,13 +32,16 @@ void check_there(const std::shared_ptr<T> & entity, const char * name)
   }
 }
 
-/// Makes it a member of no other wait set.
+/// Makes it a member of no other wait set. The words are those of the real one, which differ.
 template<typename T>
-void take(const std::shared_ptr<T> & entity, const char * name)
+void take(const std::shared_ptr<T> & entity, const std::string & name)
 {
-  check_there(entity, name);
+  check_there(entity, name.c_str());
   if (entity->exchange_in_use_by_wait_set_state(true)) {
-    throw std::runtime_error(std::string(name) + " already in use by another wait set");
+    const bool is_of_subscription = name.rfind("subscription", 0) == 0;
+    throw std::runtime_error(
+            (name == "guard_condition" ? "guard condition" : name) +
+            (is_of_subscription ? " already associated with a wait set" : " already in use by another wait set"));
   }
 }
 
@@ -135,7 +138,7 @@ void WaitSetBase::add_subscription_(
   if (mask.include_subscription) {
     add_entity_(subscription, "subscription");
   }
-  for (const auto & event : subscription->events()) {
+  for (const auto & [type, event] : subscription->get_event_handlers()) {
     if (mask.include_events) {
       add_entity_(event, "subscription event", subscription);
     }
@@ -153,7 +156,7 @@ void WaitSetBase::remove_subscription_(
   if (mask.include_subscription) {
     remove_entity_(subscription, "subscription");
   }
-  for (const auto & event : subscription->events()) {
+  for (const auto & [type, event] : subscription->get_event_handlers()) {
     if (mask.include_events) {
       remove_entity_(event, "subscription event");
     }
@@ -213,20 +216,18 @@ void WaitSetBase::hold()
   held_ = std::move(held);
 }
 
-std::size_t WaitSetBase::count(EntityKind kind) const
-{
-  return static_cast<std::size_t>(std::count_if(
-           held_.others.begin(), held_.others.end(), [&](const auto & one) {return one->kind() == kind;}));
-}
-
 void WaitSetBase::fill()
 {
-  detail::check(
-    rcl_wait_set_resize(
-      &set_, held_.subscriptions.size(),
-      held_.guard_conditions.size() + count(EntityKind::guard_condition) + is_shared_,
-      held_.timers.size(), held_.clients.size(), held_.services.size(), count(EntityKind::event)),
-    "failed to resize the wait set");
+  detail::WaitSetRoom room;
+  room.subscriptions = held_.subscriptions.size();
+  room.guard_conditions = held_.guard_conditions.size() + is_shared_;
+  room.timers = held_.timers.size();
+  room.clients = held_.clients.size();
+  room.services = held_.services.size();
+  for (const auto & other : held_.others) {
+    room.add(*other);
+  }
+  detail::check(room.resize(set_), "failed to resize the wait set");
   for (const auto & one : held_.guard_conditions) {
     detail::check(
       rcl_wait_set_add_guard_condition(&set_, &one->get_rcl_guard_condition(), nullptr),
@@ -274,7 +275,7 @@ WaitResultKind WaitSetBase::wait_(std::chrono::nanoseconds time_to_wait)
     const bool is_empty = held_.guard_conditions.empty() && held_.subscriptions.empty() &&
       held_.timers.empty() && held_.clients.empty() && held_.services.empty() && held_.others.empty();
     ++state_;
-    if (is_empty) {
+    if (is_empty && !is_shared_) {
       return WaitResultKind::Empty;
     }
     fill();
@@ -284,6 +285,10 @@ WaitResultKind WaitSetBase::wait_(std::chrono::nanoseconds time_to_wait)
     if (ret == RCL_RET_TIMEOUT) {
       rcl_reset_error();
       return WaitResultKind::Timeout;
+    }
+    if (ret == RCL_RET_WAIT_SET_EMPTY) {  // there are waitables that wait for nothing
+      rcl_reset_error();
+      return WaitResultKind::Empty;
     }
     detail::check(ret, "rcl_wait() failed");
     if (!is_only_interrupted()) {

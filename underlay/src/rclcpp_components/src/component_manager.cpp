@@ -133,9 +133,7 @@ std::shared_ptr<NodeFactory> ComponentManager::create_component_factory(const Co
       throw ComponentManagerException("Failed to load library: " + std::string(dlerror()));
     }
   }
-  const auto & factories = detail::factories();
-  const auto found = factories.find(name);
-  return found == factories.end() ? nullptr : found->second;
+  return detail::factory_of(name);
 }
 
 void ComponentManager::set_executor(const std::weak_ptr<rclcpp::Executor> executor)

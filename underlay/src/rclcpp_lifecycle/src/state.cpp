@@ -34,8 +34,27 @@ State::State(std::uint8_t id, const std::string & label)
 }
 
 State::State(const rcl_lifecycle_state_t * rcl_lifecycle_state_handle)
-: State(present(rcl_lifecycle_state_handle).id, rcl_lifecycle_state_handle->label)
+: State(present(rcl_lifecycle_state_handle).id, present(rcl_lifecycle_state_handle).label)
 {
+}
+
+std::uint8_t State::id() const
+{
+  label();
+  return id_;
+}
+
+std::string State::label() const
+{
+  if (label_.empty()) {
+    throw std::runtime_error("Error in state! Internal state_handle is NULL.");
+  }
+  return label_;
+}
+
+void State::reset() noexcept
+{
+  label_.clear();
 }
 
 }  // namespace rclcpp_lifecycle

@@ -4,6 +4,7 @@
 
 #include "case.hpp"
 #include "lifecycle_msgs/msg/transition_event.hpp"
+#include "lifecycle_msgs/srv/get_state.hpp"
 #include "std_msgs/msg/string.hpp"
 
 using namespace std::chrono_literals;
@@ -190,6 +191,33 @@ public:
   EXPECT(!node->entity->is_activated() && !publisher->is_activated());
 }
 
+struct Released : State
+{
+  Released() : State(1, "one") {reset();}
+};
+
+/// Its timers go on in all states.
+struct Timed : LifecycleNode
+{
+  Timed() : LifecycleNode("timed")
+  {
+    add_timer_handle(create_wall_timer(10ms, []() {}));
+  }
+};
+
+void what_others_derive()
+{
+  const rcl_lifecycle_state_t * const nothing = nullptr;
+  EXPECT(THROWN(std::runtime_error, State(nothing)) == "rcl_lifecycle_state_handle is null");
+  const Released state;
+  EXPECT(THROWN(std::runtime_error, state.id()) == THROWN(std::runtime_error, state.label()));
+  const auto node = std::make_shared<Timed>();
+  const auto client = rclcpp::create_client<lifecycle_msgs::srv::GetState>(
+    node->get_node_base_interface(), node->get_node_graph_interface(), node->get_node_services_interface(),
+    "/timed/get_state", rmw_qos_profile_services_default, nullptr);
+  EXPECT(client->wait_for_service(60s));
+}
+
 }  // namespace
 
 int main(int argc, char * argv[])
@@ -209,6 +237,7 @@ int main(int argc, char * argv[])
     {"callbacks_instead_of_methods", callbacks_instead_of_methods},
     {"the_table", the_table},
     {"publishers_and_other_entities", publishers_and_other_entities},
+    {"what_others_derive", what_others_derive},
   };
   const int code = run_case(cases, argv[1]);
   rclcpp::shutdown();

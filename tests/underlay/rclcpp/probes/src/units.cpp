@@ -248,7 +248,7 @@ void qos_overrides()
   EXPECT(node.get_parameter("qos_overrides./topic.publisher.history").as_string() == "keep_last");
   EXPECT(node.create_publisher<String>("other", 10)->get_actual_qos().depth() == 10);
   open.qos_overriding_options = rclcpp::QosOverridingOptions::with_default_policies(
-    [](const rclcpp::QoS &) {return rclcpp::QosCallbackResult{false, "no"};});
+    [](const rclcpp::QoS &) {return rclcpp::QosCallbackResult().set__reason("no");});
   EXPECT(
     !THROWN(
       exceptions::InvalidQosOverridesException,

@@ -107,7 +107,7 @@ void members_come_and_go()
   rclcpp::WaitSet other;
   EXPECT(
     THROWN(std::runtime_error, other.add_guard_condition(guard)) ==
-    "guard_condition already in use by another wait set");
+    "guard condition already in use by another wait set");
   EXPECT(!THROWN(std::runtime_error, set.add_guard_condition(guard)).empty());
   EXPECT(!THROWN(std::runtime_error, other.add_subscription(subscription)).empty());
   EXPECT(!THROWN(std::runtime_error, other.add_timer(timer)).empty());
@@ -187,7 +187,7 @@ void changes_during_a_wait()
       set.remove_guard_condition(first);
       set.remove_guard_condition(second);
     });
-  EXPECT(set.wait(60s).kind() == WaitResultKind::Empty);
+  EXPECT(set.wait(1s).kind() == WaitResultKind::Timeout);  // others may add something again
   emptying.join();
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -156,3 +157,87 @@ auto subscription_handler(CallbackT && callback)
 }
 
 }  // namespace rclcpp::detail
+
+namespace rclcpp
+{
+
+/// A callback of a subscription, in any of its forms.
+template<typename MessageT, typename AllocatorT = std::allocator<void>>
+class AnySubscriptionCallback
+{
+public:
+  using SubscribedType = typename TypeAdapter<MessageT>::custom_type;
+  using ROSMessageType = typename TypeAdapter<MessageT>::ros_message_type;
+
+  /// Messages are allocated as everywhere, whatever the allocator.
+  explicit AnySubscriptionCallback(const AllocatorT & = AllocatorT()) {}
+
+  template<typename CallbackT>
+  AnySubscriptionCallback & set(CallbackT && callback)
+  {
+    auto handler = detail::subscription_handler<MessageT>(std::forward<CallbackT>(callback));
+    if constexpr (std::is_same_v<decltype(handler), decltype(handler_)>) {
+      handler_ = std::move(handler);
+    } else {
+      serialized_handler_ = std::move(handler);
+    }
+    return *this;
+  }
+
+  bool is_serialized_message_callback() const {return static_cast<bool>(serialized_handler_);}
+  /// Whether the callback only reads the message.
+  bool use_take_shared_method() const {return !handler_.owns_messages;}
+
+  // These throw std::runtime_error without a callback for what they are given.
+  void dispatch(std::shared_ptr<ROSMessageType> message, const MessageInfo & message_info)
+  {
+    call(handler_, std::move(message), message_info);
+  }
+  void dispatch(std::shared_ptr<SerializedMessage> serialized_message, const MessageInfo & message_info)
+  {
+    call(serialized_handler_, std::move(serialized_message), message_info);
+  }
+  /// Copies the message for a callback that may change it.
+  void dispatch_intra_process(
+    const std::shared_ptr<const SubscribedType> & message, const MessageInfo & message_info)
+  {
+    if constexpr (TypeAdapter<MessageT>::is_specialized::value) {
+      dispatch(converted(*message), message_info);
+    } else if (handler_.owns_messages) {
+      dispatch_intra_process(std::make_unique<SubscribedType>(*message), message_info);
+    } else {
+      dispatch(std::const_pointer_cast<SubscribedType>(message), message_info);
+    }
+  }
+  void dispatch_intra_process(std::unique_ptr<SubscribedType> message, const MessageInfo & message_info)
+  {
+    if constexpr (TypeAdapter<MessageT>::is_specialized::value) {
+      dispatch(converted(*message), message_info);
+    } else {
+      dispatch(detail::shared_from_unique(std::move(message)), message_info);
+    }
+  }
+
+private:
+  template<typename T>
+  static void call(
+    detail::MessageHandler<T> & handler, std::shared_ptr<T> message, const MessageInfo & message_info)
+  {
+    if (!handler) {
+      throw std::runtime_error("dispatch called on an unset AnySubscriptionCallback");
+    }
+    handler(std::move(message), message_info);
+  }
+
+  static std::shared_ptr<ROSMessageType> converted(const SubscribedType & message)
+  {
+    auto made = std::make_unique<ROSMessageType>();
+    TypeAdapter<MessageT>::convert_to_ros_message(message, *made);
+    return detail::shared_from_unique(std::move(made));
+  }
+
+  detail::MessageHandler<ROSMessageType> handler_;
+  detail::SerializedHandler serialized_handler_;
+};
+
+}  // namespace rclcpp

@@ -27,6 +27,9 @@ public:
 
   explicit CallbackGroup(
     CallbackGroupType group_type, bool automatically_add_to_executor_with_node = true);
+  CallbackGroup(
+    CallbackGroupType group_type, std::weak_ptr<Context> context,
+    bool automatically_add_to_executor_with_node = true);
 
   CallbackGroupType type() const {return type_;}
   bool automatically_add_to_executor_with_node() const {return automatic_;}
@@ -44,17 +47,24 @@ public:
   /// Adds it, and wakes the executor to which this group was added by itself.
   void add(const std::shared_ptr<detail::Entity> & entity);
 
+  void remove(const std::shared_ptr<detail::Entity> & entity);
+
+  /// Triggered when something is added. Null without a context, and after its end.
+  std::shared_ptr<GuardCondition> get_notify_guard_condition();
+
   /// Whom to wake when something is added.
   void set_waker(const std::shared_ptr<GuardCondition> & waker);
 
 private:
   const CallbackGroupType type_;
   const bool automatic_;
+  const std::weak_ptr<Context> context_;
   std::atomic_bool associated_{false};
   std::atomic_bool can_be_taken_from_{true};
   mutable std::mutex mutex_;
   std::vector<std::weak_ptr<detail::Entity>> entities_;
   std::weak_ptr<GuardCondition> waker_;
+  std::shared_ptr<GuardCondition> notify_;
 };
 
 }  // namespace rclcpp

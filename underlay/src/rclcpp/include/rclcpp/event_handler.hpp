@@ -6,6 +6,7 @@
 
 #include "rclcpp/detail/entity.hpp"
 #include "rcl/event.h"
+#include "rclcpp/exceptions.hpp"
 #include "rmw/events_statuses/events_statuses.h"
 #include "rmw/events_statuses/incompatible_type.h"
 #include "rmw/events_statuses/matched.h"
@@ -13,6 +14,7 @@
 namespace rclcpp
 {
 
+using exceptions::UnsupportedEventTypeException;
 using QOSDeadlineRequestedInfo = rmw_requested_deadline_missed_status_t;
 using QOSDeadlineOfferedInfo = rmw_offered_deadline_missed_status_t;
 using QOSLivelinessChangedInfo = rmw_liveliness_changed_status_t;

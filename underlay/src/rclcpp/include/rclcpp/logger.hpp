@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -16,7 +15,7 @@ class Logger;
 Logger get_logger(const std::string & name);
 
 /// Where files of the log are written. Throws RCLError.
-std::filesystem::path get_logging_directory();
+rcpputils::fs::path get_logging_directory();
 
 /// The logger of a node, by its handle at rcl; `rclcpp` when there is none.
 Logger get_node_logger(const rcl_node_t * node);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -19,11 +20,13 @@
 #include "rclcpp/context.hpp"
 #include "rclcpp/create_timer.hpp"
 #include "rclcpp/event.hpp"
+#include "rclcpp/generic_client.hpp"
 #include "rclcpp/generic_publisher.hpp"
 #include "rclcpp/generic_subscription.hpp"
 #include "rclcpp/logger.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/macros.hpp"
+#include "rclcpp/message_memory_strategy.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/node_interfaces/node_clock_interface.hpp"
 #include "rclcpp/node_interfaces/node_graph_interface.hpp"
@@ -109,7 +112,8 @@ public:
   std::shared_ptr<SubscriptionT> create_subscription(
     const std::string & topic_name, const QoS & qos, CallbackT && callback,
     const SubscriptionOptionsWithAllocator<AllocatorT> & options =
-    SubscriptionOptionsWithAllocator<AllocatorT>())
+    SubscriptionOptionsWithAllocator<AllocatorT>(),
+    std::shared_ptr<message_memory_strategy::MessageMemoryStrategy<MessageT, AllocatorT>> = nullptr)
   {
     const std::string topic = extended(topic_name);
     auto subscription = std::make_shared<SubscriptionT>(
@@ -181,6 +185,16 @@ public:
   {
     return create_client<ServiceT>(
       service_name, QoS(QoSInitialization::from_rmw(qos_profile), qos_profile), group);
+  }
+
+  /// `service_type` as example_interfaces/srv/AddTwoInts. Throws std::runtime_error if there is no such type.
+  GenericClient::SharedPtr create_generic_client(
+    const std::string & service_name, const std::string & service_type, const QoS & qos = ServicesQoS(),
+    CallbackGroup::SharedPtr group = nullptr)
+  {
+    auto client = std::make_shared<GenericClient>(base_, extended(service_name), service_type, qos);
+    base_->add(client, group);
+    return client;
   }
 
   /// `callback` takes shared pointers to the request and to the response, which is sent when it returns.

@@ -126,6 +126,13 @@ public:
   SyncParametersClient(
     Executor::SharedPtr executor, node_interfaces::NodeBaseInterface::SharedPtr node,
     const std::string & remote_node_name = "", const QoS & qos_profile = ParametersQoS());
+  SyncParametersClient(
+    Executor::SharedPtr executor, node_interfaces::NodeBaseInterface::SharedPtr node_base_interface,
+    node_interfaces::NodeTopicsInterface::SharedPtr, node_interfaces::NodeGraphInterface::SharedPtr,
+    node_interfaces::NodeServicesInterface::SharedPtr, const std::string & remote_node_name = "",
+    const QoS & qos_profile = ParametersQoS())
+  : SyncParametersClient(
+      std::move(executor), std::move(node_base_interface), remote_node_name, qos_profile) {}
   template<typename NodeT>
   explicit SyncParametersClient(
     const std::shared_ptr<NodeT> & node, const std::string & remote_node_name = "",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rcl_interfaces/msg/parameter_event.hpp"
+#include "rcl_interfaces/msg/parameter_type.hpp"
 #include "rclcpp/macros.hpp"
 
 namespace rclcpp

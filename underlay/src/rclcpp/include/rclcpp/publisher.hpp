@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "rclcpp/allocator/allocator_common.hpp"
 #include "rclcpp/loaned_message.hpp"
 #include "rclcpp/publisher_base.hpp"
 #include "rclcpp/serialized_message.hpp"
@@ -22,9 +23,10 @@ public:
   using Adapter = TypeAdapter<MessageT>;
   using ROSMessageType = typename Adapter::ros_message_type;
   using PublishedType = typename Adapter::custom_type;
-  using MessageAllocator = std::allocator<ROSMessageType>;
-  using MessageDeleter = std::default_delete<ROSMessageType>;
-  using MessageUniquePtr = std::unique_ptr<ROSMessageType>;
+  using MessageAllocator =
+    typename allocator::AllocRebind<ROSMessageType, AllocatorT>::allocator_type;
+  using MessageDeleter = allocator::Deleter<MessageAllocator, ROSMessageType>;
+  using MessageUniquePtr = std::unique_ptr<ROSMessageType, MessageDeleter>;
   using MessageSharedPtr = std::shared_ptr<const ROSMessageType>;
 
   Publisher(
@@ -37,11 +39,12 @@ public:
   }
 
   void publish(const ROSMessageType & message) {publish_untyped(&message);}
-  /// The message itself reaches a subscription of this process that wants it and hands messages over.
+  /// The message itself reaches a subscription of this process that wants it and hands messages over, unless
+  /// it is of an allocator.
   void publish(MessageUniquePtr message)
   {
-    if (hands_over()) {
-      publish_owned(detail::shared_from_unique(std::move(message)));
+    if constexpr (std::is_same_v<MessageDeleter, std::default_delete<ROSMessageType>>) {
+      publish_unique(std::move(message));
     } else {
       publish_untyped(message.get());
     }
@@ -55,7 +58,7 @@ public:
   {
     auto message = std::make_unique<ROSMessageType>();
     Adapter::convert_to_ros_message(custom, *message);
-    publish(std::move(message));
+    publish_unique(std::move(message));
   }
   template<
     typename T,
@@ -83,6 +86,16 @@ public:
       throw std::runtime_error("loaned message is not valid");
     }
     publish_untyped(message.release().get());
+  }
+
+private:
+  void publish_unique(std::unique_ptr<ROSMessageType> message)
+  {
+    if (hands_over()) {
+      publish_owned(detail::shared_from_unique(std::move(message)));
+    } else {
+      publish_untyped(message.get());
+    }
   }
 };
 

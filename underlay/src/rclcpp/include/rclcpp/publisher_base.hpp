@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
+#include "rcl/event.h"
 #include "rcl/publisher.h"
 #include "rclcpp/detail/entity.hpp"
 #include "rclcpp/detail/local_message.hpp"
@@ -31,6 +33,7 @@ class PublisherBase
 public:
   RCLCPP_SMART_PTR_ALIASES_ONLY(PublisherBase)
   RCLCPP_DISABLE_COPY(PublisherBase)
+  using EventHandlers = std::unordered_map<rcl_publisher_event_type_t, std::shared_ptr<detail::Entity>>;
 
   /// Throws InvalidTopicNameError, RCLError, and std::invalid_argument where messages cannot be handed over
   /// to subscriptions of this process as the QoS demands. Without `clone` they are not handed over at all.
@@ -38,6 +41,11 @@ public:
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & topic,
     const rosidl_message_type_support_t & type_support, const QoS & qos,
     const PublisherOptionsBase & options, detail::CloneMessage clone = nullptr);
+  /// The same, of options of rcl.
+  PublisherBase(
+    node_interfaces::NodeBaseInterface * node_base, const std::string & topic,
+    const rosidl_message_type_support_t & type_support, const rcl_publisher_options_t & publisher_options,
+    const PublisherEventCallbacks & event_callbacks, bool use_default_callbacks);
   virtual ~PublisherBase();
 
   const char * get_topic_name() const;
@@ -51,6 +59,8 @@ public:
   /// Throws RCLError where the middleware cannot tell.
   std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const;
   bool can_loan_messages() const;
+  /// Those of the QoS that are looked at.
+  const EventHandlers & get_event_handlers() const {return events_;}
 
   /// Logs once when the middleware cannot loan messages.
   void tell_of_loans() const;
@@ -79,7 +89,7 @@ private:
 
   Context::SharedPtr context_;
   std::shared_ptr<rcl_publisher_t> handle_;
-  std::vector<std::shared_ptr<detail::Entity>> events_;
+  EventHandlers events_;
   rmw_gid_t gid_;
   // Only where messages are handed over to subscriptions of this process.
   std::shared_ptr<detail::LocalTopic> local_;

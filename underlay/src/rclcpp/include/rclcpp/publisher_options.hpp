@@ -2,9 +2,11 @@
 
 #include <memory>
 
+#include "rcl/publisher.h"
 #include "rclcpp/callback_group.hpp"
 #include "rclcpp/event_handler.hpp"
 #include "rclcpp/intra_process_setting.hpp"
+#include "rclcpp/qos.hpp"
 #include "rclcpp/qos_overriding_options.hpp"
 #include "rmw/types.h"
 
@@ -32,6 +34,16 @@ struct PublisherOptionsWithAllocator : PublisherOptionsBase
 
   PublisherOptionsWithAllocator() = default;
   explicit PublisherOptionsWithAllocator(const PublisherOptionsBase & base) : PublisherOptionsBase(base) {}
+
+  /// What of it rcl takes.
+  template<typename MessageT>
+  rcl_publisher_options_t to_rcl_publisher_options(const QoS & qos) const
+  {
+    rcl_publisher_options_t options = rcl_publisher_get_default_options();
+    options.qos = qos.get_rmw_qos_profile();
+    options.rmw_publisher_options.require_unique_network_flow_endpoints = require_unique_network_flow_endpoints;
+    return options;
+  }
 };
 
 using PublisherOptions = PublisherOptionsWithAllocator<std::allocator<void>>;

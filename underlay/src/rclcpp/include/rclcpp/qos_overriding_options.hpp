@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "rcl_interfaces/msg/detail/set_parameters_result__struct.hpp"
 #include "rclcpp/qos.hpp"
 #include "rmw/qos_policy_kind.h"
 
@@ -28,11 +29,7 @@ enum class QosPolicyKind
 
 const char * qos_policy_kind_to_cstr(const QosPolicyKind & qos_policy);
 
-struct QosCallbackResult
-{
-  bool successful = true;
-  std::string reason;
-};
+using QosCallbackResult = rcl_interfaces::msg::SetParametersResult;
 using QosCallback = std::function<QosCallbackResult(const QoS &)>;
 
 /// Which policies of an entity parameters may set: `qos_overrides.<topic>.publisher.<policy>`.

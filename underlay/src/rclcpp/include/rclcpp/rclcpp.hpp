@@ -20,7 +20,9 @@
 #include <unordered_set>
 #include <variant>
 
+#include "rclcpp/copy_all_parameter_values.hpp"
 #include "rclcpp/create_client.hpp"
+#include "rclcpp/create_generic_client.hpp"
 #include "rclcpp/create_publisher.hpp"
 #include "rclcpp/create_service.hpp"
 #include "rclcpp/create_subscription.hpp"
@@ -38,3 +40,4 @@
 #include "rclcpp/visibility_control.hpp"
 #include "rclcpp/wait_for_message.hpp"
 #include "rclcpp/wait_set.hpp"
+#include "rclcpp/waitable.hpp"

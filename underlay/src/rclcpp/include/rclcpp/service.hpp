@@ -32,6 +32,10 @@ public:
   ServiceBase(
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & service_name,
     const rosidl_service_type_support_t & type_support, const QoS & qos);
+  /// Of one that somebody else made. Throws std::runtime_error if it is not initialized.
+  ServiceBase(
+    std::shared_ptr<rcl_node_t> node_handle, std::shared_ptr<rcl_service_t> service_handle,
+    const rosidl_service_type_support_t & type_support);
   ~ServiceBase() override;
 
   const char * get_service_name();
@@ -73,6 +77,9 @@ private:
 };
 
 template<typename ServiceT>
+class AnyServiceCallback;
+
+template<typename ServiceT>
 class Service : public ServiceBase, public std::enable_shared_from_this<Service<ServiceT>>
 {
 public:
@@ -82,7 +89,7 @@ public:
   using Header = std::shared_ptr<rmw_request_id_t>;
   /// Gives what is to be answered, or nothing when that is sent later.
   using Handler = std::function<std::shared_ptr<Response>(
-        Service &, const Header &, const std::shared_ptr<Request> &)>;
+        Service *, const Header &, const std::shared_ptr<Request> &)>;
 
   Service(
     const node_interfaces::NodeBaseInterface::SharedPtr & node, const std::string & service_name,
@@ -90,6 +97,29 @@ public:
   : ServiceBase(
       node, service_name, *rosidl_typesupport_cpp::get_service_type_support_handle<ServiceT>(), qos),
     handler_(std::move(handler))
+  {
+  }
+
+  /// Of one that somebody else made.
+  Service(
+    std::shared_ptr<rcl_node_t> node_handle, std::shared_ptr<rcl_service_t> service_handle,
+    AnyServiceCallback<ServiceT> any_callback)
+  : ServiceBase(
+      std::move(node_handle), std::move(service_handle),
+      *rosidl_typesupport_cpp::get_service_type_support_handle<ServiceT>()),
+    handler_(
+      [any_callback](Service * self, const Header & header, const std::shared_ptr<Request> & request) mutable {
+        return any_callback.dispatch(self->shared_from_this(), header, request);
+      })
+  {
+  }
+  /// The same. It must outlive this service, and stays to be finalized.
+  Service(
+    std::shared_ptr<rcl_node_t> node_handle, rcl_service_t * service_handle,
+    AnyServiceCallback<ServiceT> any_callback)
+  : Service(
+      std::move(node_handle), std::shared_ptr<rcl_service_t>(service_handle, [](rcl_service_t *) {}),
+      std::move(any_callback))
   {
   }
 
@@ -104,7 +134,7 @@ public:
   void handle_request(Header request_header, std::shared_ptr<void> request) override
   {
     if (const auto response =
-      handler_(*this, request_header, std::static_pointer_cast<Request>(std::move(request))))
+      handler_(this, request_header, std::static_pointer_cast<Request>(std::move(request))))
     {
       send_response(*request_header, *response);
     }
@@ -133,28 +163,28 @@ typename Service<ServiceT>::Handler service_handler(CallbackT && callback)
   using Response = std::shared_ptr<typename ServiceT::Response>;
   if constexpr (std::is_invocable_v<Given &, Request, Response>) {
     return [callback = Given(std::forward<CallbackT>(callback))](
-      Self &, const Header &, const Request & request) mutable {
+      Self *, const Header &, const Request & request) mutable {
              auto response = std::make_shared<typename ServiceT::Response>();
              callback(request, response);
              return response;
            };
   } else if constexpr (std::is_invocable_v<Given &, Header, Request, Response>) {
     return [callback = Given(std::forward<CallbackT>(callback))](
-      Self &, const Header & header, const Request & request) mutable {
+      Self *, const Header & header, const Request & request) mutable {
              auto response = std::make_shared<typename ServiceT::Response>();
              callback(header, request, response);
              return response;
            };
   } else if constexpr (std::is_invocable_v<Given &, Header, Request>) {
     return [callback = Given(std::forward<CallbackT>(callback))](
-      Self &, const Header & header, const Request & request) mutable {
+      Self *, const Header & header, const Request & request) mutable {
              callback(header, request);
              return Response();
            };
   } else if constexpr (std::is_invocable_v<Given &, std::shared_ptr<Self>, Header, Request>) {
     return [callback = Given(std::forward<CallbackT>(callback))](
-      Self & service, const Header & header, const Request & request) mutable {
-             callback(service.shared_from_this(), header, request);
+      Self * service, const Header & header, const Request & request) mutable {
+             callback(service ? service->shared_from_this() : nullptr, header, request);
              return Response();
            };
   } else {

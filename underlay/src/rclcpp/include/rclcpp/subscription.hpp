@@ -7,6 +7,7 @@
 
 #include "rclcpp/any_subscription_callback.hpp"
 #include "rclcpp/subscription_base.hpp"
+#include "rclcpp/subscription_traits.hpp"
 #include "rosidl_typesupport_cpp/message_type_support.hpp"
 
 namespace rclcpp

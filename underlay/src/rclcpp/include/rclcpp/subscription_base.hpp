@@ -4,8 +4,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
+#include "rcl/event.h"
 #include "rcl/subscription.h"
 #include "rclcpp/detail/entity.hpp"
 #include "rclcpp/detail/event_callback.hpp"
@@ -33,6 +35,7 @@ class SubscriptionBase : public detail::Entity, public std::enable_shared_from_t
 public:
   RCLCPP_SMART_PTR_ALIASES_ONLY(SubscriptionBase)
   RCLCPP_DISABLE_COPY(SubscriptionBase)
+  using EventHandlers = std::unordered_map<rcl_subscription_event_type_t, std::shared_ptr<detail::Entity>>;
 
   /// How a callback wants its messages.
   enum class Form {shared, owned, bytes};
@@ -68,6 +71,12 @@ public:
   bool take_serialized(SerializedMessage & message_out, MessageInfo & message_info_out);
 
   virtual std::shared_ptr<void> create_message() = 0;
+  virtual std::shared_ptr<SerializedMessage> create_serialized_message()
+  {
+    return std::make_shared<SerializedMessage>();
+  }
+  virtual void return_message(std::shared_ptr<void> & message) {message.reset();}
+  virtual void return_serialized_message(std::shared_ptr<SerializedMessage> & message) {message.reset();}
   virtual void handle_message(std::shared_ptr<void> & message, const MessageInfo & message_info) = 0;
   virtual void handle_serialized_message(
     const std::shared_ptr<SerializedMessage> & message, const MessageInfo & message_info) = 0;
@@ -81,7 +90,7 @@ public:
   const void * rcl_entity() const noexcept override {return handle_.get();}
   std::shared_ptr<detail::Entity> companion() override;
   /// Those of the QoS that are looked at.
-  const std::vector<std::shared_ptr<detail::Entity>> & events() const {return events_;}
+  const EventHandlers & get_event_handlers() const {return events_;}
   void execute() override;
 
 private:
@@ -89,7 +98,7 @@ private:
 
   std::shared_ptr<rcl_subscription_t> handle_;
   detail::EventCallback on_new_;
-  std::vector<std::shared_ptr<detail::Entity>> events_;
+  EventHandlers events_;
   Form form_;
   Context::SharedPtr context_;
   // Only where messages of this process are handed over without the middleware.

@@ -73,7 +73,18 @@ public:
   {
     add_entity_(waitable, "waitable", associated_entity);
   }
+  template<typename WaitableT, std::enable_if_t<std::is_base_of_v<Waitable, WaitableT>, int> = 0>
+  void add_waitable(
+    const std::shared_ptr<WaitableT> & waitable, std::shared_ptr<void> associated_entity = nullptr)
+  {
+    add_entity_(entity_of(waitable), "waitable", associated_entity);
+  }
   void remove_waitable(std::shared_ptr<Entity> waitable) {remove_entity_(waitable, "waitable");}
+  template<typename WaitableT, std::enable_if_t<std::is_base_of_v<Waitable, WaitableT>, int> = 0>
+  void remove_waitable(const std::shared_ptr<WaitableT> & waitable)
+  {
+    remove_entity_(entity_of(waitable), "waitable");
+  }
   /// Forgets what does not exist any more. Waiting does so, too.
   void prune_deleted_entities() {prune_();}
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "rcl/wait.h"
@@ -15,6 +17,7 @@
 #include "rclcpp/subscription_base.hpp"
 #include "rclcpp/subscription_wait_set_mask.hpp"
 #include "rclcpp/timer.hpp"
+#include "rclcpp/waitable.hpp"
 #include "rclcpp/wait_result_kind.hpp"
 
 namespace rclcpp
@@ -41,6 +44,10 @@ public:
     WaitableEntry(  // NOLINT: a waitable alone is one
       std::shared_ptr<detail::Entity> waitable_in = nullptr, std::shared_ptr<void> associated_in = nullptr)
     : waitable(std::move(waitable_in)), associated_entity(std::move(associated_in)) {}
+    template<typename WaitableT, std::enable_if_t<std::is_base_of_v<Waitable, WaitableT>, int> = 0>
+    WaitableEntry(  // NOLINT: the same
+      const std::shared_ptr<WaitableT> & waitable_in, std::shared_ptr<void> associated_in = nullptr)
+    : WaitableEntry(detail::entity_of(waitable_in), std::move(associated_in)) {}
 
     std::shared_ptr<detail::Entity> waitable;
     std::shared_ptr<void> associated_entity;
@@ -108,7 +115,6 @@ private:
 
   void changed();
   void hold();
-  std::size_t count(detail::EntityKind kind) const;
   void fill();
   bool is_only_interrupted() const;
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
+#include "class_loader/registry.hpp"
 #include "rclcpp/node_options.hpp"
 #include "rclcpp_components/node_instance_wrapper.hpp"
-#include "rclcpp_components/visibility_control.hpp"
 
 namespace rclcpp_components
 {
@@ -22,11 +22,14 @@ public:
 namespace detail
 {
 
-/// Of all libraries that are loaded, by the name of the class as it was registered.
-RCLCPP_COMPONENTS_PUBLIC inline std::map<std::string, std::shared_ptr<NodeFactory>> & factories()
+/// Of the class of nodes with this name, if a library that is loaded has registered it; else nothing.
+inline std::shared_ptr<NodeFactory> factory_of(const std::string & node_class)
 {
-  static std::map<std::string, std::shared_ptr<NodeFactory>> instance;
-  return instance;
+  auto & registry = class_loader::detail::Registry<NodeFactory>::get();
+  const std::lock_guard lock(registry.mutex);
+  const auto found = registry.entries.find("rclcpp_components::NodeFactoryTemplate<" + node_class + ">");
+  return std::shared_ptr<NodeFactory>(
+    found == registry.entries.end() ? nullptr : found->second.make());
 }
 
 }  // namespace detail

@@ -95,6 +95,8 @@ public:
 protected:
   /// Something else that is to be switched on and off with the node.
   void add_managed_entity(std::weak_ptr<ManagedEntityInterface> managed_entity);
+  /// Does nothing, as in the real one: timers run in all states.
+  void add_timer_handle(const std::shared_ptr<rclcpp::TimerBase> &) {}
 
 private:
   class Machine;

@@ -22,12 +22,16 @@ public:
   State & operator=(const State &) = default;
   virtual ~State() = default;
 
-  std::uint8_t id() const {return id_;}
-  std::string label() const {return label_;}
+  // These throw std::runtime_error after reset().
+  std::uint8_t id() const;
+  std::string label() const;
+
+protected:
+  void reset() noexcept;
 
 private:
   std::uint8_t id_;
-  std::string label_;
+  std::string label_;  // empty after reset()
 };
 
 }  // namespace rclcpp_lifecycle

@@ -15,6 +15,7 @@ enum class EntityKind
   client,
   event,
   guard_condition,
+  waitable,
 };
 
 /// One thing that an executor waits for: what it is to rcl, and what is done when it is ready.

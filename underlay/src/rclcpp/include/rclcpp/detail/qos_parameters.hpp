@@ -37,6 +37,9 @@ QoS overridden_qos(
   node_interfaces::NodeParametersInterface & parameters, const std::string & topic,
   const std::string & entity, const QoS & qos, const QosOverridingOptions & options);
 
+/// Throws std::invalid_argument for a null pointer, which stands for a policy without a name.
+const char * check_if_stringified_policy_is_null(const char * policy_value_stringified, QosPolicyKind kind);
+
 // What a policy is as a parameter, and back. Both throw std::invalid_argument for what is not a policy, and
 // InvalidQosOverridesException for values that say nothing.
 ParameterValue get_default_qos_param_value(QosPolicyKind policy, const QoS & qos);

@@ -31,7 +31,8 @@ struct PartTag {};
   template<typename NodeT, typename = void> \
   struct has_ ## name : std::false_type {}; \
   template<typename NodeT> \
-  struct has_ ## name<NodeT, std::void_t<decltype(std::declval<NodeT &>().get_ ## name())>> : std::true_type {}; \
+  struct has_ ## name<NodeT, std::void_t<decltype(std::declval<NodeT &>().get_ ## name())>> \
+    : std::true_type {}; \
   template<typename NodeT> \
   std::shared_ptr<Interface> get_ ## name(NodeT && node) \
   { \

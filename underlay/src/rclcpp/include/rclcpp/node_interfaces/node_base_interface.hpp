@@ -58,6 +58,8 @@ public:
   /// Adds to `group`, or to the default one, and tells the executors of both.
   void add(const std::shared_ptr<detail::Entity> & entity, const CallbackGroup::SharedPtr & group);
 
+  void remove(const std::shared_ptr<detail::Entity> & entity, const CallbackGroup::SharedPtr & group);
+
   /// Whom to wake when something is added.
   void set_waker(const std::shared_ptr<GuardCondition> & waker);
 

@@ -159,9 +159,9 @@ private:
     auto service = std::make_shared<rclcpp::Service<ServiceT>>(
       node, name,
       [weak = this->weak_from_this(), taker](
-        auto & service, const auto & header, const Request & request) {
+        auto * service, const auto & header, const Request & request) {
         if (const auto self = weak.lock()) {
-          (*self.*taker)(service, *header, request);
+          (*self.*taker)(*service, *header, request);
         }
         return std::shared_ptr<typename ServiceT::Response>();  // it is sent already, or will be later
       }, qos_of(qos));

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "rcl/wait.h"
+#include "rclcpp/detail/check.hpp"
+#include "rclcpp/guard_condition.hpp"
+
+namespace rclcpp::detail
+{
+
+/// Throws RCLError.
+inline void add_guard_condition_to_rcl_wait_set(
+  rcl_wait_set_t & wait_set, const GuardCondition & guard_condition)
+{
+  check(
+    rcl_wait_set_add_guard_condition(&wait_set, &guard_condition.get_rcl_guard_condition(), nullptr),
+    "failed to add guard condition to wait set");
+}
+
+}  // namespace rclcpp::detail
