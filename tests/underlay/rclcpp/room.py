@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,13 +12,32 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from course.rosenv import find_ros
+from course.build.builder import build
+from course.build.store import Store
+from course.build.underlay_build import provide
+from course.build.workspace import Workspace
+from course.rosenv import find_ros, prepare
 
 SOURCES = Path(__file__).parents[3] / "underlay" / "src" / "rclcpp"
 PROBES = Path(__file__).with_name("probes")
 _PEER = Path(__file__).with_name("peer.py")
 TIME_LIMIT = 1800.0  # of a build: a machine may be busy
 _TIMEOUT = 300.0
+
+
+def built(root: Path, sources: Path, package: str) -> list[Path]:
+    """Where the programs in `sources` and what they use are installed; `root` is an empty folder.
+
+    What was built of the same sources before is not built again.
+    """
+    shutil.copytree(sources, root / "src" / sources.name)
+    ros = find_ros()
+    prepare(ros)
+    workspace = Workspace.scan(root, trusted=True)
+    provide(workspace, [package], ros)
+    outcome = build(workspace, [package], ros, Store(), time_limit=TIME_LIMIT)
+    assert outcome.failure is None, outcome.failure
+    return [one.prefix for one in reversed(outcome.packages)]
 
 
 @dataclass(frozen=True)
