@@ -383,7 +383,7 @@ def _without_default(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
     for call in calls(evidence.sources, "declare_parameter"):
         name = ast.unparse(call.args[0]) if len(call.args) == 1 and not call.keywords else "?"
         values = [last_name(one.targets[0]) for one in given if f"({name})" in ast.unparse(one.value)]
-        if any(re.search(rf"\b{value}\b", line) for line in shown for value in values):
+        if any(re.search(rf"\b{re.escape(value)}\b", line) for line in shown for value in values):
             return Proven({"name": name}, (call.where,))
     return None
 
