@@ -84,6 +84,7 @@ def _other_const(evidence: Evidence, symptom: Symptom, words: Words) -> Proven |
     missing = not words["end"].strip()
     ends = r"\s*const\b[^;{]{0,99};" if missing else r"\s*(?:noexcept\s*)?;"
     places = places_of(evidence.sources, rf"(?<![:\w]){words['name']}\s*\([^();{{}}]*\){ends}")
+    places = tuple(place for place in places if place.file.endswith((".h", ".hpp", ".hh")))
     if len(places) != 1:
         return None
     place = f"Line {places[0].line} of the header"

@@ -587,6 +587,14 @@ def _colon_in_text(evidence: Evidence, symptom: Symptom, words: Words) -> Proven
     return None
 
 
+def _sign_in_file(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
+    files = evidence.sources.files
+    found = missing_sign(
+        Sources({one: files[one] for one in files if symptom.where and one == symptom.where.file})
+    )
+    return Proven({"cause": found.text}, found.where) if found else None
+
+
 def _plus_plus(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | None:
     """`count++`, on this line."""
     shown = evidence.shown(symptom.where) if symptom.where else ()
@@ -1031,7 +1039,7 @@ EXCEPTIONS: tuple[Known[Evidence], ...] = (
           "string. A field of a message needs no quotes: `message.field`.",
           "SyntaxError: f-string: unmatched '['"),
     Known(r"SyntaxError", "{cause}", "SyntaxError: invalid syntax. Perhaps you forgot a comma?",
-          proof=because(missing_sign), given={"talk/talker.py": "words = [\n    'a'\n    2,\n]\n"}),
+          proof=_sign_in_file, given={"talk/talker.py": "words = [\n    'a'\n    2,\n]\n"}),
     Known(r"SyntaxError", "Python has no `++`. Add one with `+= 1`.", "SyntaxError: invalid syntax",
           proof=_plus_plus, given={"talk/talker.py": "count++\n"}),
     Known(r"SyntaxError",

@@ -340,7 +340,8 @@ def _in_a_part(evidence: Evidence, symptom: Symptom, words: Words) -> Proven | N
     found = [one for one in inside if _has(evidence, one, words["name"]) and not f"/{one}".endswith(own)]
     parts = [f"/{one}".rpartition(package)[2].removesuffix(".py").removesuffix("/__init__") for one in found]
     parts.sort(key=lambda part: ("_" in (part[0], part.rpartition("/")[2][0]), part.count("/"), part))
-    itself = {"itself": ""} if symptom.where and f"/{symptom.where.file}".endswith(own) else {}
+    itself = {"both": ""} if "partially" in symptom.text else {}
+    itself |= {"itself": ""} if symptom.where and f"/{symptom.where.file}".endswith(own) else {}
     right = f"{words['module']}.{parts[0].replace('/', '.')}" if parts else ""
     return Proven({"right": right, **itself}) if parts else None
 
@@ -383,7 +384,7 @@ def _without_default(evidence: Evidence, symptom: Symptom, words: Words) -> Prov
     for call in calls(evidence.sources, "declare_parameter"):
         name = ast.unparse(call.args[0]) if len(call.args) == 1 and not call.keywords else "?"
         values = [last_name(one.targets[0]) for one in given if f"({name})" in ast.unparse(one.value)]
-        if any(re.search(rf"\b{value}\b", line) for line in shown for value in values):
+        if any(re.search(rf"\b{re.escape(value)}\b", line) for line in shown for value in values):
             return Proven({"name": name}, (call.where,))
     return None
 
@@ -432,6 +433,7 @@ MIXUPS: tuple[Known[Evidence], ...] = (
           given={"talk/talker.py": "from talk.msg import Quote\nmessage = Quote('Hi')  # here\n"}),
     Known(r"cannot import name '(?P<name>\w+)' from (?:partially initialized module )?'(?P<module>[\w.]+)'",
           ("{itself}This file imports `{name}` from itself. Write `from {right} import {name}`.",
+           "{both}Two files import each other. Write `from {right} import {name}` here, which avoids that.",
            "`{name}` is in `{right}`: write `from {right} import {name}`."),
           "ImportError: cannot import name 'Quote' from 'talk'", proof=_in_a_part,
           given={"talk/words/__init__.py": "from talk.words._quote import Quote\n"}),

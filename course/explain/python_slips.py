@@ -53,6 +53,7 @@ def python_timer_cause(sources: Sources) -> Cause | None:
         rate_in_callback,
         await_in_callback,
         uncalled,
+        never_awaited,
         taken_away,
         plain_node_spun,
     )
@@ -106,16 +107,16 @@ def shadowed_import(sources: Sources) -> Cause | None:
 
 def uncalled(sources: Sources, only: str = "") -> Cause | None:
     """`node.is_ready` or `rclpy.spin` without the parentheses that call it. only: a name to look for."""
-    stored = {
-        _last(n) for _, n in nodes(sources) if isinstance(n, ast.Attribute | ast.Name) and _is_stored(n)
-    }
+    every = [node for _, node in nodes(sources)]
+    stored = {_last(one) for one in every if isinstance(one, ast.Attribute | ast.Name) and _is_stored(one)}
+    stored |= {node.arg for node in every if isinstance(node, ast.arg)}
     plain = {node.name for _, node in nodes(sources) if isinstance(node, _Def) and not node.decorator_list}
     names = (plain | _METHODS) - stored
     names = names & {only} if only else names
     for file, node in nodes(sources):
         for part in _asked(node):
-            own = isinstance(part, ast.Attribute) or (isinstance(part, ast.Name) and part.id in plain)
-            if own and _last(part) in names:
+            alone = isinstance(node, ast.Expr | ast.If | ast.While) and _last(part) in plain
+            if (alone or isinstance(part, ast.Attribute)) and _last(part) in names:
                 written = ast.unparse(part)
                 given = "(node)" if written == "rclpy.spin" else "()"
                 return Cause(

@@ -106,6 +106,7 @@ def test_a_package_that_imports_from_itself() -> None:
     others = {"_quote.py": "class Quote: pass"}
     words = told(error, "from talk import Quote\n", 1, "src/talk/talk/__init__.py", others)
     assert words == "This file imports `Quote` from itself. Write `from talk._quote import Quote`."
+    assert "Two files import each other" in told(error, "", 1, "src/talk/talk/_words.py", others)
 
 
 def test_a_public_part_comes_before_a_private_one() -> None:

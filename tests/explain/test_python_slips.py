@@ -22,7 +22,14 @@ def test_a_function_that_is_only_named(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["def stop(): pass\nstop()\n", "def stop(): pass\nstop = 1\nstop\n", "ready = True\nready\n"]
+    "text",
+    [
+        "def stop(): pass\nstop()\n",
+        "def stop(): pass\nstop = 1\nstop\n",
+        "def stop(): pass\ndef f(stop):\n    if stop: pass\n",
+        "def stop(): pass\nlater = None or stop\n",
+        "ready = True\nready\n",
+    ],
 )
 def test_a_variable_is_no_function(text: str) -> None:
     assert uncalled(sources(text)) is None
