@@ -50,7 +50,7 @@ def chain(src: Path, length: int, program: str = "") -> str:
 def test_too_many_packages(built: Built, runs: Runs, src: Path) -> None:
     told = failure(built(chain(src, 11), bounds=SMALL))
     assert told.kind == "packages-limit"
-    assert "are 11; at most 10" in told.feedback.summary
+    assert "needs 11 packages, its own included, and at most 10" in told.feedback.summary
     assert told.feedback.where[0].file.endswith("link10/package.xml")
     assert runs() == []
     assert built("link9", bounds=SMALL).failure is None

@@ -129,7 +129,7 @@ def test_a_stopped_process_is_seen() -> None:
     [
         (2.5, None, False, False),
         (2.5, None, True, True),
-        (5.5, None, False, True),
+        (10.5, None, False, True),
         (0.6, 0.5, False, True),
         (2.5, 9.0, True, False),
     ],

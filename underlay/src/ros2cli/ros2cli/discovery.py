@@ -19,8 +19,8 @@ from ros2cli.snapshot import NO_NODE, Endpoint, Snapshot
 from ros2cli.snapshot_reader import take_snapshot
 
 # A stopped process keeps its port and never answers. A running one that was not heard says who it is again
-# within 3 s: that is Fast DDS's period.
-PATIENCE, _PATIENCE_WITH_STOPPED = 5.0, 2.0
+# every 3 s, which is Fast DDS's period. On a very busy machine, that may be needed more than once.
+PATIENCE, _PATIENCE_WITH_STOPPED = 10.0, 2.0
 _STEP = 0.004
 _QUIET, _QUIET_WITH_OTHERS = 0.016, 0.05
 _MIDDLEWARE = "ros_discovery_info"  # every process of the graph writes it, before anything else
