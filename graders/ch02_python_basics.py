@@ -47,6 +47,7 @@ from course.api import (
     replace,
     slips,
     text_places,
+    trees,
 )
 from lib.lint import expect_no_findings, expect_readable
 
@@ -817,12 +818,12 @@ def notices_all(recording: Recording) -> None:
 
 def never_run(tests: Sources) -> Cause | None:
     """A method that asserts something, but has a name that unittest does not look for."""
-    for file, text in tests.files.items():
-        classes = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ClassDef))
+    for file, tree in trees(tests):
+        classes = (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef))
         for part in (part for owner in classes for part in owner.body):
             if not isinstance(part, ast.FunctionDef) or part.name.startswith(("test", "setUp", "tearDown")):
                 continue
-            if "self.assert" in ast.unparse(part) and f".{part.name}(" not in text:
+            if "self.assert" in ast.unparse(part) and f".{part.name}(" not in tests.files[file]:
                 name = f"test_{part.name.replace('test', '').strip('_')}"
                 what = f"unittest runs only methods whose names begin with `test`, so not `{part.name}`. "
                 return Cause(f"{what}Call it `{name}`.", (Location(file, part.lineno),))

@@ -250,11 +250,7 @@ def expect_topics(recording: Recording, robot: Robot, prefix: str, missing: str)
     ):
         topics = {robot.topic(name): type_name for name, type_name in wanted.items()}
         for topic, type_name in topics.items():
-            try:
-                expect_topic(seen[kind], topic, type_name, robot, verb, prefix, missing)
-            except Failure as failure:
-                where = named(recording.sources, failure.feedback.seen or "")
-                raise Failure(replace(failure.feedback, where=where[:1])) from None
+            expect_topic(recording.sources, seen[kind], topic, type_name, robot, verb, prefix, missing)
         more = sorted(t for t in seen[kind].keys() - topics.keys() if t.startswith(f"/{robot.name}/"))
         if more:
             raise Failure(
@@ -268,7 +264,14 @@ def expect_topics(recording: Recording, robot: Robot, prefix: str, missing: str)
 
 
 def expect_topic(
-    seen: dict[str, str], topic: str, type_name: str, robot: Robot, verb: str, prefix: str, missing: str
+    sources: Sources,
+    seen: dict[str, str],
+    topic: str,
+    type_name: str,
+    robot: Robot,
+    verb: str,
+    prefix: str,
+    missing: str,
 ) -> None:
     if topic in seen:
         if seen[topic] == type_name:
@@ -278,6 +281,7 @@ def expect_topic(
                 summary=f"The topic `{topic}` has the wrong type, `{seen[topic]}`.",
                 expected=type_name,
                 seen=seen[topic],
+                where=named(sources, seen[topic])[:1],
                 advice=f"Use `{type_name.split('/')[-1]}` from {type_name.split('/')[0]}.",
             )
         )
@@ -291,6 +295,7 @@ def expect_topic(
             else f"The driver has no topic `{topic}`.",
             expected=topic,
             seen=close or listed(sorted(seen), "no topics"),
+            where=named(sources, close)[:1] if close else (),
             advice=prefix if other else missing,
         )
     )

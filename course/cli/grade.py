@@ -44,7 +44,7 @@ from course.batch.run import (
 from course.cli import github
 from course.cli.extras import extra
 from course.cli.options import options_of
-from course.cli.session import course_of
+from course.cli.session import GradingJobs, course_of
 from course.cli.signals import ended_cleanly
 from course.cli.usage import examples, spoken, typed
 from course.errors import ExitCode, MissingHere, StorageError, UsageError
@@ -355,10 +355,7 @@ def grade(
         str,
         typer.Option("--exercises", metavar="ID,...", help="Only these; by default, all that are found."),
     ] = "",
-    jobs: Annotated[
-        int | None,
-        typer.Option("--jobs", min=1, max=64, help="How many to grade at once; by default, four per core."),
-    ] = None,
+    jobs: GradingJobs = None,
     roster: Annotated[
         Path | None, typer.Option("--roster", metavar="CSV", help="The class: your LMS's gradebook or list.")
     ] = None,

@@ -142,4 +142,8 @@ CurrentExercise = Annotated[
         show_default=False,
     ),
 ]
+GradingJobs = Annotated[
+    int | None,
+    typer.Option("--jobs", min=1, max=64, help="How many to grade at once; by default, four per core."),
+]
 Pager = Annotated[bool, typer.Option("--pager", help="Show the text one screen at a time.")]

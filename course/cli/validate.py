@@ -18,7 +18,7 @@ from course.batch.run import default_jobs
 from course.cli.app import app
 from course.cli.extras import extra
 from course.cli.options import options_of
-from course.cli.session import complete_exercise, course_of
+from course.cli.session import GradingJobs, complete_exercise, course_of
 from course.cli.signals import ended_cleanly
 from course.cli.usage import examples
 from course.errors import ContentError, ExitCode, UsageError
@@ -238,10 +238,7 @@ def validate(
         ),
     ] = None,
     static: Annotated[bool, typer.Option("--static", help="Only read the files; grade nothing.")] = False,
-    jobs: Annotated[
-        int | None,
-        typer.Option("--jobs", min=1, max=64, help="How many to grade at once; by default, four per core."),
-    ] = None,
+    jobs: GradingJobs = None,
     repeat: Annotated[
         int,
         typer.Option(

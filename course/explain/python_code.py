@@ -42,15 +42,20 @@ def parsed(text: str) -> ast.Module | None:
     Python's own traceback explains syntax errors. A deep tree would crash any code that walks it
     recursively, and a large one takes longer to search than a check may.
     """
-    if len(text) > LONGEST:
-        return None
+    tree = read(text) if len(text) <= LONGEST else None
+    return tree if isinstance(tree, ast.Module) and not _is_deep(tree) else None
+
+
+def read(text: str) -> ast.Module | SyntaxError | None:
+    """The syntax tree, or what is wrong with the text; None if Python fails in another way."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # an escape such as "\d" does not matter here
         try:
-            tree = ast.parse(text)
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return ast.parse(text)
+        except SyntaxError as error:
+            return error
+        except (ValueError, RecursionError, MemoryError):
             return None
-    return None if _is_deep(tree) else tree
 
 
 def _is_deep(tree: ast.AST) -> bool:

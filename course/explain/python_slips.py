@@ -4,14 +4,23 @@ from __future__ import annotations
 
 import ast
 import re
-import warnings
 from collections.abc import Callable, Iterable
 from itertools import pairwise
 
 from course.evidence.sources import Sources
 from course.explain.callbacks import TAKERS, callbacks, called_callback, in_callbacks, long_period
 from course.explain.engine import Cause
-from course.explain.python_code import LONGEST, called_name, calls, nodes, number, text_places, trees
+from course.explain.python_code import (
+    LONGEST,
+    called_name,
+    calls,
+    last_name,
+    nodes,
+    number,
+    read,
+    text_places,
+    trees,
+)
 from course.explain.service_causes import blocking_call, spin_in_callback
 from course.model.feedback import Location
 
@@ -108,15 +117,16 @@ def shadowed_import(sources: Sources) -> Cause | None:
 def uncalled(sources: Sources, only: str = "") -> Cause | None:
     """`node.is_ready` or `rclpy.spin` without the parentheses that call it. only: a name to look for."""
     every = [node for _, node in nodes(sources)]
-    stored = {_last(one) for one in every if isinstance(one, ast.Attribute | ast.Name) and _is_stored(one)}
+    stored = {last_name(n) for n in every if isinstance(n, ast.Attribute | ast.Name) and _is_stored(n)}
     stored |= {node.arg for node in every if isinstance(node, ast.arg)}
     plain = {node.name for _, node in nodes(sources) if isinstance(node, _Def) and not node.decorator_list}
     names = (plain | _METHODS) - stored
     names = names & {only} if only else names
     for file, node in nodes(sources):
         for part in _asked(node):
-            alone = isinstance(node, ast.Expr | ast.If | ast.While) and _last(part) in plain
-            if (alone or isinstance(part, ast.Attribute)) and _last(part) in names:
+            method = isinstance(part, ast.Attribute) and last_name(part) in names
+            alone = isinstance(part, ast.Name) and isinstance(node, ast.Expr | ast.If | ast.While)
+            if method or (alone and last_name(part) in names & plain):
                 written = ast.unparse(part)
                 given = "(node)" if written == "rclpy.spin" else "()"
                 return Cause(
@@ -125,10 +135,6 @@ def uncalled(sources: Sources, only: str = "") -> Cause | None:
                     (Location(file, part.lineno),),
                 )
     return None
-
-
-def _last(node: ast.expr) -> str:
-    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
 
 
 def _is_stored(node: ast.Attribute | ast.Name) -> bool:
@@ -219,13 +225,14 @@ def assigned_backward(sources: Sources) -> Cause | None:
 def missing_sign(sources: Sources) -> Cause | None:
     """A file that Python can read after one sign is added or replaced."""
     for file, text in sources.files.items():
-        broken = _syntax_error(text) if file.endswith(".py") and len(text) <= LONGEST else None
+        broken = read(text) if file.endswith(".py") and len(text) <= LONGEST else None
         lines = text.splitlines()
-        begin = broken.lineno or 1 if broken else len(lines) + 1
+        begin = broken.lineno or 1 if isinstance(broken, SyntaxError) else len(lines) + 1
         for at, line in enumerate(lines[begin - 1 : begin + _LINES_TRIED], start=begin):
             for pattern, right, advice in _SIGNS:
                 changed = re.sub(pattern, right, line, count=1)
-                if changed != line and not _syntax_error("\n".join((*lines[: at - 1], changed, *lines[at:]))):
+                mended = "\n".join((*lines[: at - 1], changed, *lines[at:]))
+                if changed != line and isinstance(read(mended), ast.Module):
                     written = advice.format(line=at, right=changed.strip())
                     return Cause(written, (Location(file, at),))
     return None
@@ -237,18 +244,6 @@ _SIGNS = (
     (r"(['\"])\s*=\s*(?!=)", r"\1: ", "In a dict, write `:` in place of `=`: `{right}`."),
     (r"(?<=[\w)\]}'\"])\s*(?=#|$)", ":", "A colon is missing at the end of line {line}."),
 )
-
-
-def _syntax_error(text: str) -> SyntaxError | None:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            ast.parse(text)
-        except SyntaxError as error:
-            return error
-        except (ValueError, RecursionError, MemoryError):
-            return None
-    return None
 
 
 def never_counts(sources: Sources) -> Cause | None:

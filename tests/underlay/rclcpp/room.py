@@ -16,7 +16,8 @@ from course.build.builder import build
 from course.build.store import Store
 from course.build.underlay_build import provide
 from course.build.workspace import Workspace
-from course.rosenv import find_ros, prepare
+from course.isolation.levels import isolated
+from course.rosenv import find_ros, node_environment, prepare
 
 SOURCES = Path(__file__).parents[3] / "underlay" / "src" / "rclcpp"
 PROBES = Path(__file__).with_name("probes")
@@ -38,6 +39,15 @@ def built(root: Path, sources: Path, package: str) -> list[Path]:
     outcome = build(workspace, [package], ros, Store(), time_limit=TIME_LIMIT)
     assert outcome.failure is None, outcome.failure
     return [one.prefix for one in reversed(outcome.packages)]
+
+
+@contextlib.contextmanager
+def open_room(prefixes: list[Path], folder: Path, package: str) -> Iterator[Room]:
+    """Starts programs of this package, which `built` built, that hear each other and nobody else."""
+    with isolated(namespaces=False) as place:
+        no_daemon = {"ROS2COURSE_ARENA": "1"}  # it would outlive the test
+        environment = {**node_environment(find_ros(), prefixes), **place.environment, **no_daemon}
+        yield Room(environment, folder, prefixes[0] / "lib" / package)
 
 
 @dataclass(frozen=True)

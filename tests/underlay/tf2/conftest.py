@@ -7,9 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from course.isolation.levels import isolated
-from course.rosenv import find_ros, node_environment
-from tests.underlay.rclcpp.room import Room, built
+from tests.underlay.rclcpp.room import Room, built, open_room
 
 PROBES = Path(__file__).with_name("probes")
 
@@ -23,7 +21,5 @@ def prefixes(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 @pytest.fixture
 def room(prefixes: list[Path], tmp_path: Path) -> Iterator[Room]:
     """Starts programs that hear each other and nobody else."""
-    with isolated(namespaces=False) as place:
-        no_daemon = {"ROS2COURSE_ARENA": "1"}  # it would outlive the test
-        environment = {**node_environment(find_ros(), prefixes), **place.environment, **no_daemon}
-        yield Room(environment, tmp_path, prefixes[0] / "lib" / "tf2_probes")
+    with open_room(prefixes, tmp_path, "tf2_probes") as opened:
+        yield opened

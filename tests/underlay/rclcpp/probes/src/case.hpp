@@ -1,10 +1,12 @@
 #pragma once
 
+#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 /// Fails the case that runs, with the expression and its line.
 #define EXPECT(...) \
@@ -24,6 +26,17 @@
     } \
     throw std::logic_error(std::string("line ") + std::to_string(__LINE__) + ": no " + #type); \
   }()
+
+/// Waits, and fails the case after a minute.
+template<typename Condition>
+void wait_until(Condition holds)
+{
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!holds()) {
+    EXPECT(std::chrono::steady_clock::now() < limit);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
 
 using Cases = std::map<std::string, std::function<void()>>;
 

@@ -29,16 +29,6 @@ std::shared_ptr<rclcpp::Node> node()
   return std::make_shared<rclcpp::Node>("node");
 }
 
-template<typename Condition>
-void wait_until(Condition holds)
-{
-  const auto limit = std::chrono::steady_clock::now() + 60s;
-  while (!holds()) {
-    EXPECT(std::chrono::steady_clock::now() < limit);
-    std::this_thread::sleep_for(5ms);
-  }
-}
-
 void times_of_messages()
 {
   builtin_interfaces::msg::Time time;

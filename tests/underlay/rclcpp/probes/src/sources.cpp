@@ -29,16 +29,6 @@ namespace parts = rclcpp::node_interfaces;
 namespace
 {
 
-template<typename Condition>
-void wait_until(Condition holds)
-{
-  const auto limit = std::chrono::steady_clock::now() + 60s;
-  while (!holds()) {
-    EXPECT(std::chrono::steady_clock::now() < limit);
-    std::this_thread::sleep_for(5ms);
-  }
-}
-
 void tell_time(rclcpp::Node & node, rclcpp::Publisher<ClockMessage> & publisher, int seconds)
 {
   ClockMessage message;
