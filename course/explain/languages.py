@@ -54,6 +54,8 @@ _SHUT_DOWN_IN_BETWEEN = re.compile(
     r"|SystemError: <built-in method \w+ of .*> returned a result with an exception set"
     r"|AttributeError: '(?:Task|Future)' object has no attribute '_exception'"
 )
+# `try_shutdown` looks and then acts, and the thread that handles Ctrl+C may come in between.
+_SHUT_DOWN_MEANWHILE = re.compile(r"RCLError: failed to shutdown: rcl_shutdown already called")
 
 
 class Python:
@@ -93,7 +95,7 @@ class Python:
         """The error after Ctrl+C, pressed at the time `asked`. Raises Spoilt for an error in ROS itself."""
         traceback = view.traceback(after=asked)
         found = crash(traceback, recording.packages, recording.sources)
-        if found and _SHUT_DOWN_IN_BETWEEN.search(found.error) and _raised_by_rclpy(traceback):
+        if found and _raised_by_rclpy(found.error, traceback):
             # A program can print such words itself, so they only lead to another attempt.
             raise Spoilt("rclpy failed while it shut down after Ctrl+C.")
         return _unhandled(found, _at_the_end(found, recording)) if found else None
@@ -155,9 +157,14 @@ class Python:
         return first(sources, defined_twice, destroyed_first, *timers, never_spun)
 
 
-def _raised_by_rclpy(traceback: tuple[str, ...]) -> bool:
+def _raised_by_rclpy(error: str, traceback: tuple[str, ...]) -> bool:
+    """Whether rclpy failed at something that it should have been able to do during shutdown."""
     frames = [line for line in traceback if line.lstrip().startswith('File "')]
-    return bool(frames) and "/rclpy/" in frames[-1]
+    if not frames or "/rclpy/" not in frames[-1]:
+        return False
+    if _SHUT_DOWN_MEANWHILE.search(error):
+        return any(frame.endswith("in try_shutdown") for frame in frames)
+    return bool(_SHUT_DOWN_IN_BETWEEN.search(error))
 
 
 def _sleeps_at_the_end(sources: Sources) -> Cause | None:

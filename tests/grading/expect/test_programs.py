@@ -36,6 +36,16 @@ Traceback (most recent call last):
   File "/opt/ros/jazzy/lib/python3.12/site-packages/rclpy/executors.py", line 709, in _wait
     wait_set = _rclpy.WaitSet(
 {}"""
+SHUT_DOWN_TWICE = """\
+Traceback (most recent call last):
+  File "/store/talk/lib/python3.12/site-packages/talk/talker.py", line 2, in main
+    rclpy.{called}()
+  File "/opt/ros/jazzy/lib/python3.12/site-packages/rclpy/__init__.py", line 130, in {called}
+    _shutdown(context=context)
+  File "/opt/ros/jazzy/lib/python3.12/site-packages/rclpy/context.py", line 139, in {called}
+    self.__context.shutdown()
+rclpy._rclpy_pybind11.RCLError: failed to shutdown: rcl_shutdown already called on the given context, at \
+/src/rcl/init.c:333"""
 CRASH = TRACEBACK.format("ValueError: x")
 BREAK = TRACEBACK.format("KeyboardInterrupt")
 
@@ -178,6 +188,17 @@ def test_what_rclpy_stumbles_over_is_nobody_s_failure(error: str) -> None:
         expect_clean_interrupt(ran(INTERRUPTED, *lines, end(5.2, 1)), "talker")
     lines = printed(5.1, TRACEBACK.format(error))  # raised in the learner's own file
     golden(told(expect_clean_interrupt, ran(INTERRUPTED, *lines, end(5.2, 1)), "talker"))
+
+
+@pytest.mark.parametrize("called", ["try_shutdown", "shutdown"])
+def test_only_try_shutdown_may_come_too_late(called: str) -> None:
+    """What it found running, the thread that handles Ctrl+C may shut down before it does."""
+    recording = ran(INTERRUPTED, *printed(5.1, SHUT_DOWN_TWICE.format(called=called)), end(5.2, 1))
+    if called == "try_shutdown":
+        with pytest.raises(Spoilt, match="while it shut down"):
+            expect_clean_interrupt(recording, "talker")
+    else:
+        golden(told(expect_clean_interrupt, recording, "talker"))
 
 
 def test_a_traceback_after_ctrl_c() -> None:

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
+from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 
 
@@ -21,4 +22,13 @@ def running(make_node: Callable[[], Node], args: Sequence[str] | None) -> Iterat
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:
+        _shut_down()
+
+
+def _shut_down() -> None:
+    try:
         rclpy.try_shutdown()
+    except rclpy_implementation.RCLError:
+        # Ctrl+C did it meanwhile, in another thread.
+        if rclpy.ok():
+            raise

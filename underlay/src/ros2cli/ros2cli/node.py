@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import rclpy
+from rclpy.impl.implementation_singleton import rclpy_implementation
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.signals import SignalHandlerOptions
@@ -43,7 +44,16 @@ def own_node(args: Namespace | None = None, name: str = "", *, survives: bool = 
         raise CommandError("", TERMINATED) from error
     finally:
         node.destroy_node()
+        _shut_down()
+
+
+def _shut_down() -> None:
+    try:
         rclpy.try_shutdown()
+    except rclpy_implementation.RCLError:
+        # A signal did it meanwhile, in another thread.
+        if rclpy.ok():
+            raise
 
 
 def handle_of(node: Node) -> Handle:
