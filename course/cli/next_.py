@@ -22,7 +22,7 @@ from course.cli.session import (
 )
 from course.cli.usage import examples, typed
 from course.home import begin
-from course.report.console import open_console, paged, put, put_steps
+from course.report.console import open_console, paged, put_course_passed, put_steps
 from course.report.exercise_text import put_requires, render_exercise, render_lesson, render_new_files
 
 if TYPE_CHECKING:
@@ -113,6 +113,5 @@ def _questions(exercise: Exercise) -> str:
 def _congratulate(console: Console, session: CourseSession) -> None:
     for shown in unread(session, session.course.last_lessons()):
         render_lesson(console, shown.chapter, shown.text)
-    put(console, "You have passed every exercise in this course. Well done!", "bold green")
-    put(console)
+    put_course_passed(console)
     put_steps(console, [(typed("list"), "to look back"), (typed("next ID"), "to do one of them again")])

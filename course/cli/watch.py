@@ -22,7 +22,7 @@ from course.cli.session import (
 from course.cli.usage import examples, typed
 from course.home import begin
 from course.model.result import Result, Verdict, to_json
-from course.report.console import open_console, put, put_steps
+from course.report.console import open_console, put_course_passed, put_steps
 from course.watch.loop import watch as look_on
 from course.watch.terminal import require_terminal
 from course.watch.updates import Begun, HintText, LessonText, Listing, TaskText
@@ -130,8 +130,7 @@ class SessionLearner:
 
 def _all_passed() -> None:
     console = open_console()
-    put(console, "You have passed every exercise in this course. Well done!", "bold green")
-    put(console)
+    put_course_passed(console)
     put_steps(console, [(typed("list"), "to look back"), (typed("watch ID"), "to do one of them again")])
 
 

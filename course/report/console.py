@@ -85,6 +85,11 @@ def put_steps(console: Console, steps: Iterable[tuple[str, str]]) -> None:
         put(console, Text.assemble("  ", (command.ljust(width), "cyan"), f"  {why}"))
 
 
+def put_course_passed(console: Console) -> None:
+    put(console, "You have passed every exercise in this course. Well done!", "bold green")
+    put(console)
+
+
 def number(value: float) -> str:
     """Points as a person writes them: 2, 0.5."""
     return f"{value:g}"

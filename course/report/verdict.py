@@ -138,8 +138,11 @@ def headline(result: Result, previous: Result | None = None) -> Text:
 
 
 def total_of(result: Result) -> str:
+    """`2 of 2 points`, `2 of 2 points, bonus 0.5`."""
     unit = "point" if result.max_points == 1 else "points"
-    return f"{number(result.points)} of {number(result.max_points)} {unit}"
+    bonus = sum(check.earned for check in result.checks if check.bonus)
+    extra = f", bonus {number(bonus)}" if bonus else ""
+    return f"{number(result.points - bonus)} of {number(result.max_points)} {unit}{extra}"
 
 
 def _change(result: Result, previous: Result | None) -> str:

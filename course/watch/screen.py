@@ -16,7 +16,7 @@ from rich.text import Text
 from course.model.result import CheckResult, Outcome, Verdict
 from course.report import sanitize
 from course.report.activity import FRAMES
-from course.report.console import WIDEST, number, open_console, put, put_prose
+from course.report.console import WIDEST, number, open_console, put, put_course_passed, put_prose
 from course.report.exercise_text import (
     put_requires,
     render_after,
@@ -111,8 +111,7 @@ def _list(body: Listing, console: Console, typed: Typed) -> None:
 
 @render.register
 def _all_passed(body: AllPassed, console: Console, typed: Typed) -> None:
-    put(console, "You have passed every exercise in this course. Well done!", "bold green")
-    put(console)
+    put_course_passed(console)
     put(console, f"Press q to leave. `{typed('next ID')}` goes back to one of them.")
 
 

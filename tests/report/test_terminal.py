@@ -94,9 +94,9 @@ def test_a_skipped_check_names_its_cause(page: Page) -> None:
     assert "      Not judged: no topic to time" in page.lines
 
 
-def test_the_total_counts_bonus_as_earned_only(page: Page) -> None:
+def test_the_total_names_the_bonus_beside_the_points(page: Page) -> None:
     render_result(page.console, FAILED, Named())
-    assert "  Not passed yet: 1.5 of 5 points.  [built in 0.1 s, watched for 2.4 s]" in page.lines
+    assert "  Not passed yet: 1 of 5 points, bonus 0.5.  [built in 0.1 s, watched for 2.4 s]" in page.lines
 
 
 def test_what_changed_since_the_last_time(page: Page) -> None:
