@@ -9,6 +9,7 @@
 #include "qos_events.hpp"
 #include "rclcpp/detail/check.hpp"
 #include "rclcpp/detail/local_topic.hpp"
+#include "topic_statistics.hpp"
 
 namespace rclcpp
 {
@@ -103,7 +104,8 @@ SubscriptionBase::SubscriptionBase(
 : handle_(make_subscription(node->get_shared_rcl_node_handle(), topic, type_support, qos, options)),
   events_(detail::subscription_events(handle_, *node->get_rcl_node_handle(), options)),
   form_(form),
-  context_(node->get_context())
+  context_(node->get_context()),
+  statistics_(detail::TopicStatistics::make(node, options))
 {
   if (detail::uses_intra_process(options.use_intra_process_comm, *node) && form != Form::bytes) {
     detail::check_local_qos(get_actual_qos(), get_topic_name());
@@ -221,18 +223,27 @@ bool SubscriptionBase::is_handed_over(const MessageInfo & info) const
   return local_ && local_->has_publisher(info.get_rmw_message_info().publisher_gid);
 }
 
+void SubscriptionBase::measure(const MessageInfo & info) const
+{
+  if (statistics_) {
+    statistics_->add(info.get_rmw_message_info().source_timestamp, detail::system_now());
+  }
+}
+
 void SubscriptionBase::execute()
 {
   MessageInfo info;
   if (is_serialized()) {
     const auto message = std::make_shared<SerializedMessage>();
     if (take_serialized(*message, info)) {
+      measure(info);
       handle_serialized_message(message, info);
     }
     return;
   }
   auto message = create_message();
   if (take_type_erased(message.get(), info) && !is_handed_over(info)) {
+    measure(info);
     handle_message(message, info);
   }
 }

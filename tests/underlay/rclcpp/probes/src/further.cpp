@@ -6,12 +6,15 @@
 #include "case.hpp"
 #include "rclcpp/experimental/executors/events_executor/events_executor.hpp"
 #include "rcpputils/asserts.hpp"
+#include "statistics_msgs/msg/metrics_message.hpp"
+#include "statistics_msgs/msg/statistic_data_type.hpp"
 #include "std_msgs/msg/float32.hpp"
 #include "std_msgs/msg/string.hpp"
 #include "std_srvs/srv/trigger.hpp"
 
 using namespace std::chrono_literals;
 using rclcpp::Parameter;
+using statistics_msgs::msg::MetricsMessage;
 using std_msgs::msg::Float32;
 using std_msgs::msg::String;
 using std_srvs::srv::Trigger;
@@ -45,6 +48,75 @@ void what_comes_along()
   EXPECT(std::accumulate(numbers.begin(), numbers.end(), 0) == 3);
   EXPECT(std::abs(std::sin(M_PI)) < std::numeric_limits<float>::epsilon());
   EXPECT(std::strcmp(PRId64, "") != 0);
+}
+
+/// What a subscription measured while `count` messages came, 20 ms apart: by metric, its values by their type.
+std::map<std::string, std::map<int, double>> measured(const rclcpp::NodeOptions & node_options, bool enabled, int count)
+{
+  const auto node = std::make_shared<rclcpp::Node>("node", node_options);
+  rclcpp::SubscriptionOptions options;
+  if (enabled) {
+    options.topic_stats_options.state = rclcpp::TopicStatisticsState::Enable;
+    options.topic_stats_options.publish_topic = "measured";
+    options.topic_stats_options.publish_period = 500ms;
+  }
+  int came = 0;
+  const auto subscription = node->create_subscription<String>(
+    "topic", kept, [&](const String &) {++came;}, options);
+  std::map<std::string, std::map<int, double>> found;
+  const auto statistics = node->create_subscription<MetricsMessage>(
+    enabled ? "measured" : "/statistics", 10, [&](const MetricsMessage & message) {
+      EXPECT(message.measurement_source_name == "node" && message.unit == "ms");
+      EXPECT(rclcpp::Time(message.window_start) < rclcpp::Time(message.window_stop));
+      for (const auto & point : message.statistics) {
+        found[message.metrics_source][point.data_type] = point.data;
+      }
+    });
+  const auto publisher = node->create_publisher<String>("topic", kept);
+  for (int sent = 1; sent <= count; ++sent) {
+    publisher->publish(String());
+    spin_until(node, [&]() {return came == sent;});
+    std::this_thread::sleep_for(20ms);
+  }
+  spin_until(node, [&]() {return found.size() == 2;});
+  return found;
+}
+
+void statistics_of_a_topic()
+{
+  using Type = statistics_msgs::msg::StatisticDataType;
+  auto found = measured(rclcpp::NodeOptions(), true, 4);
+  auto & age = found.at("message_age");
+  auto & period = found.at("message_period");
+  EXPECT(age[Type::STATISTICS_DATA_TYPE_SAMPLE_COUNT] == 4);
+  EXPECT(period[Type::STATISTICS_DATA_TYPE_SAMPLE_COUNT] == 3);
+  EXPECT(age[Type::STATISTICS_DATA_TYPE_MINIMUM] > 0);
+  EXPECT(period[Type::STATISTICS_DATA_TYPE_MINIMUM] >= 20);
+  for (auto & [metric, values] : found) {
+    EXPECT(values[Type::STATISTICS_DATA_TYPE_MINIMUM] <= values[Type::STATISTICS_DATA_TYPE_AVERAGE]);
+    EXPECT(values[Type::STATISTICS_DATA_TYPE_AVERAGE] <= values[Type::STATISTICS_DATA_TYPE_MAXIMUM]);
+    EXPECT(values[Type::STATISTICS_DATA_TYPE_STDDEV] >= 0);
+  }
+}
+
+void statistics_of_all_of_a_node()
+{
+  using Type = statistics_msgs::msg::StatisticDataType;
+  auto found = measured(rclcpp::NodeOptions().enable_topic_statistics(true), false, 0);
+  EXPECT(found.at("message_age")[Type::STATISTICS_DATA_TYPE_SAMPLE_COUNT] == 0);
+  EXPECT(std::isnan(found.at("message_period")[Type::STATISTICS_DATA_TYPE_AVERAGE]));
+}
+
+void statistics_need_a_period()
+{
+  rclcpp::Node node("node");
+  rclcpp::SubscriptionOptions options;
+  options.topic_stats_options.state = rclcpp::TopicStatisticsState::Enable;
+  options.topic_stats_options.publish_period = 0ms;
+  const auto make = [&]() {return node.create_subscription<String>("topic", 1, [](const String &) {}, options);};
+  EXPECT(
+    THROWN(std::invalid_argument, make()) ==
+    "topic_stats_options.publish_period must be greater than 0, specified value of 0 ms");
 }
 
 void parameters_of_a_prefix()
@@ -278,6 +350,9 @@ int main(int argc, char * argv[])
   }
   const Cases cases{
     {"what_comes_along", what_comes_along},
+    {"statistics_of_a_topic", statistics_of_a_topic},
+    {"statistics_of_all_of_a_node", statistics_of_all_of_a_node},
+    {"statistics_need_a_period", statistics_need_a_period},
     {"parameters_of_a_prefix", parameters_of_a_prefix},
     {"parameters_at_once", parameters_at_once},
     {"parameters_later", parameters_later},

@@ -27,6 +27,7 @@ namespace detail
 {
 class LocalInbox;
 class LocalTopic;
+class TopicStatistics;
 }  // namespace detail
 
 /// What subscriptions of all types have in common.
@@ -95,6 +96,7 @@ public:
 
 private:
   bool is_handed_over(const MessageInfo & info) const;
+  void measure(const MessageInfo & info) const;
 
   std::shared_ptr<rcl_subscription_t> handle_;
   detail::EventCallback on_new_;
@@ -104,6 +106,8 @@ private:
   // Only where messages of this process are handed over without the middleware.
   std::shared_ptr<detail::LocalTopic> local_;
   std::shared_ptr<detail::LocalInbox> inbox_;
+  // Only where they are wanted.
+  std::shared_ptr<detail::TopicStatistics> statistics_;
 };
 
 }  // namespace rclcpp

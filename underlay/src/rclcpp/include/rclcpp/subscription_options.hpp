@@ -37,7 +37,7 @@ struct SubscriptionOptionsBase
   /// Messages are handed over within the process where both ends want it.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
 
-  /// Statistics are not taken.
+  /// Whether the age and the period of its messages are measured, and where and how often that is published.
   struct TopicStatisticsOptions
   {
     TopicStatisticsState state = TopicStatisticsState::NodeDefault;
