@@ -84,7 +84,8 @@ TopicStatistics::TopicStatistics(
   const node_interfaces::NodeBaseInterface::SharedPtr & node,
   const SubscriptionOptionsBase::TopicStatisticsOptions & options)
 : node_name_(node->get_name()),
-  publisher_(std::make_shared<Publisher<Message>>(node, options.publish_topic, options.qos, PublisherOptions())),
+  publisher_(
+    std::make_shared<Publisher<Message>>(node, options.publish_topic, options.qos, PublisherOptions())),
   window_start_(system_now())
 {
 }

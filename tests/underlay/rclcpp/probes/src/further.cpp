@@ -50,8 +50,9 @@ void what_comes_along()
   EXPECT(std::strcmp(PRId64, "") != 0);
 }
 
-/// What a subscription measured while `count` messages came, 20 ms apart: by metric, its values by their type.
-std::map<std::string, std::map<int, double>> measured(const rclcpp::NodeOptions & node_options, bool enabled, int count)
+/// What a subscription measured while `count` messages came, 20 ms apart: by metric, its values by type.
+std::map<std::string, std::map<int, double>> measured(
+  const rclcpp::NodeOptions & node_options, bool enabled, int count)
 {
   const auto node = std::make_shared<rclcpp::Node>("node", node_options);
   rclcpp::SubscriptionOptions options;
@@ -113,7 +114,9 @@ void statistics_need_a_period()
   rclcpp::SubscriptionOptions options;
   options.topic_stats_options.state = rclcpp::TopicStatisticsState::Enable;
   options.topic_stats_options.publish_period = 0ms;
-  const auto make = [&]() {return node.create_subscription<String>("topic", 1, [](const String &) {}, options);};
+  const auto make = [&]() {
+      return node.create_subscription<String>("topic", 1, [](const String &) {}, options);
+    };
   EXPECT(
     THROWN(std::invalid_argument, make()) ==
     "topic_stats_options.publish_period must be greater than 0, specified value of 0 ms");
