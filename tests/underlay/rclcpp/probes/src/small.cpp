@@ -284,7 +284,10 @@ void clocks_that_follow_a_topic()
     });
   EXPECT(clock->now().seconds() == 42.0);
   source.attachClock(clock);
-  EXPECT(clock->now().seconds() == 43.0);
+  wait_until([&]() {  // the node and the source hear it one after the other
+      publisher->publish(message);
+      return clock->now().seconds() == 43.0;
+    });
   here->set_parameter(rclcpp::Parameter("use_sim_time", false));
   EXPECT(!clock->ros_time_is_active());
   source.attachClock(steady);
