@@ -23,6 +23,7 @@ from table import show
 
 from course.build.builder import build
 from course.build.store import Store
+from course.build.underlay_build import build_underlay
 from course.build.workspace import Workspace
 from course.isolation.levels import isolated
 from course.rosenv import find_ros, node_environment, prepare, underlay_builds
@@ -30,6 +31,38 @@ from course.rosenv import find_ros, node_environment, prepare, underlay_builds
 ROOT = Path(__file__).parents[1]
 PACKAGES = (ROOT / "underlay/src/rclcpp", ROOT / "bench/rclcpp_programs")
 TIMEOUT = 120.0
+HELLO = {
+    "package.xml": """\
+<package format="3">
+  <name>hello</name><version>0.0.0</version><description>A node</description>
+  <maintainer email="nobody@example.com">nobody</maintainer><license>none</license>
+  <buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend>
+  <export><build_type>ament_cmake</build_type></export>
+</package>
+""",
+    "CMakeLists.txt": """\
+cmake_minimum_required(VERSION 3.8)
+project(hello)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+add_executable(hello src/hello.cpp)
+target_link_libraries(hello rclcpp::rclcpp)
+install(TARGETS hello DESTINATION lib/hello)
+ament_package()
+""",
+    "src/hello.cpp": """\
+#include "rclcpp/rclcpp.hpp"
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  const auto node = std::make_shared<rclcpp::Node>("hello");
+  RCLCPP_INFO(node->get_logger(), "Hello!");
+  rclcpp::spin(node);
+  rclcpp::shutdown();
+}
+""",
+}
 RCLPY = """
 import sys, time
 import rclpy
@@ -96,8 +129,30 @@ def main() -> None:
         for who, rates in ((who, found[who][place]) for who in ("rclpy", "rclcpp", "floor"))
     ]  # fmt: skip
     show("messages a second", ("where", "with", "rate", "times rclpy", "of the floor"), rows)
-    costs = [[name, f"{seconds:.2f}"] for name, seconds in found["costs"].items()]
+    costs = [[name, f"{seconds:.2f}"] for name, seconds in (found["costs"] | hello_builds()).items()]
     show("what a node costs", ("step", "seconds (CPU for the compiler)"), costs)
+
+
+def hello_builds() -> dict[str, float]:
+    """Seconds until a package with one small node is built."""
+    ros = find_ros()
+    build_underlay(["rclcpp"], ros)
+    with tempfile.TemporaryDirectory() as scratch:
+        folder, store = Path(scratch, "hello"), Store(Path(scratch, "store"))
+        for name, text in HELLO.items():
+            (folder / "src/hello" / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / "src/hello" / name).write_text(text)
+        source = folder / "src/hello/src/hello.cpp"
+        found = {}
+        for step in ("cold", "one file changed", "unchanged"):
+            if step == "one file changed":
+                source.write_text(source.read_text().replace("Hello!", "Hello again!"))
+            began = time.monotonic()
+            outcome = build(Workspace.scan(folder, trusted=True), ["hello"], ros, store)
+            found[f"build a small node, {step}"] = time.monotonic() - began
+            if outcome.failure is not None:
+                raise SystemExit(outcome.failure.feedback.summary)
+        return found
 
 
 def in_namespaces(seconds: float, rounds: int) -> dict[str, dict]:
