@@ -180,7 +180,6 @@ void PluginLoader::loadLibraryForClass(const std::string & lookup_name)
       libraries_[path] = std::make_unique<class_loader::ClassLoader>(path);
     }
   } catch (const class_loader::LibraryLoadException & error) {
-    libraries_.erase(path);
     throw LibraryLoadException(error.what());
   }
   classes_.at(lookup_name).resolved_library_path_ = path;

@@ -16,7 +16,7 @@ class Other
 {
 public:
   virtual ~Other() = default;
-  std::string unused = "another base";
+  virtual std::string shade() const {return "another base";}
 };
 
 }  // namespace probes
