@@ -102,6 +102,9 @@ def test_a_cpp_package(create: Ros2) -> None:
     assert "build type: ament_cmake\ndependencies: ['std_msgs']\n" in answer.stdout
     assert "creating source and include folder\ncreating folder ./p/src\n" in answer.stdout
     root = ElementTree.parse(create.cwd / "p/package.xml").getroot()
+    assert root.findtext("buildtool_depend") == "ament_cmake_ros"
+    create("pkg", "create", "q", "--node-name", "my_node")
+    root = ElementTree.parse(create.cwd / "q/package.xml").getroot()
     assert root.findtext("buildtool_depend") == "ament_cmake"
 
 

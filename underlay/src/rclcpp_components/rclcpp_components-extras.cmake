@@ -56,8 +56,6 @@ function(_rclcpp_components_register_node target)
   file(GENERATE OUTPUT "${source}" INPUT "${source}.in")
   add_executable(${ARG_EXECUTABLE} "${source}")
   target_link_libraries(${ARG_EXECUTABLE} rclcpp_components::component)
-  # The library registers in the program's list instead of in one of its own.
-  set_target_properties(${ARG_EXECUTABLE} PROPERTIES ENABLE_EXPORTS ON)
   add_dependencies(${ARG_EXECUTABLE} ${target})
   install(TARGETS ${ARG_EXECUTABLE} DESTINATION lib/${PROJECT_NAME})
 endfunction()

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -28,7 +29,7 @@ public:
 
   /// An empty path stands for the libraries that the program is linked with. Throws LibraryLoadException.
   explicit ClassLoader(const std::string & library_path, bool ondemand_load_unload = false)
-  : path_(library_path), is_on_demand_(ondemand_load_unload), is_loaded_(library_path.empty())
+  : path_(library_path), is_on_demand_(ondemand_load_unload)
   {
     if (!is_on_demand_) {
       loadLibrary();
@@ -40,36 +41,40 @@ public:
 
   const std::string & getLibraryPath() const {return path_;}
   bool isOnDemandLoadUnloadEnabled() const {return is_on_demand_;}
-  bool isLibraryLoaded() const {return is_loaded_;}
+  bool isLibraryLoaded() const {return path_.empty() || loads_ > 0;}
   void loadLibrary()
   {
-    if (isLibraryLoaded()) {
+    if (path_.empty()) {
       return;
     }
     const std::string before = detail::library_being_loaded();
     detail::library_being_loaded() = path_;
-    is_loaded_ = dlopen(path_.c_str(), RTLD_NOW | RTLD_GLOBAL | RTLD_NODELETE) != nullptr;
+    const bool is_loaded = dlopen(path_.c_str(), RTLD_NOW | RTLD_NODELETE) != nullptr;
     detail::library_being_loaded() = before;
-    if (!is_loaded_) {
+    if (!is_loaded) {
       throw LibraryLoadException("Could not load library " + path_ + ": " + dlerror());
     }
+    ++loads_;
   }
-  /// How many more times this must be called for the library to be unloaded: 0.
+  /// Takes back one `loadLibrary`, unless there are objects that this made and manages. Returns how many are
+  /// left.
   int unloadLibrary()
   {
-    is_loaded_ = path_.empty();
-    return 0;
+    if (loads_ > 0 && *objects_ == 0) {
+      --loads_;
+    }
+    return loads_;
   }
 
-  /// Names as they were registered.
+  /// Names as they were registered. Those of libraries that the program is linked with are always among them.
   template<typename BaseT>
   std::vector<std::string> getAvailableClasses() const
   {
-    auto & registry = detail::Registry<BaseT>::get();
+    auto & registry = detail::registry_of<BaseT>();
     const std::lock_guard lock(registry.mutex);
     std::vector<std::string> names;
     for (const auto & [name, entry] : registry.entries) {
-      if (entry.library == path_) {
+      if (offers(entry)) {
         names.push_back(name);
       }
     }
@@ -96,29 +101,43 @@ public:
   template<typename BaseT>
   UniquePtr<BaseT> createUniqueInstance(const std::string & derived_class_name)
   {
-    return UniquePtr<BaseT>(
-      createUnmanagedInstance<BaseT>(derived_class_name), std::default_delete<BaseT>());
+    UniquePtr<BaseT> object(
+      createUnmanagedInstance<BaseT>(derived_class_name), [objects = objects_](BaseT * made) {
+        delete made;
+        --*objects;
+      });
+    ++*objects_;
+    return object;
   }
   /// To be deleted by the caller.
   template<typename BaseT>
   BaseT * createUnmanagedInstance(const std::string & derived_class_name)
   {
-    loadLibrary();
-    auto & registry = detail::Registry<BaseT>::get();
+    if (!isLibraryLoaded()) {
+      loadLibrary();
+    }
+    auto & registry = detail::registry_of<BaseT>();
     std::unique_lock lock(registry.mutex);
     const auto found = registry.entries.find(derived_class_name);
-    if (found == registry.entries.end() || found->second.library != path_) {
+    if (found == registry.entries.end() || !offers(found->second)) {
       throw CreateClassException("Could not create instance of type " + derived_class_name);
     }
     const auto make = found->second.make;
     lock.unlock();
-    return make();
+    return static_cast<BaseT *>(make());
   }
 
 private:
+  bool offers(const detail::Registry::Entry & entry) const
+  {
+    return entry.library.empty() || entry.library == path_;
+  }
+
   const std::string path_;
   const bool is_on_demand_;
-  bool is_loaded_;
+  int loads_ = 0;
+  /// How many there are of those that this made and manages; they may outlive it.
+  const std::shared_ptr<std::atomic<int>> objects_ = std::make_shared<std::atomic<int>>(0);
 };
 
 }  // namespace class_loader

@@ -25,11 +25,11 @@ namespace detail
 /// Of the class of nodes with this name, if a library that is loaded has registered it; else nothing.
 inline std::shared_ptr<NodeFactory> factory_of(const std::string & node_class)
 {
-  auto & registry = class_loader::detail::Registry<NodeFactory>::get();
+  auto & registry = class_loader::detail::registry_of<NodeFactory>();
   const std::lock_guard lock(registry.mutex);
   const auto found = registry.entries.find("rclcpp_components::NodeFactoryTemplate<" + node_class + ">");
   return std::shared_ptr<NodeFactory>(
-    found == registry.entries.end() ? nullptr : found->second.make());
+    found == registry.entries.end() ? nullptr : static_cast<NodeFactory *>(found->second.make()));
 }
 
 }  // namespace detail

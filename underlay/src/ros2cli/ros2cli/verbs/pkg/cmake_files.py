@@ -131,8 +131,9 @@ def _parts(plan: Plan) -> Iterator[str]:
 
 
 def _finds(plan: Plan) -> str:
-    tool = ["ament_cmake"] if plan.build_type == "ament_cmake" else []
-    finds = "".join(f"find_package({name} REQUIRED)\n" for name in [*tool, *plan.dependencies])
+    shared = ["ament_cmake_ros"] if plan.library else []  # it makes libraries shared ones
+    tools = ["ament_cmake", *shared] if plan.build_type == "ament_cmake" else []
+    finds = "".join(f"find_package({name} REQUIRED)\n" for name in [*tools, *plan.dependencies])
     return "# The packages that this one uses\n" + finds if finds else ""
 
 

@@ -26,7 +26,8 @@ def manifest(plan: Plan) -> str:
 
 def _parts(plan: Plan) -> Iterator[list[str]]:
     yield _about(plan)
-    build_tool = {"ament_cmake": ["ament_cmake"], "cmake": ["cmake"]}.get(plan.build_type, [])
+    ament = "ament_cmake_ros" if plan.library else "ament_cmake"
+    build_tool = {"ament_cmake": [ament], "cmake": ["cmake"]}.get(plan.build_type, [])
     yield [_tag("buildtool_depend", name) for name in build_tool]
     yield [_tag("depend", name) for name in plan.dependencies]
     yield [_tag("test_depend", name) for name in _TEST_DEPENDS.get(plan.build_type, ())]
