@@ -12,7 +12,7 @@ REPO = Path(__file__).parents[1]
 # What may not be exceeded. Lines and files have one percent of room; lower them when the engine has shrunk.
 # What raised them, and why, is in this file's history: `git log -p tests/test_shape.py`.
 LIMITS = {
-    "lines": 49_894,
+    "lines": 49_904,
     "files": 311,
     "files of at most 50 lines with one importer": 3,
     "base names of several files": 0,
