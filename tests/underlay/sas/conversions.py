@@ -79,7 +79,7 @@ def say(name: str, *dqs: Any) -> None:
 
 
 def algebra(x: DQ, r: DQ, t: DQ) -> None:
-    y = x * (2.0 * r + E_ * t) - 0.5
+    y = x * (2.0 * r + i_ + E_ * t) - 0.5
     say("parts", P(y), D(y), Re(y), Im(y), conj(y), sharp(y))
     say("products", y * x, x * y, Ad(r, t), cross(t, r * i_), dot(t, j_ + 2 * k_))
     say("sums", y + x, y - x, -y, 1 + y, y - 2)

@@ -34,7 +34,7 @@ std::string what_of(const std::function<void()> & action)
 
 void algebra(const DQ & x, const DQ & r, const DQ & t)
 {
-  const DQ y = x * (2.0 * r + E_ * t) - 0.5;
+  const DQ y = x * (2.0 * r + i_ + E_ * t) - 0.5;
   say("parts", {P(y), D(y), Re(y), Im(y), conj(y), sharp(y)});
   say("products", {y * x, x * y, Ad(r, t), cross(t, r * i_), dot(t, j_ + 2 * k_)});
   say("sums", {y + x, y - x, -y, 1 + y, y - 2});
