@@ -104,14 +104,16 @@ void a_callback_may_disconnect_itself()
 {
   message_filters::Connection connection;
   int calls = 0;
+  int others = 0;
   {
     Input input;
     connection = input.registerCallback([&](const Ptr &) {++calls; connection.disconnect();});
+    input.registerCallback([&](const Ptr &) {++others;});
     input.add(note(1));
     input.add(note(2));
   }
   connection.disconnect();  // its input is gone
-  EXPECT(calls == 1);
+  EXPECT(calls == 1 && others == 2);
 }
 
 void a_cache_keeps_the_last_ones()

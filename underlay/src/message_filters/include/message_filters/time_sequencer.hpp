@@ -24,7 +24,8 @@ public:
   using typename SimpleFilter<M>::MConstPtr;
   using typename SimpleFilter<M>::EventType;
 
-  /// It looks every `update_rate`. If there are more than `queue_size`, the oldest is dropped; 0 is no limit.
+  /// It looks every `update_rate`. If there are more than `queue_size`, the oldest is dropped. A `queue_size` of 0
+  /// stands for any number.
   TimeSequencer(
     rclcpp::Duration delay, rclcpp::Duration update_rate, std::uint32_t queue_size,
     rclcpp::Node::SharedPtr node)

@@ -88,8 +88,8 @@ public:
   using MConstPtr = std::shared_ptr<M const>;
   using MEvent = message_filters::MessageEvent<M const>;
 
-  // If there are more than `queue_size` messages, the oldest is dropped; 0 is no limit. A message is dropped
-  // after `buffer_timeout`, too.
+  // If there are more than `queue_size` messages, the oldest is dropped; 0 stands for any number. A message is
+  // dropped after `buffer_timeout`, too.
 
   template<typename TimeRepT = std::int64_t, typename TimeT = std::nano>
   MessageFilter(

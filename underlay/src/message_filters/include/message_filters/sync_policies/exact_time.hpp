@@ -20,7 +20,7 @@ class ExactTime : public PolicyBase<M0, M1, Ms...>
 public:
   using typename Base::Events;
 
-  /// Keeps messages of `queue_size` times that wait for others; 0 is no limit.
+  /// Keeps messages of `queue_size` times that wait for others; 0 stands for any number.
   ExactTime(std::uint32_t queue_size)  // NOLINT: as the real one has it
   : queue_size_(queue_size)
   {
