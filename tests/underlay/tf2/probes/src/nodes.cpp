@@ -12,6 +12,7 @@
 
 #include "case.hpp"
 #include "geometry_msgs/msg/point_stamped.hpp"
+#include "message_filters/pass_through.h"
 #include "placed.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "tf2/exceptions.h"
@@ -19,6 +20,7 @@
 #include "tf2_msgs/srv/frame_graph.hpp"
 #include "tf2_ros/buffer.h"
 #include "tf2_ros/create_timer_ros.h"
+#include "tf2_ros/message_filter.h"
 #include "tf2_ros/static_transform_broadcaster.h"
 #include "tf2_ros/transform_broadcaster.h"
 #include "tf2_ros/transform_listener.h"
@@ -269,6 +271,111 @@ void short_lives()
   }
 }
 
+using geometry_msgs::msg::PointStamped;
+
+std::shared_ptr<PointStamped> point(const std::string & frame, double seconds)
+{
+  const auto made = std::make_shared<PointStamped>();
+  made->header = placed(frame, "", seconds, 0).header;
+  return made;
+}
+
+/// A filter for points in frames that are known, and what it lets through.
+struct Filtering
+{
+  explicit Filtering(unsigned queue_size, std::chrono::milliseconds timeout = LONG)
+  : filter(buffer, "world", queue_size, node, timeout)
+  {
+    buffer.setCreateTimerInterface(
+      std::make_shared<tf2_ros::CreateTimerROS>(
+        node->get_node_base_interface(), node->get_node_timers_interface()));
+    filter.registerCallback(&Filtering::hear, this);
+  }
+  void hear(const std::shared_ptr<PointStamped const> & one) {heard.push_back(one->header.stamp.sec);}
+  void know(double seconds, const std::string & frame = "world")
+  {
+    buffer.setTransform(placed(frame, "robot", seconds, 1), "test");
+  }
+
+  std::shared_ptr<rclcpp::Node> node = std::make_shared<rclcpp::Node>("node");
+  tf2_ros::Buffer buffer{node->get_clock()};
+  std::vector<int> heard;
+  tf2_ros::MessageFilter<PointStamped> filter;
+};
+
+/// Messages wait for transforms, and come through in the order in which these become known.
+void filtering()
+{
+  Filtering all(0);
+  all.know(1);
+  all.filter.add(point("/robot", 1));
+  EXPECT(all.heard == std::vector<int>{1});
+  all.filter.add(point("robot", 4));
+  all.filter.add(point("robot", 2));
+  all.filter.add(point("", 1));
+  EXPECT(all.heard.size() == 1);
+  all.know(3);
+  EXPECT(all.heard == std::vector<int>({1, 2}));
+  all.know(5);
+  EXPECT(all.heard == std::vector<int>({1, 2, 4}));
+  all.filter.setTolerance(rclcpp::Duration(2, 0));
+  all.filter.add(point("robot", 4));
+  all.know(5.5);
+  EXPECT(all.heard.size() == 3);
+  all.know(6);
+  EXPECT(all.heard.size() == 4);
+  all.filter.add(point("robot", 8));
+  all.filter.clear();
+  all.know(20);
+  EXPECT(all.heard.size() == 4);
+}
+
+void filtering_for_several_frames()
+{
+  Filtering all(0);
+  all.filter.setTargetFrames({"world", "/room"});
+  EXPECT(all.filter.getTargetFramesString() == "world room ");
+  all.know(1);
+  all.filter.add(point("robot", 1));
+  EXPECT(all.heard.empty());
+  all.buffer.setTransform(placed("world", "room", 1, 1), "test");
+  EXPECT(all.heard == std::vector<int>{1});
+}
+
+void filtering_has_limits()
+{
+  Filtering one(1);
+  EXPECT(one.filter.getQueueSize() == 1);
+  one.filter.add(point("robot", 1));
+  one.filter.add(point("robot", 2));
+  one.know(1);
+  one.know(2);
+  EXPECT(one.heard == std::vector<int>{2});
+  Filtering brief(0, 20ms);
+  const Spun spun(brief.node);
+  brief.filter.add(point("robot", 1));
+  std::this_thread::sleep_for(1s);
+  brief.know(1);
+  EXPECT(brief.heard.empty());
+}
+
+/// The end of a filter takes its messages with it.
+void filtering_ends()
+{
+  Filtering all(0);
+  {
+    message_filters::PassThrough<PointStamped> input;
+    tf2_ros::MessageFilter<PointStamped> filter(input, all.buffer, "world", 10, all.node);
+    filter.registerCallback(&Filtering::hear, &all);
+    input.add(point("robot", 1));
+    all.know(1);
+    EXPECT(all.heard == std::vector<int>{1});
+    input.add(point("robot", 2));
+  }
+  all.know(2);
+  EXPECT(all.heard.size() == 1);
+}
+
 int main(int argc, char * argv[])
 {
   rclcpp::init(argc, argv);
@@ -284,6 +391,10 @@ int main(int argc, char * argv[])
     {"service", service},
     {"quality", quality},
     {"short_lives", short_lives},
+    {"filtering", filtering},
+    {"filtering_for_several_frames", filtering_for_several_frames},
+    {"filtering_has_limits", filtering_has_limits},
+    {"filtering_ends", filtering_ends},
   }, argv[1]);
   rclcpp::shutdown();
   return code;

@@ -1,0 +1,1 @@
+../../../rclcpp/probes/src/case.hpp
