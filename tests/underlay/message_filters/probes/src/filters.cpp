@@ -219,6 +219,9 @@ void options_of_approximate_times()
   // Only two of each are kept.
   Pairs small(2);
   EXPECT(brought_together(small, {0, 2, 4, 6, 7, 9, 20, 21}) == std::vector<Numbers>({{6, 7}, {20, 21}}));
+  // 0 was dropped, and 1 belongs to it.
+  Pairs lossy(2);
+  EXPECT(brought_together(lossy, {0, 2, 4, 1, 5, 20, 21}) == std::vector<Numbers>({{4, 5}}));
 }
 
 void a_sequencer_puts_in_order()
