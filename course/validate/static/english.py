@@ -132,10 +132,11 @@ def repetitions(text: str) -> Iterator[tuple[int, str, str]]:
 
 def early_terms(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding]:
     """Places where a text uses one of the `terms` before the lesson that explains it in bold."""
+    plain = [replace(text, text=_without_code(text.text)) for text in texts]
     earlier: list[Prose] = []
     for chapter, reading in subject.lessons.items():
-        own = [text for text in texts if text.file.is_relative_to(chapter)]
-        lesson = _without_code(own[0].text) if own else ""
+        own = [text for text in plain if str(text.file).startswith(f"{chapter}/")]
+        lesson = own[0].text if own else ""
         for place, term in enumerate(reading.value["terms"] if reading.value else ()):
             words = r"\s+".join(map(re.escape, term.split())) + "s?"
             if bold := re.search(rf"\*\*{words}[.,]?\*\*", lesson, re.IGNORECASE):
@@ -150,11 +151,10 @@ def early_terms(subject: Subject, texts: Sequence[Prose]) -> Iterator[Finding]:
 
 
 def _lines_with(words: str, text: Prose) -> Iterator[int]:
-    """The line of the file in which each sentence starts, without code and headings."""
-    plain = _without_code(text.text)
-    for found in re.finditer(rf"\b{words}\b", plain, re.IGNORECASE):
-        number = plain.count("\n", 0, found.start())
-        line = plain.splitlines()[number]
+    """The lines of the file with these words, without headings, for a text without its code."""
+    for found in re.finditer(rf"\b{words}\b", text.text, re.IGNORECASE):
+        number = text.text.count("\n", 0, found.start())
+        line = text.text.splitlines()[number]
         if not line.startswith("#") and not _ALLOWED.search(line):
             yield text.at(number + 1)
 
