@@ -258,7 +258,7 @@ def unknown_alias(recording: Recording) -> Feedback:
     commented = any(line.lstrip().startswith("#") and "alias say_hello" in line for _, line in lines)
     function = any(re.match(r"\s*(function\s+)?say_hello\s*\(\)", line) for _, line in lines)
     if close:
-        summary = f"There is no alias `say_hello`; there is `{close}`."
+        summary = f"The alias `say_hello` does not exist, but `{close}` does."
         advice = "Correct its name in `~/.bashrc`."
     elif function:
         summary = "`say_hello` is a function, not an alias."

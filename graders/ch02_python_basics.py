@@ -83,7 +83,7 @@ def made(recording: Recording) -> None:
     other = others[0].partition("/")[0] if others else None
     raise Failure(
         Feedback(
-            summary=f"There is no environment `~/{ENVIRONMENT}`; there is `~/{other}`."
+            summary=f"The environment `~/{ENVIRONMENT}` does not exist, but `~/{other}` does."
             if other
             else f"There is no virtual environment in `~/{ENVIRONMENT}`.",
             expected=f"a virtual environment in ~/{ENVIRONMENT}",

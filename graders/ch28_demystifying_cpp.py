@@ -328,7 +328,7 @@ def expect_tree(recording: Recording) -> None:
     expect_of_parts(
         recording,
         ("parents", ["body", "body", "axle"], "the parents of mast, axle, and wheel"),
-        "In `mount`, store the parent in the child. To get a shared_ptr from a weak_ptr, call `.lock()`.",
+        "In `mount`, store the parent in the child. To get a `shared_ptr` from a `weak_ptr`, call `.lock()`.",
     )
     expect_of_parts(
         recording,

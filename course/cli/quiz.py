@@ -73,7 +73,7 @@ class Asking:
     def _ask(self, questions: tuple[Question, ...], known: Answers) -> None:
         if not questions:
             return
-        put(self.console, "Leave an answer empty to come back to it later. Ctrl+C stops.", "dim")
+        put(self.console, "Leave an answer empty to come back to it later. Press Ctrl+C to stop.", "dim")
         for index, question in enumerate(questions, start=1):
             render_question(self.console, question, number=index, total=len(questions))
             if known.first(question.id):

@@ -56,7 +56,7 @@ def _known(session: CourseSession) -> dict[Name, Question]:
 
 def _ask(questions: Mapping[Name, Question], progress: Progress) -> None:
     console = open_console()
-    put(console, "Leave an answer empty to skip the question. Ctrl+C stops.", "dim")
+    put(console, "Leave an answer empty to skip the question. Press Ctrl+C to stop.", "dim")
     right = 0
     for index, ((exercise, _), question) in enumerate(questions.items(), start=1):
         render_question(console, question, number=index, total=len(questions))

@@ -62,8 +62,8 @@ def _elsewhere(files: tuple[str, ...], folder: str, path: str, error: str) -> Fe
     if near == name:
         summary, advice = f"The folder {name} is in the wrong place.", f"It belongs at `{wanted}`: move it."
     elif near:
-        summary, advice = f"There is no folder {name}; there is `{near}`.", f"Rename it to `{name}`."
+        summary, advice = f"The folder {name} does not exist, but `{near}` does.", f"Rename it to `{name}`."
     else:
         summary = f"The package has no folder {path} with an `__init__.py` in it."
-        advice = f"Create both: `{wanted}/__init__.py`. An empty file is enough for the build."
+        advice = f"Create the folder and the file `{wanted}/__init__.py`. An empty file is enough for the build."
     return Feedback(summary=summary, expected=wanted, seen=error, where=where, advice=advice)
