@@ -150,7 +150,8 @@ def test_pub(room: Room) -> None:
 def test_pub_over_several_lines(room: Room) -> None:
     """As Tab fills it in: the prototype, line by line."""
     listener, terminal = room.terminal(), room.terminal()
-    listener.begin(f"ros2 topic echo --once /amazing_quote {TYPE}")
+    # Before anyone publishes, `echo` asks for best effort: then a message that comes too early is lost.
+    listener.begin(f"ros2 topic echo --once --qos-reliability reliable /amazing_quote {TYPE}")
     terminal.press(f"ros2 topic pub --once /amazing_quote {TYPE} \"id: 5\rquote: 'It is late'\r")
     terminal.run('philosopher_name: Nobody"')
     assert listener.end().text == "id: 5\nquote: It is late\nphilosopher_name: Nobody\n---\n"
