@@ -35,7 +35,7 @@ def test_one_of_another_name_is_named(course: Course, home: Path, check: Check) 
     make_environment(home / "ros2_venv")
     made = check(course.exercise("02-venv"), home).checks[0]
     assert made.outcome is Outcome.FAILED
-    assert made.feedback is not None and "there is `~/ros2_venv`" in made.feedback.summary
+    assert made.feedback is not None and "but `~/ros2_venv` does" in made.feedback.summary
 
 
 def test_one_whose_python_is_gone(course: Course, home: Path, check: Check) -> None:
