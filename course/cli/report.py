@@ -54,7 +54,7 @@ def report(
     ] = None,
     title: Annotated[
         str,
-        typer.Option("--title", metavar="TEXT", help="The assignment's name. The default is the same as for `grade`."),
+        typer.Option("--title", metavar="TEXT", help="The assignment's name. By default, that of `grade`."),
     ] = "",
 ) -> None:
     """Make a report page for a graded class.

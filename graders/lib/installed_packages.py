@@ -65,5 +65,5 @@ def _elsewhere(files: tuple[str, ...], folder: str, path: str, error: str) -> Fe
         summary, advice = f"The folder {name} does not exist, but `{near}` does.", f"Rename it to `{name}`."
     else:
         summary = f"The package has no folder {path} with an `__init__.py` in it."
-        advice = f"Create the folder and the file `{wanted}/__init__.py`. An empty file is enough for the build."
+        advice = f"Create the folder and `{wanted}/__init__.py`. An empty file is enough for the build."
     return Feedback(summary=summary, expected=wanted, seen=error, where=where, advice=advice)
