@@ -226,7 +226,7 @@ bool SubscriptionBase::is_handed_over(const MessageInfo & info) const
 void SubscriptionBase::measure(const MessageInfo & info) const
 {
   if (statistics_) {
-    statistics_->add(info.get_rmw_message_info().source_timestamp, detail::system_now());
+    statistics_->add(info.get_rmw_message_info().source_timestamp);
   }
 }
 

@@ -18,13 +18,14 @@ namespace
 
 constexpr double nanoseconds_per_ms = 1e6;
 
-}  // namespace
-
+/// Nanoseconds of system time.
 std::int64_t system_now()
 {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
+
+}  // namespace
 
 void Statistics::add(double value)
 {
@@ -90,8 +91,9 @@ TopicStatistics::TopicStatistics(
 {
 }
 
-void TopicStatistics::add(std::int64_t sent, std::int64_t now)
+void TopicStatistics::add(std::int64_t sent)
 {
+  const std::int64_t now = system_now();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (sent) {
     age_.add(static_cast<double>(now - sent) / nanoseconds_per_ms);

@@ -29,7 +29,7 @@ private:
 
 /// Measures how old the messages of one subscription are and how far apart they come, in ms, and publishes
 /// both after each period.
-class TopicStatistics : public std::enable_shared_from_this<TopicStatistics>
+class TopicStatistics
 {
 public:
   /// nullptr where neither the options nor the node want statistics. Throws std::invalid_argument for a
@@ -41,8 +41,8 @@ public:
     const node_interfaces::NodeBaseInterface::SharedPtr & node,
     const SubscriptionOptionsBase::TopicStatisticsOptions & options);
 
-  /// A message came at `now` that was sent at `sent`, both in nanoseconds of system time; 0: not known.
-  void add(std::int64_t sent, std::int64_t now);
+  /// A message has come that was sent at `sent`, in nanoseconds of system time; 0: not known.
+  void add(std::int64_t sent);
 
 private:
   using Message = statistics_msgs::msg::MetricsMessage;
@@ -57,8 +57,5 @@ private:
   Statistics age_, period_;
   std::int64_t last_ = 0, window_start_;
 };
-
-/// Nanoseconds of system time.
-std::int64_t system_now();
 
 }  // namespace rclcpp::detail
